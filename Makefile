@@ -1,0 +1,105 @@
+# Every command sets up what it needs in .venv, from the versions locked in requirements/, and only when these change.
+# Another Python: make test PYTHON=/path/to/python3.12
+
+VENV := .venv
+ifeq ($(OS),Windows_NT)
+BIN := $(VENV)/Scripts
+else
+BIN := $(VENV)/bin
+endif
+PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
+NEW_ENOUGH := import sys; sys.exit(sys.version_info < (3, 11))
+
+RUN := $(VENV)/run.stamp
+DEV := $(VENV)/dev.stamp
+DOCS := $(VENV)/docs.stamp
+
+.PHONY: help setup demo test slow lint format verification docs bench fast lock clean
+
+help:
+	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
+	@echo "make test          all tests but the slow ones, and the examples in the docstrings"
+	@echo "make slow          the slow tests"
+	@echo "make lint          ruff and mypy"
+	@echo "make format        let ruff format and tidy the code"
+	@echo "make verification  all verification tests; writes docs/verification.md"
+	@echo "make docs          build the documentation into docs/_build/html"
+	@echo "make bench         run the benchmarks; writes benchmarks/results"
+	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
+	@echo "make lock          renew requirements/*.lock from pyproject.toml (needs uv)"
+	@echo "make clean         remove .venv, caches and what was built"
+
+setup: $(RUN)
+
+demo: $(RUN)
+	$(BIN)/turgor run examples/fast_pneunet.toml --output runs/demo --force
+
+test: $(DEV)
+	$(BIN)/python -m pytest
+
+slow: $(DEV)
+	$(BIN)/python -m pytest -m slow
+
+lint: $(DEV)
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/mypy
+
+format: $(DEV)
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
+
+verification: $(DEV)
+	$(BIN)/python -m pytest tests/verification -m "slow or not slow" --write-verification
+
+docs: $(DOCS)
+	$(BIN)/python -m sphinx -W --keep-going -b html docs docs/_build/html
+
+bench: $(RUN)
+	$(BIN)/python benchmarks/run.py
+
+fast: $(RUN) requirements/fast.lock
+	$(PIP) install -r requirements/fast.lock
+
+lock:
+	uv pip compile $(LOCK) -o requirements/run.lock
+	uv pip compile $(LOCK) --extra dev -c requirements/run.lock -o requirements/dev.lock
+	uv pip compile $(LOCK) --extra docs -c requirements/dev.lock -o requirements/docs.lock
+	uv pip compile $(LOCK) --extra fast -c requirements/run.lock -o requirements/fast.lock
+
+LOCK := pyproject.toml --group build --universal --python-version 3.11 --fork-strategy fewest \
+	--upgrade --no-header --no-annotate --quiet
+
+clean:
+	rm -rf $(VENV) build dist docs/_build .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find src tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# Setting up. A .venv that is broken or too old is made anew; packages come in at their locked versions, and turgor
+# itself as a link to src, so that a change there needs no new set-up.
+$(RUN): requirements/run.lock pyproject.toml
+	@if ! $(BIN)/python -c "import pip, $(NEW_ENOUGH)" >/dev/null 2>&1; then \
+	  for p in $(PYTHON) $(if $(PYTHON),,python3 python3.13 python3.12 python3.11 python); do \
+	    if $$p -c "$(NEW_ENOUGH)" >/dev/null 2>&1; then found=$$p; break; fi; \
+	  done; \
+	  if [ -z "$$found" ]; then \
+	    echo "turgor needs Python 3.11 or newer; found: $$($(or $(PYTHON),python3) --version 2>&1 | head -1)." >&2; \
+	    echo "Install one, or name it: make $(MAKECMDGOALS) PYTHON=/path/to/python3.12" >&2; \
+	    exit 1; \
+	  fi; \
+	  echo "making $(VENV) with $$found ($$($$found --version))"; \
+	  $$found -m venv --clear $(VENV); \
+	fi
+	@echo "installing turgor and its locked versions into $(VENV) (once; a download of about 250 MB)"
+	$(PIP) install -r requirements/run.lock
+	$(PIP) install --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(DEV): requirements/dev.lock $(RUN)
+	@echo "installing test tools and linters into $(VENV)"
+	$(PIP) install -r requirements/dev.lock
+	@touch $@
+
+$(DOCS): requirements/docs.lock $(RUN)
+	@echo "installing the tools for the documentation into $(VENV)"
+	$(PIP) install -r requirements/docs.lock
+	@touch $@

@@ -1,0 +1,152 @@
+"""`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
+
+python benchmarks/run.py [bender] [demo] [growth]   all three where none is named; writes benchmarks/results.md
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from machine import has_mkl, machine
+
+HERE = Path(__file__).parent
+TWO = min(2, os.cpu_count() or 1)
+
+DEMO_SIZE = 2.15e-3  # about 60,000 unknowns
+GROWTH_SIZES = (4.0e-3, 2.4e-3, 1.6e-3, 1.15e-3, 0.85e-3, 0.625e-3)  # 15,000 to 500,000 unknowns
+
+#: CPU seconds of other codes for the reference bender: whole process, per iteration, and the number of iterations. Same
+#: mesh, same 20 steps. With the 14 points used here FElupe needs 0.90 s an iteration.
+PEERS = (
+    ("FEniCSx (dolfinx 0.5.2, MUMPS)", 50, 0.45, 111),
+    ("NGSolve 6.2.2608 (sparsecholesky)", 70, 0.62, 113),
+    ("FElupe 11.3 (PyPardiso, 4 points)", 90, 0.79, 114),
+)
+PEERS_FROM = "Peers: this project's measurements of 2026, one thread, two-core AMD EPYC (Zen 4), good to perhaps 20 %."
+
+Facts = Mapping[str, Any]
+
+
+def measure(request: Mapping[str, Any], cache: str | None = None) -> Facts:
+    """Run one case in its own process; ``cache`` names an empty folder to see what the first use costs."""
+    threads = str(request["threads"])
+    names = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
+    environment = os.environ | dict.fromkeys(names, threads) | ({"NUMBA_CACHE_DIR": cache} if cache else {})
+    command = [sys.executable, str(HERE / "case.py"), json.dumps(request)]
+    result = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True)
+    return json.loads(result.stdout.splitlines()[-1])
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table, readable as text too."""
+    widths = [max(len(row[i]) for row in (head, *rows)) for i in range(len(head))]
+    lines = [
+        "| " + " | ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)) + " |" for row in (head, *rows)
+    ]
+    return "\n".join([lines[0], "|" + "|".join("-" * (w + 2) for w in widths) + "|", *lines[1:]])
+
+
+def solvers() -> tuple[str, ...]:
+    """The linear solvers that are here."""
+    return ("rslab", "mkl-pardiso") if has_mkl() else ("rslab",)
+
+
+def memory(facts: Facts) -> str:
+    """Peak memory in MiB."""
+    return "unknown" if facts["memory"] is None else f"{facts['memory'] / 2**20:.0f}"
+
+
+def rest(facts: Facts) -> float:
+    """Wall time of the solve that is neither compilation, set-up, assembly, factorization nor solving [s]."""
+    return facts["total"] - sum(facts[key] for key in ("compile", "setup", "assembly", "factorization", "solve"))
+
+
+def bender() -> str:
+    """The reference bender on one thread."""
+    rows = []
+    for solver in solvers():
+        facts = measure({"case": "bender", "solver": solver, "threads": 1})
+        each = (facts["assembly"] + facts["factorization"] + facts["solve"]) / facts["iterations"]
+        cells = (f"{facts['cpu']:.1f}", f"{each:.3f}", str(facts["iterations"]), f"{facts['deviation']:.1e}")
+        rows.append((f"turgor, {solver}", *cells, memory(facts)))
+    rows += [(name, str(cpu), f"{each:.2f}", str(count), "", "") for name, cpu, each, count in PEERS]
+    head = ("code", "CPU s, whole process", "s an iteration", "iterations", "tip off FEniCSx by", "peak MiB")
+    text = "20 equal steps to 100 kPa, residual to 1e-8, 15,779 unknowns, one thread."
+    return f"## Reference bender\n\n{text} {PEERS_FROM}\n\n{table(head, rows)}\n"
+
+
+def demo() -> str:
+    """The demo at about 60,000 unknowns, first use and later ones."""
+    rows = []
+    for solver in solvers():
+        request = {"case": "demo", "solver": solver, "threads": TWO, "size": DEMO_SIZE}
+        with tempfile.TemporaryDirectory() as empty:
+            rows.append(demo_row(f"{solver}, first use", measure(request, cache=empty)))
+        measure(request | {"size": 4e-3})  # fills the cache where this machine has none yet
+        rows.append(demo_row(solver, facts := measure(request)))
+    head = ("linear solver", "wall s", "compile s", "set-up s", "steps", "iterations", "assembly s/it", "factor s/it")
+    head += ("solve s/it", "rest s/it", "assembly/factor", "peak MiB")
+    text = (
+        f"Fast PneuNet of the example, {facts['unknowns']:,} unknowns, whole ramp, {TWO} threads; wall time of solve."
+    )
+    return f"## Demo\n\n{text}\n\n{table(head, rows)}\n"
+
+
+def demo_row(name: str, facts: Facts) -> tuple[str, ...]:
+    """One row: wall time and where each iteration spends it."""
+    count = facts["iterations"]
+    parts = (facts["assembly"], facts["factorization"], facts["solve"], rest(facts))
+    each = tuple(f"{part / count:.3f}" for part in parts)
+    ratio = f"{facts['assembly'] / facts['factorization']:.2f}"
+    seconds = (f"{facts['total']:.1f}", f"{facts['compile']:.1f}", f"{facts['setup']:.1f}")
+    return (name, *seconds, str(facts["steps"]), str(count), *each, ratio, memory(facts))
+
+
+def growth() -> str:
+    """Time and memory from 15,000 to 500,000 unknowns, with fitted exponents."""
+    text = "Six-chamber fast PneuNet, first load step of 1 kPa, wall seconds."
+    parts = [f"## Growth\n\n{text}\n"]
+    keys = ("setup", "assembly", "factorization", "solve")
+    for solver in solvers():
+        runs = [measure({"case": "growth", "solver": solver, "threads": TWO, "size": s}) for s in GROWTH_SIZES]
+        columns = {key: [run[key] / (1 if key == "setup" else run["iterations"]) for run in runs] for key in keys}
+        columns["memory"] = [(run["memory"] or np.nan) / 2**20 for run in runs]
+        size = [run["unknowns"] for run in runs]
+        rows = [
+            (f"{n:,}", str(run["iterations"]), *(f"{columns[key][i]:.3g}" for key in columns))
+            for i, (n, run) in enumerate(zip(size, runs, strict=True))
+        ]
+        # the upper half only: small problems are dominated by what does not grow
+        upper = slice(len(size) // 2 - 1, None)
+        fits = [np.polyfit(np.log(size[upper]), np.log(columns[key][upper]), 1)[0] for key in columns]
+        rows.append((f"exponent from {size[upper][0]:,} on", "", *(f"{fit:.2f}" for fit in fits)))
+        head = ("unknowns", "iterations", "set-up", "assembly/it", "factor/it", "solve/it", "peak MiB")
+        parts.append(f"### {solver}, {TWO} threads\n\n{table(head, rows)}\n")
+    return "\n".join(parts)
+
+
+def main() -> None:
+    """Run the parts named on the command line, print each as it is done, write them all."""
+    parts = {"bender": bender, "demo": demo, "growth": growth}
+    chosen = sys.argv[1:] or list(parts)
+    if unknown := [name for name in chosen if name not in parts]:
+        sys.exit(f"unknown part {', '.join(unknown)}; known: {', '.join(parts)}.")
+    about = "\n".join(f"- {name}: {value}" for name, value in machine().items())
+    text = f"# Benchmarks\n\nWritten by `make bench`.\n\n{about}\n"
+    print(text)
+    for name in chosen:
+        section = parts[name]()
+        print(section, flush=True)
+        text += f"\n{section}"
+    (HERE / "results.md").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,104 @@
+"""turgor: finite element modeling of soft fluidic actuators, from a specimen to a design decision.
+
+Every public name is here, flat: ``import turgor as tg``. The rooms are imported on first use, so that a command
+that only reads a file or prints an error does not wait for the engine.
+"""
+
+from importlib import import_module
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from turgor.engine.runtime import EngineOptions as EngineOptions
+    from turgor.errors import TurgorError as TurgorError
+    from turgor.finding import Finding as Finding
+    from turgor.finding import Severity as Severity
+    from turgor.geometry.fast_pneunet import FastPneuNet as FastPneuNet
+    from turgor.geometry.geometry import Geometry as Geometry
+    from turgor.job.job import Job as Job
+    from turgor.job.read import read_job as read_job
+    from turgor.job.run import run_job as run_job
+    from turgor.materials.laws import Hooke as Hooke
+    from turgor.materials.laws import MooneyRivlin as MooneyRivlin
+    from turgor.materials.laws import NeoHooke as NeoHooke
+    from turgor.materials.laws import Yeoh as Yeoh
+    from turgor.materials.material import Material as Material
+    from turgor.materials.records import from_library as from_library
+    from turgor.meshing.generate import mesh as mesh
+    from turgor.meshing.mesh import Mesh as Mesh
+    from turgor.model.loads import BodyForce as BodyForce
+    from turgor.model.loads import Gravity as Gravity
+    from turgor.model.loads import Pressure as Pressure
+    from turgor.model.loads import Traction as Traction
+    from turgor.model.model import Membrane as Membrane
+    from turgor.model.model import Model as Model
+    from turgor.model.supports import Displacement as Displacement
+    from turgor.model.supports import Fixed as Fixed
+    from turgor.model.supports import Symmetry as Symmetry
+    from turgor.response import Response as Response
+    from turgor.response import read_response as read_response
+    from turgor.results.measures import bending_angle as bending_angle
+    from turgor.results.measures import cavity_volume as cavity_volume
+    from turgor.results.measures import maximum_principal_stretch as maximum_principal_stretch
+    from turgor.results.measures import maximum_von_mises as maximum_von_mises
+    from turgor.results.measures import measure as measure
+    from turgor.results.measures import reaction as reaction
+    from turgor.results.measures import smallest_gap as smallest_gap
+    from turgor.results.measures import tip_displacement as tip_displacement
+    from turgor.solvers.driver import solve as solve
+    from turgor.solvers.procedures import Static as Static
+    from turgor.solvers.solution import Solution as Solution
+    from turgor.solvers.solution import SolveError as SolveError
+    from turgor.solvers.solution import State as State
+    from turgor.solvers.solution import Status as Status
+    from turgor.source import Source as Source
+
+_ROOMS = {
+    "turgor.engine.runtime": ("EngineOptions",),
+    "turgor.errors": ("TurgorError",),
+    "turgor.finding": ("Finding", "Severity"),
+    "turgor.geometry.fast_pneunet": ("FastPneuNet",),
+    "turgor.geometry.geometry": ("Geometry",),
+    "turgor.job.job": ("Job",),
+    "turgor.job.read": ("read_job",),
+    "turgor.job.run": ("run_job",),
+    "turgor.materials.laws": ("Hooke", "MooneyRivlin", "NeoHooke", "Yeoh"),
+    "turgor.materials.material": ("Material",),
+    "turgor.materials.records": ("from_library",),
+    "turgor.meshing.generate": ("mesh",),
+    "turgor.meshing.mesh": ("Mesh",),
+    "turgor.model.loads": ("BodyForce", "Gravity", "Pressure", "Traction"),
+    "turgor.model.model": ("Membrane", "Model"),
+    "turgor.model.supports": ("Displacement", "Fixed", "Symmetry"),
+    "turgor.response": ("Response", "read_response"),
+    "turgor.results.measures": (
+        "bending_angle",
+        "cavity_volume",
+        "maximum_principal_stretch",
+        "maximum_von_mises",
+        "measure",
+        "reaction",
+        "smallest_gap",
+        "tip_displacement",
+    ),
+    "turgor.solvers.driver": ("solve",),
+    "turgor.solvers.procedures": ("Static",),
+    "turgor.solvers.solution": ("Solution", "SolveError", "State", "Status"),
+    "turgor.source": ("Source",),
+}
+_ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
+
+__version__ = version("turgor")
+__all__ = sorted(_ROOM_OF)  # noqa: PLE0605
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _ROOM_OF:
+        raise AttributeError(f"module 'turgor' has no attribute '{name}'")
+    value = getattr(import_module(_ROOM_OF[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *_ROOM_OF])

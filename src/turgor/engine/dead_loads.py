@@ -1,0 +1,62 @@
+"""Dead loads: weight, body forces and tractions, whose nodal forces do not change with the deformation."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.reference import CELL_QUADRATURE_DEGREE, SURFACE_QUADRATURE_DEGREE, reference_cell
+from turgor.errors import TurgorError
+from turgor.model.loads import BodyForce, Gravity, Traction
+from turgor.model.model import Model
+
+Array = NDArray[np.float64]
+
+
+def dead_forces(model: Model, points: Array, dV: Array, length: float, stress: float) -> Array:
+    """Scaled nodal forces (n, 3) of the dead loads at load factor 1; ``points`` and ``dV`` are scaled too."""
+    forces = np.zeros_like(points)
+    for load in model.loads:
+        if isinstance(load, Traction):
+            forces += _traction(points, model.mesh.face(load.face), np.asarray(load.vector) / stress)
+        elif isinstance(load, Gravity):
+            density = _density(model)[:, None, None] * _acceleration(load)
+            forces += _volume(model, points, dV, np.broadcast_to(density, (*dV.shape, 3)) * length / stress)
+        elif isinstance(load, BodyForce):
+            N = reference_cell(3, CELL_QUADRATURE_DEGREE).N
+            where = np.einsum("qa,cai->cqi", N, model.mesh.points[model.mesh.cells])
+            value = np.asarray(load.value(where.reshape(-1, 3))).reshape(where.shape)
+            forces += _volume(model, points, dV, value * length / stress)
+    return forces
+
+
+def _acceleration(load: Gravity) -> Array:
+    direction = np.asarray(load.direction, dtype=np.float64)
+    size = float(np.linalg.norm(direction))
+    if not size > 0:
+        raise TurgorError("gravity: the direction is a zero vector; give for example (0, 0, -1).")
+    return direction / size * load.acceleration
+
+
+def _density(model: Model) -> Array:
+    density = np.empty(len(model.mesh.cells))
+    for name, material in model.region_materials.items():
+        density[model.mesh.regions[name]] = material.density
+    return density
+
+
+def _volume(model: Model, points: Array, dV: Array, force_density: Array) -> Array:
+    N = reference_cell(3, CELL_QUADRATURE_DEGREE).N
+    local = np.einsum("cq,qa,cqi->cai", dV, N, force_density)
+    return _sum_at_nodes(model.mesh.cells, local, len(points))
+
+
+def _traction(points: Array, triangles: NDArray[np.int64], vector: Array) -> Array:
+    reference = reference_cell(2, SURFACE_QUADRATURE_DEGREE)
+    tangents = np.einsum("qad,fai->fqid", reference.dN, points[triangles])
+    area = np.linalg.norm(np.cross(tangents[..., 0], tangents[..., 1]), axis=2) * reference.weights
+    local = np.einsum("fq,qa->fa", area, reference.N)[:, :, None] * vector
+    return _sum_at_nodes(triangles, local, len(points))
+
+
+def _sum_at_nodes(nodes: NDArray[np.int64], local: Array, count: int) -> Array:
+    flat = nodes.ravel()
+    return np.stack([np.bincount(flat, local[..., i].ravel(), minlength=count) for i in range(3)], axis=1)

@@ -1,0 +1,132 @@
+"""Fields of a state: stresses and stretches at the quadrature points, averages at the nodes, energies."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine import kernels
+from turgor.engine.cell_materials import CellMaterials
+from turgor.engine.faces import FaceTerms
+from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes
+from turgor.meshing.mesh import Mesh
+from turgor.model.model import Model
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class CellFields:
+    """Fields at the quadrature points of the cells.
+
+    Parameters
+    ----------
+    cauchy : (c, q, 3, 3) array [Pa]
+        Cauchy stress.
+    von_mises : (c, q) array [Pa]
+        Von Mises stress.
+    stretch : (c, q) array [-]
+        Largest principal stretch.
+    volume_ratio : (c, q) array [-]
+        J = det F.
+    weight : (c, q) array [m³]
+        Reference volume of each point.
+    """
+
+    cauchy: Array
+    von_mises: Array
+    stretch: Array
+    volume_ratio: Array
+    weight: Array
+
+
+@lru_cache(maxsize=2)
+def _geometry(mesh: Mesh) -> tuple[Array, Array]:
+    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
+    return kernels.reference_geometry(mesh.points, mesh.cells, r.dN, r.weights)  # type: ignore[no-any-return]
+
+
+def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFields:
+    """Compute stresses and stretches at the quadrature points.
+
+    Parameters
+    ----------
+    model : Model
+    displacement : (n, 3) array [m]
+    mean_stress : (v,) array [Pa]
+    """
+    mesh = model.mesh
+    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
+    Jinv, weight = _geometry(mesh)
+    F = kernels.deformation_gradients(mesh.cells, displacement, r.dN, Jinv)
+    J = np.linalg.det(F)
+    B = F @ F.swapaxes(-1, -2)
+    I1 = np.trace(B, axis1=-2, axis2=-1)
+    I2 = 0.5 * (I1**2 - np.einsum("cqij,cqij->cq", B, B))
+    j = J ** (-2 / 3)
+    W1, W2 = CellMaterials(model, 1.0).derivatives(j * I1, j * j * I2)[:2]
+    identity = np.eye(3)
+    mean = np.einsum("qm,cm->cq", r.M, mean_stress[mesh.cells[:, :4]])
+    # σ = 2/J [W₁ ∂Ī₁ + W₂ ∂Ī₂] pushed forward, plus the mean stress: the volumetric energy is p (J − 1)
+    b1 = B - (I1 / 3)[..., None, None] * identity
+    b2 = I1[..., None, None] * B - B @ B - (2 * I2 / 3)[..., None, None] * identity
+    deviator = (2 / J)[..., None, None] * ((W1 * j)[..., None, None] * b1 + (W2 * j * j)[..., None, None] * b2)
+    von_mises = np.sqrt(1.5 * np.einsum("cqij,cqij->cq", deviator, deviator))
+    return CellFields(
+        cauchy=deviator + mean[..., None, None] * identity,
+        von_mises=von_mises,
+        stretch=np.sqrt(_largest_eigenvalue(B, I1)),
+        volume_ratio=J,
+        weight=weight,
+    )
+
+
+def _largest_eigenvalue(B: Array, trace: Array) -> Array:
+    """Largest eigenvalue of symmetric 3 × 3 arrays by the trigonometric formula; exact for equal eigenvalues."""
+    mean = trace / 3
+    deviator = B - mean[..., None, None] * np.eye(3)
+    size = np.sqrt(np.einsum("...ij,...ij->...", deviator, deviator) / 6)
+    safe = np.where(size > 0, size, 1.0)
+    half_det = np.clip(np.linalg.det(deviator / safe[..., None, None]) / 2, -1, 1)
+    return np.asarray(mean + 2 * size * np.cos(np.arccos(half_det) / 3))
+
+
+def nodal_average(mesh: Mesh, values: Array) -> Array:
+    """Carry values (c, q, ...) from quadrature points to nodes (n, ...).
+
+    In each cell a linear field is fitted to the points and evaluated at the ten nodes; at a node the cells'
+    values are averaged, weighted by volume.
+    """
+    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
+    basis = np.column_stack([np.ones(len(r.points)), r.points])
+    root = np.sqrt(r.weights)[:, None]
+    fit = np.linalg.pinv(root * basis) * root.T
+    at_nodes = np.column_stack([np.ones(10), reference_nodes(3)]) @ fit
+    flat = values.reshape(*values.shape[:2], -1)
+    local = np.einsum("aq,cqk->cak", at_nodes, flat)
+    volume = _geometry(mesh)[1].sum(axis=1)
+    nodes = mesh.cells.ravel()
+    total = np.bincount(nodes, np.repeat(volume, 10), minlength=len(mesh.points))
+    weighted = (local * volume[:, None, None]).reshape(len(nodes), -1)
+    out = np.stack(
+        [np.bincount(nodes, weighted[:, k], minlength=len(mesh.points)) / total for k in range(flat.shape[2])], axis=1
+    )
+    return out.reshape(len(mesh.points), *values.shape[2:])
+
+
+def strain_energy(model: Model, displacement: Array, mean_stress: Array) -> float:
+    """Stored energy of cells and membranes of the modeled part [J].
+
+    Where a material is compressible its volumetric energy is p²/(2κ), with κ (J − 1) = p.
+    """
+    mesh = model.mesh
+    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
+    Jinv, weight = _geometry(mesh)
+    I1, I2, _ = kernels.kinematics(mesh.cells, displacement, r.dN, Jinv)
+    materials = CellMaterials(model, 1.0)
+    mean = np.einsum("qm,cm->cq", r.M, mean_stress[mesh.cells[:, :4]])
+    density = materials.energy(I1, I2) + 0.5 * mean**2 * materials.compliance[:, None]
+    held = np.zeros((len(mesh.points), 3), dtype=bool)
+    sheets = FaceTerms(model, mesh.points, held, 1.0, 1.0)
+    return float((weight * density).sum()) + sheets.membrane_energy(mesh.points + displacement)

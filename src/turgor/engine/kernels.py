@@ -1,0 +1,415 @@
+"""Compiled loops over ten-node tetrahedra: kinematics, residual and tangent of the mixed formulation.
+
+The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) dV with quadratic displacement and linear mean stress p.
+Stress and tangent are formed once per point in the reference configuration (second Piola–Kirchhoff S and 4 ∂²W/∂C²),
+pushed to ∂P/∂F and contracted with the shape function gradients; node loops run over contiguous arrays so that the
+compiler vectorizes them. Symbols follow the review's section 3.1.
+"""
+
+import numpy as np
+from numba import njit, prange
+
+NODES = 10  # displacement nodes of a cell
+VERTICES = 4  # mean stress nodes of a cell
+UNKNOWNS = 3 * NODES + VERTICES
+PACKED = UNKNOWNS * (UNKNOWNS + 1) // 2  # lower triangle of a cell matrix, row by row
+
+_FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
+
+
+@njit(cache=True, fastmath=_FAST)
+def _gradient(dN, Jinv, G):
+    """Shape function gradients ∂N/∂X at one point, stored (3, NODES)."""
+    for J in range(3):
+        for a in range(NODES):
+            G[J, a] = dN[a, 0] * Jinv[0, J] + dN[a, 1] * Jinv[1, J] + dN[a, 2] * Jinv[2, J]
+
+
+@njit(cache=True, fastmath=_FAST)
+def _deformation_gradient(u, G, F):
+    """F = I + ∂u/∂X with u stored (3, NODES)."""
+    for i in range(3):
+        for J in range(3):
+            total = 1.0 if i == J else 0.0
+            for a in range(NODES):
+                total += u[i, a] * G[J, a]
+            F[i, J] = total
+
+
+@njit(cache=True, fastmath=_FAST)
+def _cofactor(F, Cof):
+    """Cofactor J F⁻ᵀ and the volume ratio J."""
+    for i in range(3):
+        i1, i2 = (i + 1) % 3, (i + 2) % 3
+        for J in range(3):
+            J1, J2 = (J + 1) % 3, (J + 2) % 3
+            Cof[i, J] = F[i1, J1] * F[i2, J2] - F[i1, J2] * F[i2, J1]
+    return F[0, 0] * Cof[0, 0] + F[0, 1] * Cof[0, 1] + F[0, 2] * Cof[0, 2]
+
+
+@njit(cache=True, fastmath=_FAST)
+def _load_cell(nodes, u, ue):
+    for a in range(NODES):
+        for i in range(3):
+            ue[i, a] = u[nodes[a], i]
+
+
+@njit(cache=True, parallel=True, fastmath=_FAST)
+def reference_geometry(points, cells, dN, weights):
+    """Inverse Jacobian (c, q, 3, 3) and volume weight (c, q) of the curved reference cells."""
+    count, q_count = len(cells), len(weights)
+    Jinv = np.empty((count, q_count, 3, 3))
+    dV = np.empty((count, q_count))
+    for c in prange(count):
+        A = np.empty((3, 3))
+        Cof = np.empty((3, 3))
+        for q in range(q_count):
+            for i in range(3):
+                for k in range(3):
+                    total = 0.0
+                    for a in range(NODES):
+                        total += points[cells[c, a], i] * dN[q, a, k]
+                    A[i, k] = total
+            det = _cofactor(A, Cof)
+            for k in range(3):
+                for i in range(3):
+                    Jinv[c, q, k, i] = Cof[i, k] / det
+            dV[c, q] = det * weights[q]
+    return Jinv, dV
+
+
+@njit(cache=True, parallel=True, fastmath=_FAST)
+def kinematics(cells, u, dN, Jinv):
+    """Isochoric invariants Ī₁, Ī₂ and volume ratio J at all points; J ≤ 0 gives NaN invariants."""
+    count, q_count = len(cells), len(dN)
+    I1 = np.empty((count, q_count))
+    I2 = np.empty((count, q_count))
+    ratio = np.empty((count, q_count))
+    for c in prange(count):
+        ue = np.empty((3, NODES))
+        G = np.empty((3, NODES))
+        F = np.empty((3, 3))
+        Cof = np.empty((3, 3))
+        _load_cell(cells[c], u, ue)
+        for q in range(q_count):
+            _gradient(dN[q], Jinv[c, q], G)
+            _deformation_gradient(ue, G, F)
+            J = _cofactor(F, Cof)
+            first = 0.0
+            second = 0.0
+            for i in range(3):
+                for k in range(3):
+                    first += F[i, k] * F[i, k]
+                    second += Cof[i, k] * Cof[i, k]  # tr Cof C = I₂
+            ratio[c, q] = J
+            if J > 0:
+                j = J ** (-2.0 / 3.0)
+                I1[c, q] = j * first
+                I2[c, q] = j * j * second
+            else:
+                I1[c, q] = np.nan
+                I2[c, q] = np.nan
+    return I1, I2, ratio
+
+
+@njit(cache=True, parallel=True, fastmath=_FAST)
+def deformation_gradients(cells, u, dN, Jinv):
+    """Deformation gradient F (c, q, 3, 3) at all points, for results."""
+    count, q_count = len(cells), len(dN)
+    out = np.empty((count, q_count, 3, 3))
+    for c in prange(count):
+        ue = np.empty((3, NODES))
+        G = np.empty((3, NODES))
+        _load_cell(cells[c], u, ue)
+        for q in range(q_count):
+            _gradient(dN[q], Jinv[c, q], G)
+            _deformation_gradient(ue, G, out[c, q])
+    return out
+
+
+@njit(cache=True, fastmath=_FAST)
+def _symmetric_inverse_times(J, Cof, Ci):
+    """C⁻¹ = Cofᵀ Cof / J², symmetric, as six components 11 22 33 12 23 13."""
+    s = 1.0 / (J * J)
+    Ci[0] = s * (Cof[0, 0] * Cof[0, 0] + Cof[1, 0] * Cof[1, 0] + Cof[2, 0] * Cof[2, 0])
+    Ci[1] = s * (Cof[0, 1] * Cof[0, 1] + Cof[1, 1] * Cof[1, 1] + Cof[2, 1] * Cof[2, 1])
+    Ci[2] = s * (Cof[0, 2] * Cof[0, 2] + Cof[1, 2] * Cof[1, 2] + Cof[2, 2] * Cof[2, 2])
+    Ci[3] = s * (Cof[0, 0] * Cof[0, 1] + Cof[1, 0] * Cof[1, 1] + Cof[2, 0] * Cof[2, 1])
+    Ci[4] = s * (Cof[0, 1] * Cof[0, 2] + Cof[1, 1] * Cof[1, 2] + Cof[2, 1] * Cof[2, 2])
+    Ci[5] = s * (Cof[0, 0] * Cof[0, 2] + Cof[1, 0] * Cof[1, 2] + Cof[2, 0] * Cof[2, 2])
+
+
+@njit(cache=True, fastmath=_FAST)
+def _right_cauchy_green(F, C):
+    C[0] = F[0, 0] * F[0, 0] + F[1, 0] * F[1, 0] + F[2, 0] * F[2, 0]
+    C[1] = F[0, 1] * F[0, 1] + F[1, 1] * F[1, 1] + F[2, 1] * F[2, 1]
+    C[2] = F[0, 2] * F[0, 2] + F[1, 2] * F[1, 2] + F[2, 2] * F[2, 2]
+    C[3] = F[0, 0] * F[0, 1] + F[1, 0] * F[1, 1] + F[2, 0] * F[2, 1]
+    C[4] = F[0, 1] * F[0, 2] + F[1, 1] * F[1, 2] + F[2, 1] * F[2, 2]
+    C[5] = F[0, 0] * F[0, 2] + F[1, 0] * F[1, 2] + F[2, 0] * F[2, 2]
+
+
+@njit(cache=True, fastmath=_FAST)
+def _stress(C, Ci, J, W1, W2, p, s1, s2, T, S):
+    """S = 2 (W₁ ∂Ī₁/∂C + W₂ ∂Ī₂/∂C) + p J C⁻¹; also leaves s1 = ∂Ī₁/∂C, s2 = ∂Ī₂/∂C and T = ∂I₂/∂C."""
+    j = J ** (-2.0 / 3.0)
+    k = j * j
+    I1 = C[0] + C[1] + C[2]
+    trC2 = C[0] * C[0] + C[1] * C[1] + C[2] * C[2] + 2.0 * (C[3] * C[3] + C[4] * C[4] + C[5] * C[5])
+    I2 = 0.5 * (I1 * I1 - trC2)
+    for v in range(6):
+        delta = 1.0 if v < 3 else 0.0
+        T[v] = I1 * delta - C[v]
+        s1[v] = j * (delta - I1 / 3.0 * Ci[v])
+        s2[v] = k * (T[v] - 2.0 / 3.0 * I2 * Ci[v])
+        S[v] = 2.0 * (W1 * s1[v] + W2 * s2[v]) + p * J * Ci[v]
+    return j, k, I1, I2
+
+
+@njit(cache=True, fastmath=_FAST)
+def _material_tangent(Ci, T, s1, s2, W, scalars, p, D):
+    """D = 4 ∂²(W + pJ)/∂C∂C as a symmetric 6 × 6 array of tensor components."""
+    W1, W2, W11, W12, W22 = W
+    J, j, k, I1, I2 = scalars
+    pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
+    index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
+    circle = 4.0 * (W1 * j * I1 / 3.0 + W2 * k * I2 * 2.0 / 3.0) - 2.0 * p * J
+    dyad = 4.0 * (W1 * j * I1 / 9.0 + W2 * k * I2 * 4.0 / 9.0) + p * J
+    for v in range(6):
+        a, b = pairs[v]
+        delta_v = 1.0 if v < 3 else 0.0
+        for w in range(v + 1):
+            c, d = pairs[w]
+            delta_w = 1.0 if w < 3 else 0.0
+            Cio = 0.5 * (Ci[index[a][c]] * Ci[index[b][d]] + Ci[index[a][d]] * Ci[index[b][c]])
+            value = 4.0 * (W11 * s1[v] * s1[w] + W12 * (s1[v] * s2[w] + s2[v] * s1[w]) + W22 * s2[v] * s2[w])
+            value += dyad * Ci[v] * Ci[w] + circle * Cio
+            value -= 4.0 / 3.0 * W1 * j * (delta_v * Ci[w] + Ci[v] * delta_w)
+            value -= 8.0 / 3.0 * W2 * k * (T[v] * Ci[w] + Ci[v] * T[w])
+            identity = 0.0
+            if v == w:
+                identity = 1.0 if v < 3 else 0.5
+            value += 4.0 * W2 * k * (delta_v * delta_w - identity)
+            D[v, w] = value
+            D[w, v] = value
+
+
+@njit(cache=True, fastmath=_FAST)
+def _push(F, D, S, A):
+    """∂P/∂F (9 × 9, rows iJ) = F D Fᵀ + δ S."""
+    index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
+    FD = np.empty((9, 6))
+    for i in range(3):
+        for J in range(3):
+            for w in range(6):
+                FD[3 * i + J, w] = (
+                    F[i, 0] * D[index[0][J], w] + F[i, 1] * D[index[1][J], w] + F[i, 2] * D[index[2][J], w]
+                )
+    for r in range(9):
+        for k in range(3):
+            for L in range(3):
+                A[r, 3 * k + L] = (
+                    FD[r, index[0][L]] * F[k, 0] + FD[r, index[1][L]] * F[k, 1] + FD[r, index[2][L]] * F[k, 2]
+                )
+    for i in range(3):
+        for J in range(3):
+            for L in range(3):
+                A[3 * i + J, 3 * i + L] += S[index[J][L]]
+
+
+@njit(cache=True, parallel=True, fastmath=_FAST)
+def residual(cells, u, p, dN, M, Jinv, dV, W1, W2, compliance):
+    """Gradient of the energy by cell, (c, 34): internal forces (node by node), then volume constraints."""
+    count, q_count = len(cells), len(dN)
+    out = np.empty((count, UNKNOWNS))
+    for c in prange(count):
+        ue = np.empty((3, NODES))
+        G = np.empty((3, NODES))
+        F = np.empty((3, 3))
+        Cof = np.empty((3, 3))
+        P = np.empty((3, 3))
+        C = np.empty(6)
+        Ci = np.empty(6)
+        s1 = np.empty(6)
+        s2 = np.empty(6)
+        T = np.empty(6)
+        S = np.empty(6)
+        _load_cell(cells[c], u, ue)
+        out[c, :] = 0.0
+        for q in range(q_count):
+            _gradient(dN[q], Jinv[c, q], G)
+            _deformation_gradient(ue, G, F)
+            J = _cofactor(F, Cof)
+            pq = 0.0
+            for m in range(VERTICES):
+                pq += M[q, m] * p[cells[c, m]]
+            _right_cauchy_green(F, C)
+            _symmetric_inverse_times(J, Cof, Ci)
+            _stress(C, Ci, J, W1[c, q], W2[c, q], pq, s1, s2, T, S)
+            w = dV[c, q]
+            for i in range(3):
+                P[i, 0] = w * (F[i, 0] * S[0] + F[i, 1] * S[3] + F[i, 2] * S[5])
+                P[i, 1] = w * (F[i, 0] * S[3] + F[i, 1] * S[1] + F[i, 2] * S[4])
+                P[i, 2] = w * (F[i, 0] * S[5] + F[i, 1] * S[4] + F[i, 2] * S[2])
+            for a in range(NODES):
+                for i in range(3):
+                    out[c, 3 * a + i] += P[i, 0] * G[0, a] + P[i, 1] * G[1, a] + P[i, 2] * G[2, a]
+            volume = w * (J - 1.0 - pq * compliance[c])
+            for m in range(VERTICES):
+                out[c, 3 * NODES + m] += M[q, m] * volume
+    return out
+
+
+@njit(cache=True, parallel=True, fastmath=_FAST)
+def extrapolated_stress(cells, u, p, du, dp, dN, M, Jinv, W, compliance):
+    """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 6).
+
+    It enters the geometric stiffness of the next iteration in place of the stress itself: the mixed integration
+    point iteration of Magisano, Leonetti and Garcea (2017), doi 10.1016/j.cma.2016.10.023.
+    """
+    count, q_count = len(cells), len(dN)
+    out = np.empty((count, q_count, 6))
+    for c in prange(count):
+        ue = np.empty((3, NODES))
+        de = np.empty((3, NODES))
+        G = np.empty((3, NODES))
+        F = np.empty((3, 3))
+        H = np.empty((3, 3))
+        Cof = np.empty((3, 3))
+        C = np.empty(6)
+        Ci = np.empty(6)
+        s1 = np.empty(6)
+        s2 = np.empty(6)
+        T = np.empty(6)
+        S = np.empty(6)
+        D = np.empty((6, 6))
+        E = np.empty(6)
+        _load_cell(cells[c], u, ue)
+        _load_cell(cells[c], du, de)
+        for q in range(q_count):
+            _gradient(dN[q], Jinv[c, q], G)
+            _deformation_gradient(ue, G, F)
+            _deformation_gradient(de, G, H)
+            for i in range(3):
+                H[i, i] -= 1.0
+            J = _cofactor(F, Cof)
+            pq = 0.0
+            dpq = 0.0
+            for m in range(VERTICES):
+                pq += M[q, m] * p[cells[c, m]]
+                dpq += M[q, m] * dp[cells[c, m]]
+            _right_cauchy_green(F, C)
+            _symmetric_inverse_times(J, Cof, Ci)
+            j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
+            derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
+            _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, D)
+            pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
+            for v in range(6):
+                a, b = pairs[v]
+                total = 0.0
+                for i in range(3):
+                    total += F[i, a] * H[i, b] + F[i, b] * H[i, a]
+                E[v] = 0.5 * total if v < 3 else total  # shear counted twice, as 2 E₁₂
+            for v in range(6):
+                total = S[v] + dpq * J * Ci[v]
+                for w in range(6):
+                    total += D[v, w] * E[w]
+                out[c, q, v] = total
+    return out
+
+
+@njit(cache=True, fastmath=_FAST)
+def _add_point(G, A, w, T9, K):
+    """K += w Gᵀ A G for one point; K is (3, 3, NODES, NODES), blocks i ≤ k only."""
+    for i in range(3):
+        for k in range(i, 3):
+            for J in range(3):
+                a0 = w * A[3 * i + J, 3 * k]
+                a1 = w * A[3 * i + J, 3 * k + 1]
+                a2 = w * A[3 * i + J, 3 * k + 2]
+                for b in range(NODES):
+                    T9[J, b] = a0 * G[0, b] + a1 * G[1, b] + a2 * G[2, b]
+            for a in range(NODES):
+                g0 = G[0, a]
+                g1 = G[1, a]
+                g2 = G[2, a]
+                for b in range(NODES):
+                    K[i, k, a, b] += g0 * T9[0, b] + g1 * T9[1, b] + g2 * T9[2, b]
+
+
+@njit(cache=True, fastmath=_FAST)
+def _pack(K, Kup, Kpp, out):
+    """Lower triangle of the cell matrix, row by row: displacement unknowns node by node, then mean stresses."""
+    at = 0
+    for a in range(NODES):
+        for i in range(3):
+            for b in range(a + 1):
+                last = i + 1 if b == a else 3
+                for k in range(last):
+                    out[at] = K[i, k, a, b] if i <= k else K[k, i, b, a]
+                    at += 1
+    for m in range(VERTICES):
+        for a in range(NODES):
+            for i in range(3):
+                out[at] = Kup[m, i, a]
+                at += 1
+        for n in range(m + 1):
+            out[at] = Kpp[m, n]
+            at += 1
+
+
+@njit(cache=True, parallel=True, fastmath=_FAST)
+def tangent(cells, u, p, dN, M, Jinv, dV, W, compliance, geometric, use_geometric):
+    """Hessian of the energy by cell, packed lower triangles (c, PACKED).
+
+    ``geometric`` (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set.
+    """
+    count, q_count = len(cells), len(dN)
+    out = np.empty((count, PACKED))
+    for c in prange(count):
+        ue = np.empty((3, NODES))
+        G = np.empty((3, NODES))
+        F = np.empty((3, 3))
+        Cof = np.empty((3, 3))
+        C = np.empty(6)
+        Ci = np.empty(6)
+        s1 = np.empty(6)
+        s2 = np.empty(6)
+        T = np.empty(6)
+        S = np.empty(6)
+        D = np.empty((6, 6))
+        A = np.empty((9, 9))
+        T9 = np.empty((3, NODES))
+        K = np.zeros((3, 3, NODES, NODES))
+        Kup = np.zeros((VERTICES, 3, NODES))
+        Kpp = np.zeros((VERTICES, VERTICES))
+        _load_cell(cells[c], u, ue)
+        for q in range(q_count):
+            _gradient(dN[q], Jinv[c, q], G)
+            _deformation_gradient(ue, G, F)
+            J = _cofactor(F, Cof)
+            pq = 0.0
+            for m in range(VERTICES):
+                pq += M[q, m] * p[cells[c, m]]
+            _right_cauchy_green(F, C)
+            _symmetric_inverse_times(J, Cof, Ci)
+            j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
+            derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
+            _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, D)
+            if use_geometric:
+                for v in range(6):
+                    S[v] = geometric[c, q, v]
+            _push(F, D, S, A)
+            w = dV[c, q]
+            _add_point(G, A, w, T9, K)
+            for i in range(3):
+                for a in range(NODES):
+                    T9[i, a] = w * (Cof[i, 0] * G[0, a] + Cof[i, 1] * G[1, a] + Cof[i, 2] * G[2, a])
+            for m in range(VERTICES):
+                for i in range(3):
+                    for a in range(NODES):
+                        Kup[m, i, a] += M[q, m] * T9[i, a]
+                for n in range(m + 1):
+                    Kpp[m, n] -= w * compliance[c] * M[q, m] * M[q, n]
+        _pack(K, Kup, Kpp, out[c])
+    return out

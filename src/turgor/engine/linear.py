@@ -1,0 +1,195 @@
+"""Linear solvers for the symmetric indefinite tangent: analyze the pattern once, factor, solve, count negative pivots."""
+
+import ctypes
+import sys
+import weakref
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+import rslab
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.engine.pattern import Pattern
+from turgor.errors import TurgorError, unknown
+
+Array = NDArray[np.float64]
+
+
+class SingularTangentError(RuntimeError):
+    """The tangent could not be factored."""
+
+
+class LinearSolver(Protocol):
+    """Factor the tangent and solve with it."""
+
+    name: str
+
+    def factor(self, data: Array) -> None:
+        """Factor the values of the analyzed lower triangle."""
+
+    def solve(self, right: Array) -> Array:
+        """Solve with the last factors."""
+
+    def negative_pivots(self) -> int | None:
+        """Negative pivots of the last factors, None where the solver does not count them."""
+
+
+class RslabSolver:
+    """LDLᵀ by rslab (pure Rust, MIT, wheels for all systems)."""
+
+    name = "rslab"
+
+    def __init__(self, pattern: Pattern, threads: int) -> None:
+        lower = pattern.matrix(np.ones(len(pattern.indices)))
+        self._settings = {"threads": threads, "scaling": "identity"}
+        self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads)
+        self._factor: rslab.Ldlt | None = None
+
+    def factor(self, data: Array) -> None:
+        """Factor new values on the analyzed pattern."""
+        self._factor = None  # frees the old factors before the new ones are made
+        try:
+            self._factor = self._symbolic.factor(data, **self._settings)
+        except RuntimeError as error:
+            raise SingularTangentError(str(error)) from error
+
+    def solve(self, right: Array) -> Array:
+        """Solve with one step of refinement."""
+        assert self._factor is not None
+        return np.asarray(self._factor.solve(right, refine=1))
+
+    def negative_pivots(self) -> int | None:
+        """Negative pivots from the inertia of D."""
+        assert self._factor is not None
+        _positive, negative, _zero = self._factor.diagnostics()["numeric"]["inertia"]
+        return int(negative)
+
+
+@dataclass(slots=True, eq=False)
+class _PardisoArrays:
+    """What Pardiso keeps between calls: its handle and settings, the matrix in its one-based form."""
+
+    handle: NDArray[np.int64]
+    settings: NDArray[np.int32]
+    data: Array
+    indptr: NDArray[np.int32]
+    indices: NDArray[np.int32]
+
+
+class PardisoSolver:
+    """LDLᵀ by MKL Pardiso, type −2 without matching; faster, proprietary, used where turgor[fast] installed it."""
+
+    name = "mkl-pardiso"
+
+    def __init__(self, pattern: Pattern, threads: int) -> None:
+        mkl = _load_mkl()
+        if mkl is None:
+            raise TurgorError("linear solver 'mkl-pardiso' needs the package mkl; install it with turgor[fast].")
+        mkl.MKL_Set_Num_Threads(ctypes.c_int(threads))
+        self._mkl = mkl
+        # the lower triangle by columns is the upper triangle by rows, which is what Pardiso reads
+        self._arrays = _PardisoArrays(
+            handle=np.zeros(64, dtype=np.int64),
+            settings=np.zeros(64, dtype=np.int32),
+            data=np.ones(len(pattern.indices)),
+            indptr=(pattern.indptr + 1).astype(np.int32),
+            indices=(pattern.indices + 1).astype(np.int32),
+        )
+        # 1: own settings; 2: parallel nested dissection; 8: one refinement; 10: pivot 1e-8; 11, 13: no scaling, no
+        # matching (they depend on values and would force a new analysis); 21: 1 × 1 and 2 × 2 pivots; 24: two-level
+        for index, value in ((0, 1), (1, 3), (7, 1), (9, 8), (10, 0), (12, 0), (20, 1), (23, 1)):
+            self._arrays.settings[index] = value
+        _call_pardiso(mkl, self._arrays, 11, None)
+        # at interpreter exit the operating system takes the memory back, and NumPy may be gone by then
+        weakref.finalize(self, _call_pardiso, mkl, self._arrays, -1, None).atexit = False
+
+    def factor(self, data: Array) -> None:
+        """Factor new values on the analyzed pattern."""
+        self._arrays.data = np.ascontiguousarray(data)
+        _call_pardiso(self._mkl, self._arrays, 22, None)
+
+    def solve(self, right: Array) -> Array:
+        """Solve with one step of refinement."""
+        return _call_pardiso(self._mkl, self._arrays, 33, right)
+
+    def negative_pivots(self) -> int | None:
+        """Negative pivots, iparm(23)."""
+        return int(self._arrays.settings[22])
+
+
+def _call_pardiso(mkl: ctypes.CDLL, arrays: _PardisoArrays, phase: int, right: Array | None) -> Array:
+    size = len(arrays.indptr) - 1
+    vector = np.zeros(size) if right is None else np.ascontiguousarray(right)
+    result = np.zeros(size)
+    permutation = np.zeros(1, dtype=np.int32)
+    error = ctypes.c_int(0)
+
+    def integer(value: int) -> object:
+        return ctypes.byref(ctypes.c_int(value))
+
+    def pointer(array: NDArray) -> ctypes.c_void_p:
+        return array.ctypes.data_as(ctypes.c_void_p)
+
+    mkl.pardiso(
+        pointer(arrays.handle), integer(1), integer(1), integer(-2), integer(phase), integer(size),
+        pointer(arrays.data), pointer(arrays.indptr), pointer(arrays.indices), pointer(permutation), integer(1),
+        pointer(arrays.settings), integer(0), pointer(vector), pointer(result), ctypes.byref(error),
+    )  # fmt: skip
+    if error.value:
+        raise SingularTangentError(f"Pardiso returned {error.value} in phase {phase}")
+    return result
+
+
+def _load_mkl() -> ctypes.CDLL | None:
+    """The MKL runtime of the current environment, None where it is not installed."""
+    folders = [Path(sys.prefix) / "lib", Path(sys.prefix) / "Library" / "bin"]
+    for folder in folders:
+        for pattern in ("libmkl_rt.so*", "mkl_rt*.dll"):
+            for path in sorted(folder.glob(pattern)):
+                try:
+                    return ctypes.CDLL(str(path))
+                except OSError:
+                    continue
+    return None
+
+
+class UnsymmetricSolver:
+    """LU by rslab for the full tangent, for pressure on open surfaces whose tangent has a skew part."""
+
+    name = "rslab-lu"
+
+    def __init__(self, threads: int) -> None:
+        self._threads = threads
+        self._factor: rslab.Lu | None = None
+
+    def factor_matrix(self, matrix: sp.csc_matrix) -> None:
+        """Factor a full matrix."""
+        try:
+            self._factor = rslab.lu(matrix, threads=self._threads)
+        except RuntimeError as error:
+            raise SingularTangentError(str(error)) from error
+
+    def solve(self, right: Array) -> Array:
+        """Solve with one step of refinement."""
+        assert self._factor is not None
+        return np.asarray(self._factor.solve(right, refine=1))
+
+    def negative_pivots(self) -> int | None:
+        """LU does not tell."""
+        return None
+
+
+_SOLVERS: dict[str, Callable[[Pattern, int], LinearSolver]] = {"rslab": RslabSolver, "mkl-pardiso": PardisoSolver}
+
+
+def linear_solver(name: str, pattern: Pattern, threads: int) -> LinearSolver:
+    """Make the named solver; ``"auto"`` takes MKL Pardiso where it is installed and rslab elsewhere."""
+    if name == "auto":
+        name = "mkl-pardiso" if _load_mkl() is not None else "rslab"
+    if name not in _SOLVERS:
+        raise unknown("linear solver", name, [*_SOLVERS, "auto"])
+    return _SOLVERS[name](pattern, threads)

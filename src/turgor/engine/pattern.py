@@ -1,0 +1,75 @@
+"""Sparsity: the lower triangle of the tangent by columns, and where each cell's entries go in it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from numba import njit, prange
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pattern:
+    """Lower triangle in compressed columns, with the diagonal always present.
+
+    Parameters
+    ----------
+    size : int
+        Number of unknowns.
+    indptr : (size + 1,) int array
+    indices : (nnz,) int array
+        Rows of each column, rising.
+    """
+
+    size: int
+    indptr: NDArray[np.int64]
+    indices: NDArray[np.int32]
+
+    @property
+    def diagonal(self) -> NDArray[np.int64]:
+        """Positions of the diagonal entries: the first of each column."""
+        return self.indptr[:-1]
+
+    def matrix(self, data: NDArray[np.float64]) -> sp.csc_matrix:
+        """The lower triangle as a SciPy matrix."""
+        return sp.csc_matrix((data, self.indices, self.indptr), shape=(self.size, self.size))
+
+    def full(self, data: NDArray[np.float64]) -> sp.csc_matrix:
+        """The full symmetric matrix."""
+        lower = self.matrix(data)
+        return (lower + sp.tril(lower, -1).T).tocsc()
+
+
+def build_pattern(cell_unknowns: NDArray[np.int64], size: int) -> Pattern:
+    """Build the lower triangle from the (c, n) unknowns of the cells."""
+    count, width = cell_unknowns.shape
+    rows = np.repeat(np.arange(count), width)
+    incidence = sp.csr_matrix((np.ones(rows.size, dtype=np.int32), (rows, cell_unknowns.ravel())), shape=(count, size))
+    graph = sp.tril(incidence.T @ incidence + sp.identity(size, dtype=np.int32), format="csc")
+    graph.sort_indices()
+    return Pattern(size, graph.indptr.astype(np.int64), graph.indices.astype(np.int32))
+
+
+@njit(cache=True, parallel=True)
+def locate(indptr, indices, rows, columns):
+    """Positions of entries (row, column), swapped into the lower triangle where needed, (k,) int32; -1 if absent."""
+    out = np.empty(len(rows), dtype=np.int32)
+    for k in prange(len(rows)):
+        row = max(rows[k], columns[k])
+        column = min(rows[k], columns[k])
+        low, high = indptr[column], indptr[column + 1]
+        while low < high:
+            middle = (low + high) // 2
+            if indices[middle] < row:
+                low = middle + 1
+            else:
+                high = middle
+        out[k] = low if low < indptr[column + 1] and indices[low] == row else -1
+    return out
+
+
+@njit(cache=True)
+def scatter_add(data, positions, values):
+    """Add values at positions, in order, so that the sum does not depend on the number of threads."""
+    for k in range(len(positions)):
+        data[positions[k]] += values[k]

@@ -1,0 +1,68 @@
+"""Runtime: threads, the linear solver's name, and the one-time compilation of the kernels."""
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from threading import Timer
+from time import perf_counter
+
+import numba
+
+from turgor.engine.kernels_warmup import touch_kernels
+from turgor.errors import TurgorError
+
+#: Compilation that lasts longer than this [s] is announced.
+QUIET_SECONDS = 1.5
+
+
+def _processors() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EngineOptions:
+    """How the engine runs; results do not depend on it beyond round-off.
+
+    Parameters
+    ----------
+    linear_solver : str
+        ``"auto"`` takes MKL Pardiso where it is installed and rslab elsewhere; either can be named.
+    threads : int
+        Threads of the kernels and the linear solver; all processors by default.
+    notify : callable or None
+        ``notify(text)``, called when something takes long, such as the first compilation on a machine.
+    """
+
+    linear_solver: str = "auto"
+    threads: int = field(default_factory=_processors)
+    notify: Callable[[str], None] | None = None
+
+    def __post_init__(self) -> None:
+        if self.threads < 1:
+            raise TurgorError(f"threads is {self.threads}; allowed is 1 or more.")
+
+
+@contextmanager
+def use_threads(threads: int) -> Iterator[None]:
+    """Run the kernels on a number of threads, at most as many as the machine started with."""
+    before = numba.get_num_threads()
+    numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
+    try:
+        yield
+    finally:
+        numba.set_num_threads(before)
+
+
+def compile_kernels(notify: Callable[[str], None] | None) -> float:
+    """Load the compiled kernels, compiling them first where this machine has not done so; return the seconds."""
+    start = perf_counter()
+    text = "compiling the element kernels (once per machine, up to 30 s)"
+    timer = Timer(QUIET_SECONDS, notify or (lambda _: None), args=(text,))
+    timer.daemon = True
+    timer.start()
+    try:
+        touch_kernels()
+    finally:
+        timer.cancel()
+    return perf_counter() - start

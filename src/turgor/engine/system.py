@@ -1,0 +1,246 @@
+"""System: the discrete equations of a model, residual and tangent.
+
+Inside, lengths are divided by the mean edge length and stresses by the stiffest rubber's shear modulus, so that the
+unknowns and the entries of the tangent are of the order of one whatever the units and the size of the actuator.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.engine import kernels
+from turgor.engine.boundary import held_components
+from turgor.engine.cell_materials import CellMaterials
+from turgor.engine.dead_loads import dead_forces
+from turgor.engine.faces import FaceTerms
+from turgor.engine.pattern import build_pattern, locate, scatter_add
+from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.errors import TurgorError
+from turgor.model.model import Model
+
+Array = NDArray[np.float64]
+
+#: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
+REGULARIZATION = 1e-9
+
+#: Cells handled at once when the tangent is formed; bounds the memory.
+CHUNK = 4096
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stresses:
+    """Second Piola–Kirchhoff stresses that enter the geometric stiffness, scaled.
+
+    Parameters
+    ----------
+    cells : (c, q, 6) array
+    membranes : list of (f, q, 3) arrays
+    """
+
+    cells: Array
+    membranes: list[Array]
+
+    @staticmethod
+    def combine(parts: "Sequence[tuple[float, Stresses]]") -> "Stresses":
+        """Weighted sum, for extrapolation."""
+        cells = sum(weight * part.cells for weight, part in parts)
+        columns = zip(*(part.membranes for _, part in parts), strict=True)
+        sheets = [sum(w * s for (w, _), s in zip(parts, column, strict=True)) for column in columns]
+        return Stresses(np.asarray(cells), [np.asarray(sheet) for sheet in sheets])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evaluation:
+    """The equations at one point: what the residual computed and the tangent needs again.
+
+    Parameters
+    ----------
+    unknowns : (size,) array
+        Scaled displacement, node by node, then scaled mean stress.
+    load_factor : float
+    residual : (size,) array
+        Internal minus external force; then the violation of the volume constraint.
+    external : (size,) array
+        External force alone.
+    derivatives : (5, c, q) array
+        Scaled first and second derivatives of the energy by the invariants.
+    """
+
+    unknowns: Array
+    load_factor: float
+    residual: Array
+    external: Array
+    derivatives: Array
+
+
+class System:
+    """Residual and tangent of a model's equilibrium equations.
+
+    Parameters
+    ----------
+    model : Model
+        The question.
+
+    Attributes
+    ----------
+    size : int
+        Number of unknowns, prescribed ones included.
+    held : (size,) bool array
+        Which unknowns are prescribed.
+    length, stress : float [m], [Pa]
+        Scales of the unknowns.
+    vertex_volumes : (v,) array
+        Scaled volume that belongs to each vertex.
+    """
+
+    def __init__(self, model: Model) -> None:
+        mesh = model.mesh
+        self.model = model
+        self.node_count = len(mesh.points)
+        self.length = _mean_edge(mesh.points, mesh.cells)
+        self.stress = max(m.law.shear_modulus for m in model.region_materials.values())
+        self.points = np.ascontiguousarray(mesh.points / self.length)
+        self.cells = np.ascontiguousarray(mesh.cells)
+        self.size = mesh.unknown_count
+        self.reference = reference_cell(3, CELL_QUADRATURE_DEGREE)
+        self.Jinv, self.dV = kernels.reference_geometry(
+            self.points, self.cells, self.reference.dN, self.reference.weights
+        )
+        if not (self.dV > 0).all():
+            bad = int((self.dV <= 0).any(axis=1).sum())
+            raise TurgorError(f"mesh '{mesh.name}': {bad} cells are inside out; refine or straighten the mesh.")
+        self.vertex_volumes = np.bincount(
+            self.cells[:, :4].ravel(), (self.dV @ self.reference.M).ravel(), minlength=mesh.vertex_count
+        )
+        self.materials = CellMaterials(model, self.stress)
+        supports = held_components(model)
+        self._supports = supports
+        self.held = np.concatenate([supports.mask.ravel(), np.zeros(mesh.vertex_count, dtype=bool)])
+        self.faces = FaceTerms(model, self.points, supports.mask, self.length, self.stress)
+        self._dead = dead_forces(model, self.points, self.dV, self.length, self.stress)
+        self._cell_unknowns = _cell_unknowns(self.cells, self.node_count)
+        self._build_pattern()
+
+    def _build_pattern(self) -> None:
+        unknowns = self._cell_unknowns
+        self.pattern = build_pattern(unknowns, self.size)
+        rows, columns = np.tril_indices(kernels.UNKNOWNS)
+        self._positions = np.empty((len(unknowns), kernels.PACKED), dtype=np.int32)
+        for start in range(0, len(unknowns), CHUNK):
+            chunk = slice(start, start + CHUNK)
+            self._positions[chunk] = locate(
+                self.pattern.indptr,
+                self.pattern.indices,
+                unknowns[chunk][:, rows].ravel(),
+                unknowns[chunk][:, columns].ravel(),
+            ).reshape(-1, kernels.PACKED)
+        self.faces.locate(self.pattern)
+        row_of = self.pattern.indices
+        column_of = np.repeat(np.arange(self.size, dtype=np.int32), np.diff(self.pattern.indptr))
+        self._dropped = np.flatnonzero(self.held[row_of] | self.held[column_of])
+        self._held_diagonal = self.pattern.diagonal[self.held]
+
+    def split(self, unknowns: Array) -> tuple[Array, Array]:
+        """Scaled displacement (n, 3) and scaled mean stress (v,)."""
+        return unknowns[: 3 * self.node_count].reshape(-1, 3), unknowns[3 * self.node_count :]
+
+    def physical(self, unknowns: Array) -> tuple[Array, Array]:
+        """Displacement (n, 3) [m] and mean stress (v,) [Pa]."""
+        u, p = self.split(unknowns)
+        return u * self.length, p * self.stress
+
+    def prescribed(self, load_factor: float) -> Array:
+        """Scaled values of the held unknowns at a load factor."""
+        values = np.zeros(self.size)
+        moved = self._supports.values(self.model.mesh.points, load_factor) / self.length
+        values[: 3 * self.node_count] = moved.ravel()
+        return values[self.held]
+
+    def evaluate(self, unknowns: Array, load_factor: float) -> Evaluation | None:
+        """Residual at a point; None where a cell is turned inside out."""
+        u, p = self.split(unknowns)
+        r = self.reference
+        I1, I2, _ = kernels.kinematics(self.cells, u, r.dN, self.Jinv)
+        if not np.isfinite(I1).all():
+            return None
+        W = self.materials.derivatives(I1, I2)
+        by_cell = kernels.residual(
+            self.cells, u, p, r.dN, r.M, self.Jinv, self.dV, W[0], W[1], self.materials.compliance
+        )
+        internal = np.bincount(self._cell_unknowns.ravel(), by_cell.ravel(), minlength=self.size)
+        position = self.points + u
+        forces, external = self.faces.forces(position, load_factor)
+        internal[: 3 * self.node_count] += forces.ravel()
+        outer = np.zeros(self.size)
+        outer[: 3 * self.node_count] = (external + load_factor * self._dead).ravel()
+        total = internal - outer
+        if not np.isfinite(total).all():
+            return None
+        return Evaluation(unknowns, load_factor, total, outer, W)
+
+    def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
+        """Values of the symmetric tangent's lower triangle, supports not yet applied."""
+        u, p = self.split(at.unknowns)
+        r = self.reference
+        compliance = np.maximum(self.materials.compliance, REGULARIZATION)
+        data = np.zeros(len(self.pattern.indices))
+        nothing = np.zeros((1, 1, 6))
+        for start in range(0, len(self.cells), CHUNK):
+            chunk = slice(start, start + CHUNK)
+            packed = kernels.tangent(
+                self.cells[chunk], u, p, r.dN, r.M, self.Jinv[chunk], self.dV[chunk],
+                np.ascontiguousarray(at.derivatives[:, chunk]), compliance[chunk],
+                nothing if geometric is None else geometric.cells[chunk], geometric is not None,
+            )  # fmt: skip
+            scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
+        sheets = None if geometric is None else geometric.membranes
+        self.faces.add_tangents(data, self.points + u, at.load_factor, sheets)
+        return data
+
+    def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
+        """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""
+        u, _ = self.split(at.unknowns)
+        return self.faces.skew_matrix(self.points + u, at.load_factor, self.size)
+
+    def apply_supports(self, data: Array) -> None:
+        """Replace the equations of held unknowns by identities, in place."""
+        data[self._dropped] = 0.0
+        data[self._held_diagonal] = 1.0
+
+    def stresses(self, at: Evaluation, update: Array | None = None) -> Stresses:
+        """Stresses at an evaluation, linearized for an update where one is given; see `kernels.extrapolated_stress`."""
+        u, p = self.split(at.unknowns)
+        du, dp = self.split(np.zeros(self.size) if update is None else update)
+        r = self.reference
+        cells = kernels.extrapolated_stress(
+            self.cells, u, p, du, dp, r.dN, r.M, self.Jinv, at.derivatives, self.materials.compliance
+        )
+        return Stresses(cells, self.faces.membrane_stresses(self.points + u, du))
+
+    def residual(self, unknowns: Array, load_factor: float) -> Array:
+        """Residual (size,) at a point, for checks of the tangent."""
+        evaluation = self.evaluate(unknowns, load_factor)
+        if evaluation is None:
+            raise TurgorError("a cell is turned inside out at these unknowns.")
+        return evaluation.residual
+
+    def tangent(self, unknowns: Array, load_factor: float) -> sp.csc_matrix:
+        """Full tangent (size, size) at a point without supports, skew part included."""
+        evaluation = self.evaluate(unknowns, load_factor)
+        if evaluation is None:
+            raise TurgorError("a cell is turned inside out at these unknowns.")
+        matrix = self.pattern.full(self.tangent_data(evaluation))
+        skew = self.skew_matrix(evaluation)
+        return matrix if skew is None else (matrix + skew).tocsc()
+
+
+def _mean_edge(points: Array, cells: NDArray[np.int64]) -> float:
+    return float(np.linalg.norm(points[cells[:, 0]] - points[cells[:, 1]], axis=1).mean())
+
+
+def _cell_unknowns(cells: NDArray[np.int64], node_count: int) -> NDArray[np.int64]:
+    displacement = (3 * cells[:, :, None] + np.arange(3)).reshape(len(cells), -1)
+    return np.ascontiguousarray(np.hstack([displacement, 3 * node_count + cells[:, :4]]))

@@ -1,0 +1,95 @@
+"""Tangent: form, support, factor and solve, with the time that each takes."""
+
+from dataclasses import dataclass
+from time import perf_counter
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.engine.linear import LinearSolver, UnsymmetricSolver, linear_solver
+from turgor.engine.system import Evaluation, Stresses, System
+
+Array = NDArray[np.float64]
+
+
+@dataclass(slots=True)
+class Clock:
+    """Wall time spent [s] and how often."""
+
+    assembly: float = 0.0
+    factorization: float = 0.0
+    solve: float = 0.0
+    factorizations: int = 0
+
+
+class Tangent:
+    """The factored tangent of a system, supports applied.
+
+    Parameters
+    ----------
+    system : System
+    solver : str
+        ``"auto"``, ``"rslab"`` or ``"mkl-pardiso"``.
+    threads : int
+    """
+
+    def __init__(self, system: System, solver: str, threads: int) -> None:
+        self._system = system
+        self.clock = Clock()
+        self._symmetric: LinearSolver | None = None
+        self._general: UnsymmetricSolver | None = None
+        if system.faces.symmetric:
+            self._symmetric = linear_solver(solver, system.pattern, threads)
+        else:
+            self._general = UnsymmetricSolver(threads)
+
+    @property
+    def name(self) -> str:
+        """Name of the linear solver."""
+        return self._active.name
+
+    @property
+    def _active(self) -> LinearSolver | UnsymmetricSolver:
+        active = self._symmetric or self._general
+        assert active is not None
+        return active
+
+    def factor(self, at: Evaluation, geometric: Stresses | None = None, jump: Array | None = None) -> Array:
+        """Form and factor the tangent; return the forces that moving the held unknowns by ``jump`` would cause."""
+        start = perf_counter()
+        system = self._system
+        data = system.tangent_data(at, geometric)
+        skew = system.skew_matrix(at)
+        coupling = np.zeros(system.size)
+        if jump is not None and jump.any():
+            moved = np.zeros(system.size)
+            moved[system.held] = jump
+            lower = system.pattern.matrix(data)
+            coupling = lower @ moved + lower.T @ moved - data[system.pattern.diagonal] * moved
+            if skew is not None:
+                coupling += skew @ moved
+        system.apply_supports(data)
+        middle = perf_counter()
+        if self._symmetric is not None:
+            self._symmetric.factor(data)
+        else:
+            assert self._general is not None and skew is not None
+            free = sp.diags((~system.held).astype(np.float64))
+            self._general.factor_matrix((system.pattern.full(data) + free @ skew @ free).tocsc())
+        self.clock.assembly += middle - start
+        self.clock.factorization += perf_counter() - middle
+        self.clock.factorizations += 1
+        return coupling
+
+    def solve(self, right: Array) -> Array:
+        """Solve with the last factors."""
+        start = perf_counter()
+        out = self._active.solve(right)
+        self.clock.solve += perf_counter() - start
+        return out
+
+    def unstable_modes(self) -> int | None:
+        """Negative pivots beyond one for each mean stress; None where the solver does not count them."""
+        negative = self._active.negative_pivots()
+        return None if negative is None else negative - self._system.model.mesh.vertex_count

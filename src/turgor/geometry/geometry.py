@@ -1,0 +1,100 @@
+"""Geometry: solids with named regions and faces."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from turgor.errors import TurgorError
+
+#: Shapes are built in millimeters: the tolerances of the CAD kernel (1e-7 of its unit) suit parts of 1 to 1000 units.
+METERS_PER_CAD_UNIT = 1e-3
+
+#: Planar and cylindrical parts reach 1e-13; a face that went missing in a boolean is off by far more than 1e-9.
+VOLUME_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Geometry:
+    """The modeled part as a CAD shape whose solids and faces carry the names that every later room uses.
+
+    The volumes follow from the dimensions, not from the CAD shape, so that each can check the other. All of them
+    are those of the modeled part: of one half where a mirror plane cuts the actuator.
+
+    Parameters
+    ----------
+    name : str
+        What the geometry shows, for reports.
+    smallest_wall : float [m]
+        Thickness of the thinnest wall; it limits the mesh size.
+    cavity_volume : float [m³]
+        Volume of the cavity, from the dimensions; 0 where there is none.
+    solid_volume : float [m³]
+        Volume of all solids, from the dimensions.
+    regions : tuple of str
+        Names of the solids.
+    faces : tuple of str
+        Names of the faces.
+    length_scale : float [m]
+        Length of one CAD unit: 1 mm, because CAD tolerances are absolute. Everything public is in meters.
+
+    Examples
+    --------
+    >>> import turgor.geometry as geometry
+    >>> part = geometry.FastPneuNet(chambers=2, length=20e-3).build()
+    >>> part.regions
+    ('body', 'base')
+    >>> round(part.cavity_volume * 1e9, 1)  # mm³, of the half with y >= 0
+    1049.0
+    """
+
+    name: str
+    smallest_wall: float
+    cavity_volume: float
+    solid_volume: float
+    regions: tuple[str, ...]
+    faces: tuple[str, ...]
+    length_scale: float = METERS_PER_CAD_UNIT
+    _shape: Any = field(repr=False)
+
+    @property
+    def bounds(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+        """Lowest and highest corner of the box around the part [m]."""
+        low, high = self._shape.bounding_box
+        scale = self.length_scale
+        return (low[0] * scale, low[1] * scale, low[2] * scale), (high[0] * scale, high[1] * scale, high[2] * scale)
+
+    @property
+    def extent(self) -> float:
+        """Longest side of the box around the part [m]."""
+        low, high = self.bounds
+        return max(b - a for a, b in zip(low, high, strict=True))
+
+
+def check_volume(what: str, measured: float, expected: float) -> None:
+    """Refuse a CAD volume that is not the one of the dimensions.
+
+    Parameters
+    ----------
+    what : str
+        Name of the volume, for the message.
+    measured : float [m³]
+        Volume of the CAD shape.
+    expected : float [m³]
+        Volume computed from the dimensions.
+
+    Raises
+    ------
+    TurgorError
+        If they differ by more than `VOLUME_TOLERANCE` of the expected one.
+
+    Examples
+    --------
+    >>> check_volume("cavity", 1.1e-6, 1.0e-6)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: the CAD volume of the cavity is 1100 mm³, but the dimensions give 1000 mm³; \
+this is a mistake in building the shape, please report it with the dimensions.
+    """
+    if not abs(measured - expected) <= VOLUME_TOLERANCE * expected:
+        raise TurgorError(
+            f"the CAD volume of the {what} is {measured * 1e9:.12g} mm³, but the dimensions give "
+            f"{expected * 1e9:.12g} mm³; this is a mistake in building the shape, please report it with the dimensions."
+        )

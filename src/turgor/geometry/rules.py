@@ -1,0 +1,88 @@
+"""Rules for dimensions: each broken one is a sentence with the field, its value and what is allowed."""
+
+from math import floor, isfinite
+from numbers import Integral, Real
+
+from turgor.errors import TurgorError
+from turgor.units import mm
+
+#: No wall, gap or channel below this: nothing molded is thinner, and CAD tolerances stay far away.
+SMALLEST_LENGTH = 0.01 * mm
+
+#: From here on a refused length is more likely a number of millimeters without its unit.
+SUSPICIOUS_LENGTH = 100 * mm
+
+
+def in_mm(length: float) -> str:
+    """Write a length in millimeters.
+
+    Examples
+    --------
+    >>> in_mm(0.0015), in_mm(110.0)
+    ('1.5 mm', '110000 mm')
+    """
+    return f"{length / mm:.10g} mm"
+
+
+def as_length(name: str, value: object) -> float:
+    """Return a length as a float, refusing what is not a finite number.
+
+    Examples
+    --------
+    >>> as_length("wall", "1.5 mm")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: wall is '1.5 mm'; a finite length in meters is needed, such as 1.5*mm.
+    """
+    if isinstance(value, bool) or not isinstance(value, Real) or not isfinite(value):
+        raise TurgorError(f"{name} is {value!r}; a finite length in meters is needed, such as 1.5*mm.")
+    return float(value)
+
+
+def check_length(name: str, value: object, *, low: float = SMALLEST_LENGTH, high: float, why: str = "") -> None:
+    """Refuse a length outside ``low`` to ``high``.
+
+    Parameters
+    ----------
+    name : str
+        Field that holds the length.
+    value : float [m]
+        The length.
+    low, high : float [m]
+        What is allowed, both ends included.
+    why : str
+        What limits it, a clause that completes the sentence.
+
+    Raises
+    ------
+    TurgorError
+        If it is not a finite number within the range; a value that would fit in millimeters gets a hint.
+
+    Examples
+    --------
+    >>> check_length("gap", -1e-3, high=5e-3)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: gap is -1 mm; allowed is 0.01 mm to 5 mm.
+    >>> check_length("length", 110.0, low=1e-3, high=2.0)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: length is 110000 mm; allowed is 1 mm to 2000 mm; did you forget *mm?
+    """
+    length = as_length(name, value)
+    if low <= length <= high:
+        return
+    shown = floor(high / mm * 1000 + 1e-6) / 1000  # rounded down, so that the number shown is itself allowed
+    reason = f", {why}" if why else ""
+    end = "; did you forget *mm?" if length >= SUSPICIOUS_LENGTH and low <= length * mm <= high else "."
+    raise TurgorError(f"{name} is {in_mm(length)}; allowed is {in_mm(low)} to {shown:.10g} mm{reason}{end}")
+
+
+def check_count(name: str, value: object, *, low: int, high: int) -> None:
+    """Refuse a count that is not an integer from ``low`` to ``high``.
+
+    Examples
+    --------
+    >>> check_count("chambers", 0, low=1, high=100)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: chambers is 0; allowed is a whole number from 1 to 100.
+    """
+    if isinstance(value, bool) or not isinstance(value, Integral) or not low <= int(value) <= high:
+        raise TurgorError(f"{name} is {value!r}; allowed is a whole number from {low} to {high}.")

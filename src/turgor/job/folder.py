@@ -1,0 +1,76 @@
+"""Folder of results: claimed before anything is computed, so that no run ends with nowhere to write."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryFile
+
+from turgor.errors import TurgorError
+
+RESPONSE = "response.csv"
+STEPS = "steps.csv"
+LOG = "run.log"
+LOCK = "job.lock.toml"
+REPORT = "report.html"
+PLOT = "response.png"
+UNDEFORMED = "undeformed.png"
+DEFORMED = "deformed.png"
+FIELDS = "vtu"
+
+#: What a run writes; `clear` removes these and nothing else.
+RESULTS = (RESPONSE, STEPS, LOG, LOCK, REPORT, PLOT, UNDEFORMED, DEFORMED, f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd")
+
+
+def default_folder(name: str) -> Path:
+    """Return the folder that a run writes into unless told otherwise: ``<name>-results`` in the working directory.
+
+    Examples
+    --------
+    >>> default_folder("fast_pneunet").name
+    'fast_pneunet-results'
+    """
+    return Path.cwd() / f"{name}-results"
+
+
+@contextmanager
+def claimed(folder: Path, force: bool) -> Iterator[Path]:
+    """Make a folder and see that it can be written; leave no empty one behind when the block fails.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder; parents are made too.
+    force : bool
+        Whether it may hold something already.
+
+    Raises
+    ------
+    TurgorError
+        If it is a file, is not empty (unless ``force``), or cannot be written.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise TurgorError(f"the output folder '{folder}' is a file; name another with --output OTHER.")
+    if folder.is_dir() and any(folder.iterdir()) and not force:
+        raise TurgorError(
+            f"the output folder '{folder}' exists and is not empty; name another with --output OTHER, or replace the "
+            "results in it with --force."
+        )
+    new = not folder.exists()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise TurgorError(f"the output folder '{folder}' cannot be written: {error.strerror}.") from error
+    try:
+        yield folder
+    finally:
+        if new and not any(folder.iterdir()):
+            folder.rmdir()
+
+
+def clear(folder: Path) -> None:
+    """Remove what an earlier run wrote, so that no file of it stays beside the new ones."""
+    for pattern in RESULTS:
+        for file in folder.glob(pattern):
+            file.unlink()

@@ -1,0 +1,113 @@
+"""Lock file: every value that a run used, defaults included, as a job file from which it can be repeated."""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from math import inf
+from typing import Any
+
+import tomlkit
+
+from turgor.job.job import Job, actuator_type
+from turgor.job.sections import PROCEDURES
+from turgor.job.tables import DIRECTIONS
+from turgor.materials.material import Material
+from turgor.materials.records import DIMENSIONLESS, LAWS
+from turgor.model.loads import Gravity, Pressure
+from turgor.model.model import Membrane
+from turgor.units import format_quantity, kPa
+
+#: Units in which a lock file states the dimensions of a value.
+_UNIT = {"length": "mm", "angle": "deg", "pressure": "MPa", "density": "kg/m³"}
+
+_HEADER = (
+    "# Every value of one run, defaults included. It is a job file itself: `turgor run` with this file repeats the run.\n"
+    "# [written_by] says which versions wrote it; it is not read.\n\n"
+)
+
+
+def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
+    """Write a job with every default as TOML; `read_job` returns an equal job from it.
+
+    Parameters
+    ----------
+    job : Job
+        The run.
+    written_by : mapping
+        Versions and settings of the program that do not belong to the question, for the record.
+    """
+    content = {
+        "name": job.name,
+        "actuator": {"type": actuator_type(job.actuator)} | _dimensions(job.actuator),
+        "mesh": {"size": format_quantity(job.mesh_size, "mm"), "grading": job.mesh_grading},
+        "materials": {name: _material(entry) for name, entry in job.materials.items()},
+        "supports": {support.face: support.directions for support in job.supports},
+        "loads": _loads(job),
+        "procedure": _procedure(job),
+        "output": {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)},
+        "written_by": dict(written_by),
+    }
+    return _HEADER + tomlkit.dumps(content)
+
+
+def _dimensions(actuator: Any) -> dict[str, Any]:
+    values = {}
+    for item in fields(actuator):
+        value, dimension = getattr(actuator, item.name), item.metadata.get("dimension", "length")
+        if item.type is float and dimension != "number":
+            values[item.name] = format_quantity(value, _UNIT[dimension])
+        else:
+            values[item.name] = value
+    return values
+
+
+def _material(entry: Material | Membrane) -> dict[str, Any]:
+    material = entry.material if isinstance(entry, Membrane) else entry
+    law = next(name for name, kind in LAWS.items() if type(material.law) is kind)
+    unit = "GPa" if law == "hooke" else "MPa"
+    values: dict[str, Any] = {"name": material.name, "law": law}
+    for item in fields(material.law):  # type: ignore[arg-type]
+        value = getattr(material.law, item.name)
+        values[item.name] = value if item.name in DIMENSIONLESS else format_quantity(value, unit)
+    if law != "hooke":
+        incompressible = material.bulk_modulus == inf
+        values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
+    if material.density is not None:
+        values["density"] = format_quantity(material.density, "kg/m³")
+    if material.stretch_range is not None:
+        values["stretch_range"] = list(material.stretch_range)
+    if isinstance(entry, Membrane):
+        values["thickness"] = format_quantity(entry.thickness, "mm")
+    source = material.source
+    return values | {"source": {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}}
+
+
+def _loads(job: Job) -> dict[str, str]:
+    values = {}
+    for load in job.loads:
+        if isinstance(load, Pressure):
+            values["pressure"] = format_quantity(load.pressure, "kPa")
+        elif isinstance(load, Gravity):
+            values["gravity"] = next(text for text, vector in DIRECTIONS.items() if vector == load.direction)
+    return values
+
+
+def _procedure(job: Job) -> dict[str, Any]:
+    name = next(name for name, kind in PROCEDURES.items() if type(job.procedure) is kind)
+    values = {item.name: _plain(getattr(job.procedure, item.name)) for item in fields(job.procedure)}
+    top = next((load.pressure for load in job.loads if isinstance(load, Pressure)), None)
+    return {"type": name} | values | {"at": [_requested(factor, top) for factor in job.procedure.at]}
+
+
+def _requested(factor: float, top: float | None) -> str | float:
+    """The pressure at a load factor, where one reads back as exactly this factor; else the load factor itself."""
+    if top is None:
+        return factor
+    for digits in range(1, 18):
+        pressure = float(f"{factor * top / kPa:.{digits}g}") * kPa
+        if pressure / top == factor:
+            return format_quantity(pressure, "kPa")
+    return factor
+
+
+def _plain(value: Any) -> Any:
+    return list(value) if isinstance(value, tuple) else value

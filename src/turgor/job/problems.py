@@ -1,0 +1,76 @@
+"""Problems: everything that is wrong with one job file, collected and reported together."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+from turgor.errors import TurgorError
+from turgor.job.lines import Key
+
+
+#: Stands for the line of what is absent from the file; such problems come last.
+_NOWHERE = 10**9
+
+
+class JobError(TurgorError):
+    """What is wrong with a job file: one line for each problem.
+
+    Parameters
+    ----------
+    problems : iterable of str
+        Sentences that begin with file, line and key.
+    """
+
+    def __init__(self, problems: Iterable[str]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(self.problems))
+
+
+@dataclass(slots=True)
+class Problems:
+    """The problems found so far in one file.
+
+    Parameters
+    ----------
+    file : str
+        Name of the file as the user gave it.
+    lines : mapping of key to int
+        Where each key stands, from `key_lines`.
+    """
+
+    file: str
+    lines: Mapping[Key, int]
+    found: list[tuple[int, str]] = field(default_factory=list)
+
+    def add(self, key: Key, sentence: str) -> None:
+        """Note a problem at a key, which may be absent from the file: then its table's line is named."""
+        known = next((key[:n] for n in range(len(key), 0, -1) if key[:n] in self.lines), None)
+        line = self.lines[known] if known is not None else _NOWHERE
+        place = f"{self.file}:{line}" if known is not None else self.file
+        self.found.append((line, f"{place}: {'.'.join(key)}: {sentence}"))
+
+    @contextmanager
+    def at(self, key: Key, fields: Iterable[str] = ()) -> Iterator[None]:
+        """Note a `TurgorError` of the block at a key, or at the one of its fields that the message begins with.
+
+        Parameters
+        ----------
+        key : tuple of str
+            Key of a table or value.
+        fields : iterable of str
+            Fields of the value that the block makes; the message names the one that is wrong.
+        """
+        try:
+            yield
+        except TurgorError as error:
+            sentence = str(error)
+            match = re.match(r"(?:[^;]{0,80}?[.: ])?(\w+) (?:is|holds) ", sentence)
+            if match is not None and match[1] in set(fields):
+                key, sentence = (*key, match[1]), sentence[match.end() :]
+            self.add(key, sentence)
+
+    def raise_any(self) -> None:
+        """Raise a `JobError` with all problems in the order of their lines, if there are any."""
+        if self.found:
+            raise JobError(sentence for _, sentence in sorted(self.found, key=lambda item: item[0]))

@@ -1,0 +1,142 @@
+"""read_job: a job file as a value, or everything that is wrong with it at once."""
+
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from turgor.errors import TurgorError, near_match
+from turgor.geometry import Geometry
+from turgor.job.job import Actuator, Job
+from turgor.job.lines import key_lines
+from turgor.job.materials import read_materials
+from turgor.job.problems import JobError, Problems
+from turgor.job.sections import (
+    read_actuator,
+    read_loads,
+    read_mesh,
+    read_output,
+    read_procedure,
+    read_supports,
+)
+from turgor.job.tables import shown
+
+#: Keys of a job file; the last one is written into lock files and says which versions wrote them.
+SECTIONS = ("name", "actuator", "mesh", "materials", "supports", "loads", "procedure", "output", "written_by")
+
+#: Sections that may be left out, and what stands in for them.
+DEFAULTS: Mapping[str, Mapping[str, Any]] = {
+    "supports": {"fixed": "xyz"},
+    "procedure": {"type": "static"},
+    "output": {},
+}
+
+_NAME = re.compile(r"[\w.-]+")
+
+
+def read_job(path: str | Path) -> Job:
+    """Read a job file: TOML, in which every quantity carries its unit.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file; a lock file that a run wrote is a job file too.
+
+    Returns
+    -------
+    Job
+
+    Raises
+    ------
+    JobError
+        If anything in the file is wrong: one line per problem with file, line, key, value and what is allowed.
+    TurgorError
+        If the file cannot be read or is no TOML.
+    """
+    path = Path(path)
+    text = _text(path)
+    try:
+        content = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _not_toml(path, error) from error
+    problems = Problems(str(path), key_lines(text))
+    job = _read(content, path.stem, problems)
+    problems.raise_any()
+    assert job is not None
+    return job
+
+
+def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | None:
+    for key in content:
+        if key not in SECTIONS:
+            known = ", ".join(SECTIONS)
+            problems.add((key,), f"unknown key '{key}'{near_match(key, SECTIONS) or '.'} Known keys: {known}.")
+    given = {key: content.get(key, DEFAULTS.get(key)) for key in SECTIONS}
+    for key in ("actuator", "mesh", "materials", "loads"):
+        if given[key] is None:
+            problems.add((key,), f"the table [{key}] is missing.")
+    name = _name(content.get("name", stem), problems)
+    actuator = read_actuator(given["actuator"], problems) if given["actuator"] is not None else None
+    geometry = _build(actuator, problems)
+    mesh = read_mesh(given["mesh"], geometry, problems) if given["mesh"] is not None else None
+    materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
+    loads = read_loads(given["loads"], geometry, materials, problems) if given["loads"] is not None else ()
+    supports = read_supports(given["supports"], geometry, problems)
+    procedure = read_procedure(given["procedure"], loads, problems)
+    output = read_output(given["output"], problems)
+    if problems.found or actuator is None or mesh is None or procedure is None or output is None:
+        return None
+    return Job(
+        name=name,
+        actuator=actuator,
+        mesh_size=mesh.size,
+        mesh_grading=mesh.grading,
+        materials=materials,
+        supports=supports,
+        loads=loads,
+        procedure=procedure,
+        output=output,
+    )
+
+
+def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:
+    """Build the shape, because its names are the allowed keys of other sections."""
+    geometry: Geometry | None = None
+    if actuator is not None:
+        with problems.at(("actuator",)):
+            geometry = actuator.build()
+    return geometry
+
+
+def _name(value: object, problems: Problems) -> str:
+    if isinstance(value, str) and _NAME.fullmatch(value):
+        return value
+    problems.add(("name",), f"{shown(value)} is not a name; use letters, digits, '-', '_' and '.'.")
+    return ""
+
+
+def _text(path: Path) -> str:
+    if path.is_dir():
+        raise TurgorError(f"'{path}' is a folder; name a job file, such as '{path / 'job.toml'}'.")
+    if not path.exists():
+        folder = path.parent
+        known = [entry.name for entry in folder.glob("*.toml")] if folder.is_dir() else []
+        hint = near_match(path.name, known) or "."
+        listed = f" Job files there: {', '.join(sorted(known))}." if known else ""
+        raise TurgorError(f"there is no job file '{path}'{hint}{listed}")
+    try:
+        return path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+    except OSError as error:
+        raise TurgorError(f"'{path}' cannot be read: {error.strerror}.") from error
+    except UnicodeDecodeError as error:
+        raise TurgorError(f"'{path}' is not a text file in UTF-8; a job file is TOML.") from error
+
+
+def _not_toml(path: Path, error: tomllib.TOMLDecodeError) -> TurgorError:
+    sentence = str(error)
+    match = re.search(r" \(at line (\d+), column (\d+)\)$", sentence)
+    if match is None:
+        return JobError([f"{path}: this is not valid TOML: {sentence}."])
+    what = sentence[: match.start()]
+    return JobError([f"{path}:{match[1]}: this is not valid TOML: {what}, at column {match[2]}."])

@@ -1,0 +1,220 @@
+"""Tables of a job file: which keys each has, and what their values must be.
+
+The keys of an actuator, a law and a procedure are the fields of its dataclass, so that a new one needs no code here.
+"""
+
+from collections.abc import Mapping
+from dataclasses import MISSING, Field, fields
+from functools import cache
+from math import inf
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, AllowInfNan, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
+
+from turgor.errors import TurgorError, near_match, unknown
+from turgor.job.lines import Key
+from turgor.job.problems import Problems
+from turgor.materials.records import DIMENSIONLESS
+from turgor.results.measures import find_measure
+from turgor.units import parse_quantity
+
+CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
+
+#: Directions in which things can fall, as job files write them.
+DIRECTIONS: Mapping[str, tuple[float, float, float]] = {
+    "+x": (1.0, 0.0, 0.0),
+    "-x": (-1.0, 0.0, 0.0),
+    "+y": (0.0, 1.0, 0.0),
+    "-y": (0.0, -1.0, 0.0),
+    "+z": (0.0, 0.0, 1.0),
+    "-z": (0.0, 0.0, -1.0),
+}
+
+
+def quantity(dimension: str) -> Any:
+    """Return the type of a value that carries a unit of a dimension and becomes an SI float."""
+    return Annotated[float, BeforeValidator(lambda text: parse_quantity(text, dimension))]
+
+
+Length = quantity("length")
+Pressure = quantity("pressure")
+Density = quantity("density")
+
+
+def _bulk_modulus(text: object) -> float:
+    return inf if text == "incompressible" else parse_quantity(text, "pressure")
+
+
+def _load_factor_or_pressure(value: object) -> object:
+    """A plain number is a load factor; text is a pressure, kept as ``(pressure,)`` until the top pressure is known."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return float(value)
+    return (parse_quantity(value, "pressure"),)
+
+
+def _direction(text: str) -> str:
+    if text not in DIRECTIONS:
+        raise unknown("direction", text, DIRECTIONS)
+    return text
+
+
+def _measure(name: str) -> str:
+    return find_measure(name).name
+
+
+class Table(BaseModel):
+    """A table whose keys are all known."""
+
+    model_config = CONFIG
+
+
+class MeshTable(Table):
+    """``[mesh]``."""
+
+    size: Length
+    grading: float = 0.5
+
+
+class LibraryTable(Table):
+    """A material of the library."""
+
+    library: str
+    record: str | None = None
+    thickness: Length | None = None
+    density: Density | None = None
+
+
+class SourceTable(Table):
+    """Where the constants of a material came from."""
+
+    text: str
+    detail: str = ""
+    doubts: list[str] = []
+
+
+class StatedTable(Table):
+    """A material stated by its law; the coefficients of the law are added by `law_table`."""
+
+    law: str
+    name: str | None = None
+    thickness: Length | None = None
+    density: Density | None = None
+    stretch_range: list[float] | None = None
+    source: SourceTable | None = None
+
+
+class LoadsTable(Table):
+    """``[loads]``."""
+
+    pressure: Pressure | None = None
+    gravity: Annotated[str, AfterValidator(_direction)] | None = None
+
+
+class OutputTable(Table):
+    """``[output]``."""
+
+    measures: list[Annotated[str, AfterValidator(_measure)]] = []
+    fields: bool = True
+    pictures: bool = True
+    report: bool = True
+
+
+@cache
+def dataclass_table(value: type) -> type[Table]:
+    """Make the table of a dataclass: one key per field, with units where the field is a length, and a ``type``.
+
+    A float is a length unless its field says otherwise: ``field(metadata={"dimension": "angle"})``; the dimension
+    ``"number"`` takes no unit.
+    """
+    keys: dict[str, Any] = {"type": (str, ...)}
+    keys |= {item.name: (_type_of(item), _default_of(item)) for item in fields(value)}
+    return create_model(f"{value.__name__}Table", __base__=Table, **keys)
+
+
+@cache
+def procedure_table(value: type) -> type[Table]:
+    """Make the table of a procedure: one key per field, plain numbers, and ``at`` as pressures or load factors."""
+    keys: dict[str, Any] = {"type": (str, ...)}
+    keys |= {item.name: (item.type, _default_of(item)) for item in fields(value)}
+    if "at" in keys:
+        keys["at"] = (list[Annotated[Any, BeforeValidator(_load_factor_or_pressure)]], [])
+    return create_model(f"{value.__name__}Table", __base__=Table, **keys)
+
+
+@cache
+def law_table(law: type) -> type[Table]:
+    """Make the table of a material stated by its law: the coefficients are the fields of the law."""
+    keys: dict[str, Any] = {
+        item.name: (float if item.name in DIMENSIONLESS else Pressure, _default_of(item)) for item in fields(law)
+    }
+    if hasattr(law, "energy"):
+        keys["bulk_modulus"] = (Annotated[float, AllowInfNan(True), BeforeValidator(_bulk_modulus)], inf)
+    return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
+
+
+def read_table(table: type[Table], values: object, key: Key, problems: Problems) -> Any | None:
+    """Check the values of a table; note every problem and return None if there is any."""
+    if not isinstance(values, Mapping):
+        problems.add(key, f"{shown(values)} is not a table; write [{'.'.join(key)}] and its keys below it.")
+        return None
+    try:
+        return table.model_validate(dict(values))
+    except ValidationError as error:
+        for item in error.errors(include_url=False):
+            place = tuple(part for part in item["loc"] if isinstance(part, str))  # without places in lists
+            problems.add((*key, *place), _sentence(table, place, item))
+        return None
+
+
+def shown(value: object) -> str:
+    """Write a value about as it stands in the file."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, Mapping):
+        return "a table"
+    return repr(value)
+
+
+_NEEDED = {
+    "int_type": "a whole number",
+    "int_from_float": "a whole number",
+    "float_type": "a number without a unit",
+    "bool_type": "true or false",
+    "string_type": "a text in quotes",
+    "list_type": "a list in square brackets",
+    "model_type": "a table in braces",
+    "finite_number": "a finite number",
+}
+
+
+def _sentence(table: type[BaseModel], place: Key, item: Any) -> str:
+    """One sentence for one of pydantic's findings."""
+    kind, given = item["type"], item["input"]
+    if kind == "extra_forbidden":
+        known = list(_model_at(table, place[:-1]).model_fields)
+        return f"unknown key '{place[-1]}'{near_match(place[-1], known) or '.'} Known keys: {', '.join(known)}."
+    if kind == "missing":
+        return f"'{place[-1]}' is missing, and it has no default."
+    error = item.get("ctx", {}).get("error")
+    if isinstance(error, TurgorError):
+        return str(error)
+    needed = _NEEDED.get(kind)
+    return f"{shown(given)} is not {needed}." if needed else f"{shown(given)} is not allowed: {item['msg']}."
+
+
+def _model_at(table: type[BaseModel], place: Key) -> type[BaseModel]:
+    """The table at a key inside another one."""
+    return SourceTable if place[-1:] == ("source",) else table
+
+
+def _type_of(item: Field[Any]) -> Any:
+    if item.type is not float:
+        return item.type
+    dimension = item.metadata.get("dimension", "length")
+    return float if dimension == "number" else quantity(dimension)
+
+
+def _default_of(item: Field[Any]) -> Any:
+    if item.default is not MISSING:
+        return item.default
+    return item.default_factory() if item.default_factory is not MISSING else ...

@@ -1,0 +1,55 @@
+"""Material: a law with its bulk response, density, fitted range and source."""
+
+from dataclasses import dataclass, field
+from math import inf
+
+from turgor.errors import TurgorError
+from turgor.materials.laws import Hooke, Law
+from turgor.source import Source
+
+UNSTATED = Source(text="stated in the script")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Material:
+    """A law, how it resists a change of volume, its density, the range it was fitted in, and where it came from.
+
+    Parameters
+    ----------
+    name : str
+        What the material is called in reports.
+    law : Law or Hooke
+        The strain energy function with its coefficients.
+    bulk_modulus : float [Pa]
+        Initial bulk modulus κ; infinite (the default) means fully incompressible. Ignored for `Hooke`.
+    density : float or None [kg/m³]
+        Mass per reference volume; needed for gravity only.
+    stretch_range : (float, float) or None [-]
+        Smallest and largest stretch of the tests that the law was fitted to, when known.
+    source : Source
+        Where the coefficients came from.
+
+    Examples
+    --------
+    >>> from turgor.materials.laws import NeoHooke
+    >>> Material(name="test rubber", law=NeoHooke(C10=0.12e6)).incompressible
+    True
+    """
+
+    name: str
+    law: Law | Hooke
+    bulk_modulus: float = inf
+    density: float | None = None
+    stretch_range: tuple[float, float] | None = None
+    source: Source = field(default=UNSTATED)
+
+    def __post_init__(self) -> None:
+        if not self.bulk_modulus > 0:
+            raise TurgorError(f"material '{self.name}': bulk_modulus is {self.bulk_modulus:g} Pa; it must be positive.")
+        if self.density is not None and not self.density > 0:
+            raise TurgorError(f"material '{self.name}': density is {self.density:g} kg/m³; it must be positive.")
+
+    @property
+    def incompressible(self) -> bool:
+        """Whether the material keeps its volume exactly."""
+        return self.bulk_modulus == inf

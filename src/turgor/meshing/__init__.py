@@ -1,0 +1,23 @@
+"""Meshing: curved ten-node tetrahedra with the names of the geometry, and what is to be known about them.
+
+The functions ``mesh`` and ``quality`` are imported from their files, `turgor.meshing.generate` and
+`turgor.meshing.quality`: in this package their names belong to the files ``mesh.py`` and ``quality.py``.
+"""
+
+from turgor.meshing.checks import check_mesh
+from turgor.meshing.generate import size_range
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.proximity import FacingWalls, find_facing_walls, smallest_gap
+from turgor.meshing.quality import MeshQuality
+from turgor.meshing.surface import outer_triangles
+
+__all__ = [
+    "FacingWalls",
+    "Mesh",
+    "MeshQuality",
+    "check_mesh",
+    "find_facing_walls",
+    "outer_triangles",
+    "size_range",
+    "smallest_gap",
+]

@@ -1,0 +1,137 @@
+"""Which walls face each other through air, found by looking along the outward normals."""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from turgor.meshing.mesh import TRIANGLE_EDGES
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Two triangles see each other when the angle between one normal and the other's opposite is below 45°.
+OPPOSED = 0.7
+
+#: Triangles that share an edge belong to the same wall when their normals differ by less than 40°.
+SMOOTH = 0.77
+
+#: Rays followed together, so that a large surface does not need gigabytes.
+CHUNK = 2_000
+
+
+def unit_normals(points: Array, triangles: Ints) -> Array:
+    """Unit normals of the flat triangles between the corners, (f, 3)."""
+    corners = points[triangles[:, :3]]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return np.asarray(normal / np.linalg.norm(normal, axis=1, keepdims=True))
+
+
+def first_hits(points: Array, triangles: Ints, reach: float) -> Ints:
+    """Find the first triangle that each triangle sees along its outward normal.
+
+    The ray from each centroid starts in air, so whatever it meets first has nothing but air before it.
+
+    Parameters
+    ----------
+    points : (n, 3) array [m]
+    triangles : (f, 3 or more) int array
+        The whole surface, normals pointing out of the solid.
+    reach : float [m]
+        How far to look.
+
+    Returns
+    -------
+    (f,) int array
+        Triangle that is hit first, -1 where there is none within reach.
+    """
+    corners = points[triangles[:, :3]]
+    origin, normal = corners.mean(axis=1), unit_normals(points, triangles)
+    radius = float(np.linalg.norm(corners - origin[:, None], axis=2).max())
+    tree, stride = cKDTree(origin), 2 * radius
+    low, high = points.min(axis=0) - stride, points.max(axis=0) + stride
+    hit = np.full(len(triangles), -1, dtype=np.int64)
+    active = np.arange(len(triangles))
+    for k in range(int(np.ceil(reach / stride))):
+        middle = origin[active] + (k + 0.5) * stride * normal[active]
+        active = active[((middle >= low) & (middle <= high)).all(axis=1)]  # the others have left the body for good
+        for start in range(0, len(active), CHUNK):
+            part = active[start : start + CHUNK]
+            middle = origin[part] + (k + 0.5) * stride * normal[part]
+            # whatever is hit in this stride has its hit point within half a stride and its centroid a radius further
+            near = tree.query_ball_point(middle, stride / 2 + radius)
+            ray = np.repeat(part, [len(n) for n in near])
+            target = np.array([i for n in near for i in n], dtype=np.int64)
+            distance = _ray_distances(origin[ray], normal[ray], corners[target])
+            kept = np.flatnonzero((ray != target) & (distance <= min((k + 1) * stride, reach)))
+            order = kept[np.lexsort((distance[kept], ray[kept]))]
+            first = order[np.flatnonzero(np.diff(ray[order], prepend=-1))]
+            hit[ray[first]] = target[first]
+        active = active[hit[active] < 0]
+    return hit
+
+
+def _ray_distances(origin: Array, direction: Array, corners: Array) -> Array:
+    """Distance along each ray to its triangle, inf where it misses (Möller and Trumbore 1997)."""
+    a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    p = np.cross(direction, b)
+    determinant = np.einsum("ij,ij->i", a, p)
+    scale = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)
+    parallel = np.abs(determinant) < 1e-9 * scale
+    inverse = 1 / np.where(parallel, 1.0, determinant)
+    t = origin - corners[:, 0]
+    u = np.einsum("ij,ij->i", t, p) * inverse
+    q = np.cross(t, a)
+    v = np.einsum("ij,ij->i", direction, q) * inverse
+    distance = np.einsum("ij,ij->i", b, q) * inverse
+    tolerance = 1e-9  # a ray through an edge must hit one of its two triangles
+    miss = parallel | (u < -tolerance) | (v < -tolerance) | (u + v > 1 + tolerance) | (distance <= 0)
+    return np.where(miss, np.inf, distance)
+
+
+def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
+    """Group triangles that see an opposed triangle into walls, and list which walls see each other.
+
+    Parameters
+    ----------
+    points : (n, 3) array [m]
+    triangles : (f, 6) int array
+    hit : (f,) int array
+        What each triangle sees, -1 for nothing.
+
+    Returns
+    -------
+    wall : (f,) int array
+        Wall of each triangle, -1 for triangles that face none.
+    pairs : (p, 2) int array
+        Walls that see each other and share no node, the smaller number first.
+    """
+    normal = unit_normals(points, triangles)
+    seen = np.where(hit >= 0, hit, 0)
+    facing = (hit >= 0) & (np.einsum("ij,ij->i", normal, normal[seen]) < -OPPOSED)
+    facing[hit[facing]] = True  # what is seen faces back, even where its own centroid looks past
+    left, right = _neighbors(triangles)
+    together = facing[left] & facing[right] & (np.einsum("ij,ij->i", normal[left], normal[right]) > SMOOTH)
+    size = len(triangles)
+    graph = coo_array((np.ones(int(together.sum())), (left[together], right[together])), shape=(size, size))
+    label = connected_components(graph, directed=False)[1]
+    wall = np.full(size, -1, dtype=np.int64)
+    wall[facing] = np.unique(label[facing], return_inverse=True)[1]
+    sees = np.flatnonzero(facing & (hit >= 0))
+    sees = sees[np.einsum("ij,ij->i", normal[sees], normal[hit[sees]]) < -OPPOSED]
+    pairs = np.sort(np.stack([wall[sees], wall[hit[sees]]], axis=1), axis=1)
+    pairs = np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)
+    nodes = [np.unique(triangles[wall == i]) for i in range(int(wall.max(initial=-1)) + 1)]
+    apart = [not np.isin(nodes[a], nodes[b]).any() for a, b in pairs]
+    return wall, pairs[np.array(apart, dtype=bool)]
+
+
+def _neighbors(triangles: Ints) -> tuple[Ints, Ints]:
+    """Pairs of triangles that share an edge; edges of more than two triangles join none."""
+    edges = np.sort(np.concatenate([triangles[:, e] for e in TRIANGLE_EDGES]), axis=1)
+    owner = np.tile(np.arange(len(triangles)), 3)
+    _, inverse, count = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
+    order = np.argsort(inverse, kind="stable")
+    order = order[count[inverse[order]] == 2]
+    return owner[order[0::2]], owner[order[1::2]]

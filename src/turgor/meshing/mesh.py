@@ -1,0 +1,100 @@
+"""Mesh: curved ten-node tetrahedra with named regions and faces."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError, unknown
+
+#: Mid-side nodes 4..9 of a ten-node tetrahedron lie on these pairs of its vertices (VTK and Abaqus order).
+TETRAHEDRON_EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+
+#: Mid-side nodes 3..5 of a six-node triangle lie on these pairs of its vertices.
+TRIANGLE_EDGES = ((0, 1), (1, 2), (2, 0))
+
+#: The six-node triangles on the sides of a ten-node tetrahedron, normals pointing out of the cell.
+TETRAHEDRON_FACES = ((0, 1, 3, 4, 8, 7), (1, 2, 3, 5, 9, 8), (2, 0, 3, 6, 7, 9), (0, 2, 1, 6, 5, 4))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Mesh:
+    """Ten-node tetrahedra with the names of the geometry.
+
+    Vertices come first among the points, mid-side nodes after them. Faces on the surface of the body point out of
+    the solid, so a cavity's normals point into the cavity; faces inside the body (a strain-limiting layer between
+    two regions) may point either way. A face name that begins with ``symmetry_`` marks a mirror plane.
+
+    Parameters
+    ----------
+    points : (n, 3) float array [m]
+        Reference positions of all nodes, vertices first.
+    cells : (c, 10) int array
+        Nodes of each tetrahedron: four vertices, then mid-side nodes in `TETRAHEDRON_EDGES` order.
+    regions : dict of str to (k,) int array
+        Cells of each named region; together they hold every cell once.
+    faces : dict of str to (f, 6) int array
+        Six-node triangles of each named face: three vertices, then mid-side nodes in `TRIANGLE_EDGES` order.
+    name : str
+        What the mesh shows, for reports.
+
+    Raises
+    ------
+    TurgorError
+        If an index is out of range, vertices do not come first, or a cell belongs to no region or to two.
+    """
+
+    points: NDArray[np.float64]
+    cells: NDArray[np.int64]
+    regions: dict[str, NDArray[np.int64]]
+    faces: dict[str, NDArray[np.int64]]
+    name: str = "mesh"
+    vertex_count: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        if self.cells.ndim != 2 or self.cells.shape[1] != 10 or len(self.cells) == 0:
+            raise TurgorError(f"mesh '{self.name}': cells have shape {self.cells.shape}; (c, 10) with c > 0 is needed.")
+        if self.cells.min() < 0 or self.cells.max() >= len(self.points):
+            raise TurgorError(f"mesh '{self.name}': a cell names a node outside 0..{len(self.points) - 1}.")
+        vertices = np.unique(self.cells[:, :4])
+        if vertices[-1] != len(vertices) - 1 or self.cells[:, 4:].min() < len(vertices):
+            raise TurgorError(f"mesh '{self.name}': vertices must be numbered first and mid-side nodes after them.")
+        owner = np.zeros(len(self.cells), dtype=np.int64)
+        for cells in self.regions.values():
+            owner[cells] += 1
+        if (owner != 1).any():
+            raise TurgorError(
+                f"mesh '{self.name}': {int((owner != 1).sum())} cells do not belong to exactly one region."
+            )
+        object.__setattr__(self, "vertex_count", len(vertices))
+
+    def face(self, name: str) -> NDArray[np.int64]:
+        """Return the (f, 6) triangles of a named face; unknown names fail with the list of known ones."""
+        if name not in self.faces:
+            raise unknown("face", name, self.faces)
+        return self.faces[name]
+
+    def region(self, name: str) -> NDArray[np.int64]:
+        """Return the cell indices of a named region; unknown names fail with the list of known ones."""
+        if name not in self.regions:
+            raise unknown("region", name, self.regions)
+        return self.regions[name]
+
+    def face_nodes(self, name: str) -> NDArray[np.int64]:
+        """Return the sorted nodes of a named face."""
+        return np.unique(self.face(name))
+
+    @property
+    def symmetry_faces(self) -> tuple[str, ...]:
+        """Names of the faces that lie on a mirror plane."""
+        return tuple(name for name in self.faces if name.startswith("symmetry_"))
+
+    @property
+    def symmetry_factor(self) -> int:
+        """How many copies of this mesh make the whole actuator: 1, 2 or 4."""
+        return int(2 ** len(self.symmetry_faces))
+
+    @property
+    def unknown_count(self) -> int:
+        """Displacement components plus mean stresses, before supports are applied."""
+        return 3 * len(self.points) + self.vertex_count

@@ -1,0 +1,127 @@
+"""Model: the question that is asked."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+
+from turgor.errors import TurgorError, unknown
+from turgor.materials.laws import Hooke
+from turgor.materials.material import Material
+from turgor.meshing.mesh import Mesh
+from turgor.model.loads import Gravity, Load, Pressure, Traction
+from turgor.model.supports import Displacement, Support, Symmetry
+
+
+@dataclass(frozen=True, slots=True)
+class Membrane:
+    """A thin sheet on a face: stretches and shears like its material, bends freely.
+
+    Parameters
+    ----------
+    material : Material
+        Its law must be `Hooke`.
+    thickness : float [m]
+        Thickness of the sheet, in (0, 1 cm].
+    """
+
+    material: Material
+    thickness: float
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.material.law, Hooke):
+            raise TurgorError(
+                f"membrane of '{self.material.name}': its law is {type(self.material.law).__name__}; "
+                "a membrane needs Hooke (Young's modulus and Poisson's ratio)."
+            )
+        if not 0 < self.thickness <= 0.01:
+            raise TurgorError(f"membrane thickness is {self.thickness * 1e3:g} mm; allowed is more than 0 up to 10 mm.")
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Model:
+    """A mesh with its materials, supports and loads; the question that `solve` answers.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Cells with named regions and faces.
+    materials : mapping of str to Material or Membrane
+        A `Material` for every region, a `Membrane` for any face that is reinforced.
+    supports : sequence of Support
+        What holds the body. Faces named ``symmetry_*`` are mirror planes without being listed.
+    loads : sequence of Load
+        What drives it; each reaches its stated value at load factor 1.
+
+    Raises
+    ------
+    TurgorError
+        If a name is unknown, a region has no material, or gravity meets a material without density.
+    """
+
+    mesh: Mesh
+    materials: Mapping[str, Material | Membrane]
+    supports: tuple[Support, ...]
+    loads: tuple[Load, ...]
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        materials: Mapping[str, Material | Membrane],
+        supports: Sequence[Support],
+        loads: Sequence[Load],
+    ) -> None:
+        mirrored = {s.face for s in supports if isinstance(s, Symmetry)}
+        added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
+        object.__setattr__(self, "mesh", mesh)
+        object.__setattr__(self, "materials", MappingProxyType(dict(materials)))
+        object.__setattr__(self, "supports", tuple(supports) + added)
+        object.__setattr__(self, "loads", tuple(loads))
+        self._check_materials()
+        self._check_faces()
+
+    def _check_materials(self) -> None:
+        for name, material in self.materials.items():
+            if isinstance(material, Membrane):
+                if name not in self.mesh.faces:
+                    raise unknown("face for a membrane", name, self.mesh.faces)
+            elif name not in self.mesh.regions:
+                raise unknown("region for a material", name, self.mesh.regions)
+            elif isinstance(material.law, Hooke):
+                raise TurgorError(
+                    f"materials.{name}: the law Hooke of '{material.name}' is for membranes; "
+                    "a region needs a hyperelastic law such as NeoHooke or Yeoh."
+                )
+        missing = [name for name in self.mesh.regions if name not in self.materials]
+        if missing:
+            raise TurgorError(f"no material for region {', '.join(missing)}; give one in materials.")
+        if any(isinstance(load, Gravity) for load in self.loads):
+            for name, material in self.region_materials.items():
+                if material.density is None:
+                    raise TurgorError(f"materials.{name}: '{material.name}' has no density, and gravity needs it.")
+
+    def _check_faces(self) -> None:
+        for support in self.supports:
+            if not (isinstance(support, Displacement) and support.face == "*"):
+                self.mesh.face(support.face)
+        for load in self.loads:
+            if isinstance(load, Pressure | Traction):
+                self.mesh.face(load.face)
+            if isinstance(load, Pressure) and not np.isfinite(load.pressure):
+                raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
+
+    @property
+    def region_materials(self) -> dict[str, Material]:
+        """The materials of the regions."""
+        return {name: m for name, m in self.materials.items() if isinstance(m, Material)}
+
+    @property
+    def membranes(self) -> dict[str, Membrane]:
+        """The membranes on faces."""
+        return {name: m for name, m in self.materials.items() if isinstance(m, Membrane)}
+
+    @property
+    def pressures(self) -> tuple[Pressure, ...]:
+        """The follower pressures among the loads."""
+        return tuple(load for load in self.loads if isinstance(load, Pressure))

@@ -1,0 +1,55 @@
+"""Supports: what holds the actuator."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class Fixed:
+    """Hold a face: no displacement in the chosen directions.
+
+    Parameters
+    ----------
+    face : str
+        Name of the face.
+    directions : str
+        Which components are held, any of ``"x"``, ``"y"``, ``"z"``.
+    """
+
+    face: str
+    directions: str = "xyz"
+
+
+@dataclass(frozen=True, slots=True)
+class Symmetry:
+    """Mirror plane: no displacement along the normal of a plane face aligned with the axes.
+
+    Faces named ``symmetry_*`` get this support by themselves.
+    """
+
+    face: str
+
+
+@dataclass(frozen=True, slots=True)
+class Displacement:
+    """Move a face along a prescribed displacement, scaled by the load factor.
+
+    Parameters
+    ----------
+    face : str
+        Name of the face, or ``"*"`` for the whole surface of the body.
+    value : callable
+        ``value(points, load_factor) -> (n, 3) displacement [m]`` of the (n, 3) reference points [m].
+    directions : str
+        Which components are prescribed.
+    """
+
+    face: str
+    value: Callable[[NDArray[np.float64], float], NDArray[np.float64]]
+    directions: str = "xyz"
+
+
+Support = Fixed | Symmetry | Displacement

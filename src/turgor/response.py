@@ -1,0 +1,229 @@
+"""Response: measured columns against the drive, from finite elements, a formula or a laboratory alike."""
+
+import csv
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor import units
+from turgor.errors import TurgorError, near_match, unknown
+from turgor.source import Source
+
+#: Units a column may be shown and written in, with their value in SI; the empty label is for pure numbers.
+COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
+    {
+        "": 1.0, "m": units.m, "mm": units.mm, "um": units.um, "1/m": 1.0, "rad": units.rad, "deg": units.deg,
+        "Pa": units.Pa, "kPa": units.kPa, "MPa": units.MPa, "m3": 1.0, "L": units.L, "mL": units.mL,
+        "N": units.N, "mN": units.mN, "Nm": 1.0, "J": 1.0, "mJ": 1e-3, "kg": units.kg, "g": units.g,
+        "s": units.s, "ms": units.ms,
+    }
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Column:
+    """One named quantity along the path.
+
+    Parameters
+    ----------
+    name : str
+        What was measured, such as ``"bending_angle"``.
+    unit : str
+        The unit it is shown and written in, one of `COLUMN_UNITS`; empty for a pure number.
+    values : (n,) array [SI]
+        The values in SI units, whatever ``unit`` is.
+
+    Examples
+    --------
+    >>> Column("pressure", "kPa", [0.0, 50e3]).header
+    'pressure_kPa'
+    """
+
+    name: str
+    unit: str
+    values: NDArray[np.float64]
+
+    def __post_init__(self) -> None:
+        if self.unit not in COLUMN_UNITS:
+            raise unknown(f"unit of column '{self.name}'", self.unit, (u for u in COLUMN_UNITS if u))
+        if not self.name.replace("_", "a").isalnum():
+            raise TurgorError(f"column name '{self.name}' may hold letters, digits and underscores only.")
+        if _split_header(self.header) != (self.name, self.unit):
+            raise TurgorError(
+                f"column '{self.name}' without unit would be read as '{_split_header(self.header)[0]}' "
+                f"in {_split_header(self.header)[1]}; choose a name that does not end in a unit."
+            )
+        values = np.array(self.values, dtype=np.float64)
+        if values.ndim != 1:
+            raise TurgorError(f"column '{self.name}' has shape {values.shape}; one value per row is needed.")
+        values.setflags(write=False)
+        object.__setattr__(self, "values", values)
+
+    @property
+    def header(self) -> str:
+        """Name and unit as they stand in the first line of a file."""
+        return f"{self.name}_{self.unit}" if self.unit else self.name
+
+    @property
+    def label(self) -> str:
+        """Name and unit as they stand beside an axis, such as ``"bending angle [deg]"``."""
+        words = self.name.replace("_", " ")
+        return f"{words} [{self.unit}]" if self.unit else words
+
+    @property
+    def in_unit(self) -> NDArray[np.float64]:
+        """The values in ``unit``, (n,)."""
+        return self.values / COLUMN_UNITS[self.unit]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Response:
+    """Measured columns against the drive; the columns of the drive come first.
+
+    Parameters
+    ----------
+    columns : tuple of Column
+        All of one length, names unique.
+    source : Source
+        Where the numbers came from: a computation, a formula, an experiment.
+    status : str
+        How the run that made them ended (``"converged"``, ``"limit_point"`` …); empty where none did.
+    message : str
+        What happened, in one sentence with its numbers.
+
+    Raises
+    ------
+    TurgorError
+        If two columns share a name or have different lengths.
+
+    Examples
+    --------
+    >>> response = Response(
+    ...     columns=(Column("pressure", "kPa", [0.0, 50e3]), Column("bending_angle", "deg", [0.0, 1.5])),
+    ...     source=Source(text="a ruler"),
+    ... )
+    >>> response.names
+    ('pressure', 'bending_angle')
+    >>> print(response.column("bending_angle"))
+    [0.  1.5]
+    >>> response.column("bending_angel")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: unknown column 'bending_angel'; did you mean 'bending_angle'? ...
+    """
+
+    columns: tuple[Column, ...]
+    source: Source
+    status: str = ""
+    message: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.columns:
+            raise TurgorError("a response needs at least one column.")
+        for name in self.names:
+            if self.names.count(name) > 1:
+                raise TurgorError(f"response: two columns are called '{name}'; every name must be unique.")
+        lengths = {column.name: len(column.values) for column in self.columns}
+        if len(set(lengths.values())) > 1:
+            shown = ", ".join(f"{name} {count}" for name, count in lengths.items())
+            raise TurgorError(f"response: the columns have different lengths ({shown}).")
+
+    def __len__(self) -> int:
+        """Count the rows."""
+        return len(self.columns[0].values)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the columns in order."""
+        return tuple(column.name for column in self.columns)
+
+    def find(self, name: str) -> Column:
+        """Return a column with its unit; an unknown name fails with the near match."""
+        for column in self.columns:
+            if column.name == name:
+                return column
+        raise unknown("column", name, self.names)
+
+    def column(self, name: str) -> NDArray[np.float64]:
+        """Return the values of a column in SI units, (n,); an unknown name fails with the near match."""
+        return self.find(name).values
+
+    def to_csv(self, path: str | Path) -> None:
+        """Write the table as CSV: a header with units (``pressure_kPa``), then one line a row, in these units.
+
+        Every digit is kept: `read_response` gives the values back to the last bit or the one beside it.
+        """
+        with Path(path).open("w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow([column.header for column in self.columns])
+            factors = [COLUMN_UNITS[column.unit] for column in self.columns]
+            for row in zip(*(column.values.tolist() for column in self.columns), strict=True):
+                writer.writerow([_shortest(value, factor) for value, factor in zip(row, factors, strict=True)])
+
+
+def read_response(path: str | Path, source: Source | None = None) -> Response:
+    """Read a table that `Response.to_csv` or a person wrote: CSV whose header holds names with units.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file. ``pressure_kPa`` is the column ``pressure`` in kPa; a header without a known unit at its
+        end, such as ``load_factor``, is a pure number.
+    source : Source
+        Where the numbers came from; the name of the file if it is not given.
+
+    Returns
+    -------
+    Response
+        Columns in SI units, in the order of the file.
+
+    Raises
+    ------
+    TurgorError
+        If the file is missing or empty, or a cell is no number: with its line and column.
+    """
+    path = Path(path)
+    if not path.is_file():
+        near = near_match(path.name, [p.name for p in path.parent.glob("*.csv")]) if path.parent.is_dir() else ""
+        raise TurgorError(f"response file '{path}' does not exist{near or '.'}")
+    with path.open(newline="", encoding="utf-8-sig") as file:
+        rows = [(line, row) for line, row in enumerate(csv.reader(file), start=1) if row]
+    if len(rows) < 2:
+        raise TurgorError(f"response file '{path}' holds no rows; a header with units and numbers below it are needed.")
+    headers = [header.strip() for header in rows[0][1]]
+    table = np.array([_numbers(path, line, headers, row) for line, row in rows[1:]])
+    columns = []
+    for header, values in zip(headers, table.T, strict=True):
+        name, unit = _split_header(header)
+        columns.append(Column(name, unit, values * COLUMN_UNITS[unit]))
+    return Response(columns=tuple(columns), source=source or Source(text=path.name))
+
+
+def _split_header(header: str) -> tuple[str, str]:
+    """Split ``pressure_kPa`` into name and unit; the unit is empty where the end is no known unit."""
+    name, _, unit = header.rpartition("_")
+    return (name, unit) if name and unit in COLUMN_UNITS and unit else (header, "")
+
+
+def _numbers(path: Path, line: int, headers: list[str], row: list[str]) -> list[float]:
+    if len(row) != len(headers):
+        raise TurgorError(f"{path}, line {line}: {len(row)} values, but the header names {len(headers)} columns.")
+    numbers = []
+    for header, text in zip(headers, row, strict=True):
+        try:
+            numbers.append(float(text))
+        except ValueError:
+            raise TurgorError(f"{path}, line {line}, column '{header}': '{text}' is not a number.") from None
+    return numbers
+
+
+def _shortest(value: float, factor: float) -> str:
+    """Fewest digits of value / factor that read back as the same float, where such a number exists."""
+    for digits in range(1, 18):
+        text = f"{value / factor:.{digits}g}"
+        if float(text) * factor == value:
+            return text
+    return repr(value / factor)

@@ -1,0 +1,117 @@
+"""What measures, files and pictures need of a state, each field computed once and only if it is asked for."""
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.fields import CellFields, cell_fields, nodal_average
+from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.meshing.proximity import FacingWalls, find_facing_walls
+from turgor.model.model import Model
+from turgor.solvers.solution import State
+
+Array = NDArray[np.float64]
+
+
+class MirrorPlane(NamedTuple):
+    """A plane on which a half or quarter model is cut: ``points[:, axis] == position`` [m]."""
+
+    axis: int
+    position: float
+
+
+class MeshFacts:
+    """What the states of one path share: the mirror planes and the walls that may meet."""
+
+    def __init__(self, mesh: Mesh) -> None:
+        self.mesh = mesh
+
+    @cached_property
+    def mirrors(self) -> tuple[MirrorPlane, ...]:
+        """Mirror planes, one for each face named ``symmetry_*``."""
+        planes = []
+        for name in self.mesh.symmetry_faces:
+            points = self.mesh.points[self.mesh.face_nodes(name)]
+            axis = int(np.ptp(points, axis=0).argmin())
+            planes.append(MirrorPlane(axis, float(points[:, axis].mean())))
+        return tuple(planes)
+
+    @cached_property
+    def walls(self) -> FacingWalls:
+        """Pairs of outer walls that may meet."""
+        return find_facing_walls(self.mesh)
+
+    def of_whole(self, vector: Array) -> Array:
+        """Mean over the whole actuator of a vector of the modeled part: what points along a mirror's normal cancels."""
+        out = np.array(vector, dtype=np.float64)
+        for plane in self.mirrors:
+            out[..., plane.axis] = 0.0
+        return out
+
+
+class StateFields:
+    """A state with its fields.
+
+    Parameters
+    ----------
+    state : State
+        Equilibrium at one point of the path.
+    facts : MeshFacts
+        What states of the same mesh share; made here if it is not given.
+    """
+
+    def __init__(self, state: State, facts: MeshFacts | None = None) -> None:
+        self.state = state
+        self.facts = facts or MeshFacts(state.model.mesh)
+
+    @property
+    def model(self) -> Model:
+        """The question."""
+        return self.state.model
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh of the model."""
+        return self.state.model.mesh
+
+    @property
+    def displacement(self) -> Array:
+        """Displacement of every node, (n, 3) [m]."""
+        return self.state.displacement
+
+    @cached_property
+    def points(self) -> Array:
+        """Current positions of all nodes, (n, 3) [m]."""
+        return self.mesh.points + self.state.displacement
+
+    @cached_property
+    def cells(self) -> CellFields:
+        """Stresses and stretches at the quadrature points of the cells."""
+        return cell_fields(self.model, self.state.displacement, self.state.mean_stress)
+
+    @cached_property
+    def von_mises(self) -> Array:
+        """Von Mises stress averaged at the nodes, (n,) [Pa]."""
+        return np.maximum(nodal_average(self.mesh, self.cells.von_mises), 0.0)
+
+    @cached_property
+    def stretch(self) -> Array:
+        """Largest principal stretch averaged at the nodes, (n,)."""
+        return nodal_average(self.mesh, self.cells.stretch)
+
+    @cached_property
+    def cauchy_stress(self) -> Array:
+        """Cauchy stress averaged at the nodes, (n, 3, 3) [Pa]."""
+        return nodal_average(self.mesh, self.cells.cauchy)
+
+    @cached_property
+    def mean_stress(self) -> Array:
+        """Mean stress at every node, (n,) [Pa]: the multiplier at vertices, half way between them at mid-side nodes."""
+        out = np.empty(len(self.mesh.points))
+        out[: self.mesh.vertex_count] = self.state.mean_stress
+        for k, (a, b) in enumerate(TETRAHEDRON_EDGES):
+            ends = self.mesh.cells[:, [a, b]]
+            out[self.mesh.cells[:, 4 + k]] = self.state.mean_stress[ends].mean(axis=1)
+        return out

@@ -1,0 +1,243 @@
+"""Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine import surfaces
+from turgor.errors import TurgorError, unknown
+from turgor.meshing.proximity import smallest_gap as smallest_gap_between
+from turgor.meshing.surface import rim_edges
+from turgor.model.model import Model
+from turgor.model.supports import Fixed
+from turgor.response import COLUMN_UNITS, Column, Response
+from turgor.results.fields import MeshFacts, StateFields
+from turgor.solvers.solution import Solution, State
+from turgor.source import Source
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measure:
+    """A number that can be read off a state.
+
+    Parameters
+    ----------
+    name : str
+        Name of the column it fills.
+    unit : str
+        Unit the column is shown and written in, one of `COLUMN_UNITS`; empty for a pure number.
+    function : callable
+        ``function(at) -> float [SI]``, where ``at`` is a `StateFields`: the state, its mesh, its fields.
+    definition : str
+        What it is, in one line, for reports.
+    unwrap : bool
+        Whether it is an angle known up to full turns, to be continued along the path.
+
+    Examples
+    --------
+    >>> def rise(at):
+    ...     return at.displacement[:, 2].max()
+    >>> Measure(name="rise", unit="mm", function=rise, definition="largest displacement along z").text(0.0021)
+    '2.1 mm'
+    """
+
+    name: str
+    unit: str
+    function: Callable[[StateFields], float]
+    definition: str
+    unwrap: bool = False
+
+    def __post_init__(self) -> None:
+        Column(self.name, self.unit, np.empty(0))  # its checks are the checks of a column
+
+    def __call__(self, state: State | StateFields) -> float:
+        """Return the measure of one state in SI units; an angle lies within half a turn."""
+        at = state if isinstance(state, StateFields) else StateFields(state)
+        try:
+            return float(self.function(at))
+        except TurgorError as error:
+            raise TurgorError(f"measure '{self.name}': {error}") from None
+
+    def text(self, value: float) -> str:
+        """Write a value for a person, such as ``"85.3 deg"``."""
+        return f"{value / COLUMN_UNITS[self.unit]:.4g} {self.unit}".rstrip()
+
+
+def measure(solution: Solution, *measures: Measure) -> Response:
+    """Read measures off every state of a path.
+
+    Parameters
+    ----------
+    solution : Solution
+        The path, complete or not.
+    *measures : Measure
+        What to read; `STANDARD_MEASURES` if none is given.
+
+    Returns
+    -------
+    Response
+        First the drive: ``load_factor`` and, where a pressure acts, ``pressure`` of the first one; then the measures.
+
+    Raises
+    ------
+    TurgorError
+        If a measure needs a face that the mesh does not have.
+    """
+    chosen = measures or STANDARD_MEASURES
+    facts = MeshFacts(solution.model.mesh)
+    rows = []
+    for state in solution.states:
+        at = StateFields(state, facts)  # shared by the measures of this state, then dropped: fields are large
+        rows.append([each(at) for each in chosen])
+    table = np.array(rows).reshape(len(rows), len(chosen))
+    columns = list(_drive(solution))
+    for each, values in zip(chosen, table.T, strict=True):
+        columns.append(Column(each.name, each.unit, np.unwrap(values) if each.unwrap else values))
+    return Response(
+        columns=tuple(columns), source=_source(solution), status=str(solution.status), message=solution.message
+    )
+
+
+def check_measures(model: Model, measures: Sequence[Measure]) -> None:
+    """Try measures on the undeformed state, so that a missing face is reported before the solve and not after it."""
+    mesh = model.mesh
+    rest = State(
+        model=model, load_factor=0.0, displacement=np.zeros_like(mesh.points),
+        mean_stress=np.zeros(mesh.vertex_count), nodal_force=np.zeros_like(mesh.points),
+    )  # fmt: skip
+    at = StateFields(rest)
+    for each in measures:
+        each(at)
+
+
+def find_measure(name: str) -> Measure:
+    """Return the ready-made measure of a name; an unknown name fails with the near match.
+
+    Examples
+    --------
+    >>> find_measure("bending_angle").unit
+    'deg'
+    """
+    if name not in MEASURES:
+        raise unknown("measure", name, MEASURES)
+    return MEASURES[name]
+
+
+def _drive(solution: Solution) -> tuple[Column, ...]:
+    factors = np.array([state.load_factor for state in solution.states])
+    columns = [Column("load_factor", "", factors)]
+    if solution.model.pressures:
+        columns.append(Column("pressure", "kPa", factors * solution.model.pressures[0].pressure))
+    return tuple(columns)
+
+
+def _source(solution: Solution) -> Source:
+    mesh = solution.model.mesh
+    return Source(text="finite elements", detail=f"{mesh.name}, {len(mesh.cells)} cells, {len(mesh.points)} nodes")
+
+
+def _heading(at: StateFields, face: str, points: Array) -> float:
+    """Direction of a face's vector area in the x-z plane [rad], counted from +x towards −z."""
+    area = at.facts.of_whole(surfaces.vector_area(points, at.mesh.face(face)))
+    if not np.hypot(area[0], area[2]) > 1e-6 * surfaces.area(at.mesh.points, at.mesh.face(face)):
+        raise TurgorError(f"face '{face}' has no normal in the x-z plane, the plane of bending.")
+    return float(np.arctan2(-area[2], area[0]))
+
+
+def _bending_angle(at: StateFields) -> float:
+    turned = [_heading(at, face, at.points) - _heading(at, face, at.mesh.points) for face in ("tip", "fixed")]
+    angle = turned[0] - turned[1]
+    return float(np.arctan2(np.sin(angle), np.cos(angle)))
+
+
+def _tip_vector(at: StateFields) -> Array:
+    """Mean displacement of the face ``tip`` of the whole actuator, weighted by reference area, (3,) [m]."""
+    weights = surfaces.nodal_weights(at.mesh.points, at.mesh.face("tip"))
+    return at.facts.of_whole(weights @ at.displacement / weights.sum())
+
+
+def _cavity_volume(at: StateFields) -> float:
+    names = [name for name in at.mesh.faces if name.startswith("cavity")]
+    if not names:
+        raise unknown("face", "cavity", at.mesh.faces)
+    triangles = np.unique(np.concatenate([at.mesh.face(name) for name in names]), axis=0)
+    points, rim = at.points.copy(), rim_edges(triangles)
+    at_mirror = np.zeros(len(rim), dtype=bool)
+    for face, plane in zip(at.mesh.symmetry_faces, at.facts.mirrors, strict=True):
+        points[:, plane.axis] -= plane.position  # a mirror plane adds nothing to ⅓ ∮ x·n da if it holds the origin
+        at_mirror |= np.isin(rim, at.mesh.face_nodes(face)).all(axis=1)
+    if not at_mirror.all():
+        raise TurgorError(
+            f"{', '.join(names)} encloses no volume: {int((~at_mirror).sum())} edges lie open, off any mirror plane; "
+            "close the inlet or name all walls of the cavity."
+        )
+    # normals point out of the solid, which is into the cavity
+    return -at.mesh.symmetry_factor * surfaces.enclosed_volume(points, triangles)
+
+
+def _reaction(at: StateFields) -> float:
+    held = np.zeros(at.mesh.points.shape, dtype=bool)
+    for support in at.model.supports:
+        if isinstance(support, Fixed):
+            axes = ["xyz".index(direction) for direction in support.directions]
+            held[np.ix_(at.mesh.face_nodes(support.face), axes)] = True
+    if not held.any():
+        raise TurgorError("the model has no support Fixed whose force could be summed.")
+    force = np.where(held, at.state.nodal_force, 0.0).sum(axis=0)
+    return float(np.linalg.norm(at.facts.of_whole(at.mesh.symmetry_factor * force)))
+
+
+bending_angle = Measure(
+    name="bending_angle", unit="deg", function=_bending_angle, unwrap=True,
+    definition="rotation of the face tip (its vector area) against the face fixed in the x-z plane, "
+    "positive towards the base",
+)  # fmt: skip
+tip_displacement = Measure(
+    name="tip_displacement", unit="mm", function=lambda at: float(np.linalg.norm(_tip_vector(at))),
+    definition="magnitude of the mean displacement of the face tip",
+)  # fmt: skip
+tip_displacement_x = Measure(
+    name="tip_displacement_x", unit="mm", function=lambda at: float(_tip_vector(at)[0]),
+    definition="mean displacement of the face tip along x",
+)  # fmt: skip
+tip_displacement_z = Measure(
+    name="tip_displacement_z", unit="mm", function=lambda at: float(_tip_vector(at)[2]),
+    definition="mean displacement of the face tip along z",
+)  # fmt: skip
+cavity_volume = Measure(
+    name="cavity_volume", unit="mL", function=_cavity_volume,
+    definition="current volume enclosed by the faces cavity*, whole actuator",
+)  # fmt: skip
+maximum_principal_stretch = Measure(
+    name="maximum_principal_stretch", unit="", function=lambda at: float(at.cells.stretch.max()),
+    definition="largest principal stretch at any quadrature point of the solid",
+)  # fmt: skip
+maximum_von_mises = Measure(
+    name="maximum_von_mises", unit="kPa", function=lambda at: float(at.cells.von_mises.max()),
+    definition="largest von Mises stress at any quadrature point of the solid (membranes left out)",
+)  # fmt: skip
+reaction = Measure(
+    name="reaction", unit="N", function=_reaction,
+    definition="magnitude of the force at the supports Fixed, whole actuator; zero where only the pressure "
+    "of a closed cavity acts, since that pushes on itself",
+)  # fmt: skip
+smallest_gap = Measure(
+    name="smallest_gap", unit="mm",
+    function=lambda at: float(smallest_gap_between(at.facts.walls, at.displacement)),
+    definition="smallest distance between outer walls that face each other; negative once they have passed through",
+)  # fmt: skip
+
+#: What a run writes unless it is told otherwise.
+STANDARD_MEASURES: tuple[Measure, ...] = (
+    bending_angle, tip_displacement, cavity_volume, maximum_principal_stretch, maximum_von_mises, reaction,
+)  # fmt: skip
+
+#: Every ready-made measure by name.
+MEASURES: Mapping[str, Measure] = MappingProxyType(
+    {each.name: each for each in (*STANDARD_MEASURES, tip_displacement_x, tip_displacement_z, smallest_gap)}
+)

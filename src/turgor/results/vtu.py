@@ -1,0 +1,168 @@
+"""VTU files for ParaView: quadratic cells with shared nodes, one file a state, a PVD that lists them.
+
+Everything is in SI units (m, Pa), points and displacement alike, so `Warp By Vector` needs no factor. Each array
+carries its unit as VTK's information key ``UNITS_LABEL``.
+"""
+
+import base64
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.results.fields import StateFields
+from turgor.solvers.solution import Solution, State
+from turgor.units import kPa
+
+#: VTK's number of the ten-node tetrahedron, whose node order is ours.
+QUADRATIC_TETRA = 24
+
+#: Rows and columns of the six components of a symmetric tensor, in VTK's order.
+SYMMETRIC = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
+SYMMETRIC_NAMES = ("XX", "YY", "ZZ", "XY", "YZ", "XZ")
+
+#: Bytes of a block that is compressed by itself, as VTK's own writer has it.
+BLOCK = 32768
+
+_TYPES = {"f8": "Float64", "f4": "Float32", "i4": "Int32", "u1": "UInt8"}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Array:
+    """A named array with its unit and the names of its components."""
+
+    name: str
+    values: NDArray[Any]
+    unit: str = ""
+    components: tuple[str, ...] = ()
+
+
+def write_vtu(path: str | Path, state: State | StateFields) -> None:
+    """Write one state as a VTU file with its quadratic cells intact.
+
+    Point data: ``displacement`` [m], ``mean_stress`` [Pa], ``cauchy_stress`` [Pa] (XX, YY, ZZ, XY, YZ, XZ),
+    ``von_mises`` [Pa], ``stretch`` (largest principal). Cell data: ``region``, counted in the order of the field
+    data ``region_names``. Stresses and stretch are averaged at the nodes over the cells that share them.
+
+    Parameters
+    ----------
+    path : str or Path
+        File to write, ending in ``.vtu``.
+    state : State or StateFields
+        What to write; the modeled part, not mirrored.
+    """
+    at = state if isinstance(state, StateFields) else StateFields(state)
+    mesh = at.mesh
+    cauchy = np.stack([at.cauchy_stress[:, i, j] for i, j in SYMMETRIC], axis=1)
+    point_data = [
+        _Array("displacement", at.displacement.astype("f8"), "m", ("X", "Y", "Z")),
+        _Array("mean_stress", at.mean_stress.astype("f4"), "Pa"),
+        _Array("cauchy_stress", cauchy.astype("f4"), "Pa", SYMMETRIC_NAMES),
+        _Array("von_mises", at.von_mises.astype("f4"), "Pa"),
+        _Array("stretch", at.stretch.astype("f4")),
+    ]
+    region = np.empty(len(mesh.cells), dtype="i4")
+    for number, cells in enumerate(mesh.regions.values()):
+        region[cells] = number
+    count = len(mesh.cells)
+    cells = [
+        _Array("connectivity", mesh.cells.astype("i4")),
+        _Array("offsets", np.arange(10, 10 * count + 1, 10, dtype="i4")),
+        _Array("types", np.full(count, QUADRATIC_TETRA, dtype="u1")),
+    ]
+    lines = [
+        *_opening("UnstructuredGrid"),
+        "<UnstructuredGrid>",
+        *_section("FieldData", [_Array("load_factor", np.array([at.state.load_factor]))], _region_names(at)),
+        f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfCells="{count}">',
+        *_section("PointData", point_data),
+        *_section("CellData", [_Array("region", region)]),
+        *_section("Points", [_Array("points", mesh.points.astype("f8"), "m", ("X", "Y", "Z"))]),
+        *_section("Cells", cells),
+        "</Piece>",
+        "</UnstructuredGrid>",
+        "</VTKFile>",
+    ]
+    Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def write_series(folder: str | Path, solution: Solution, name: str = "state") -> Path:
+    """Write every state of a path as VTU, and a PVD file that lists them for ParaView.
+
+    The time of the PVD is the pressure in kPa of the first pressure load, or the load factor where none acts;
+    a comment in the file says which.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Existing folder to write into.
+    solution : Solution
+        The path, complete or not.
+    name : str
+        Beginning of the file names: ``state.pvd``, ``state_0000.vtu`` …
+
+    Returns
+    -------
+    Path
+        The PVD file.
+    """
+    folder = Path(folder)
+    pressures = solution.model.pressures
+    scale, meaning = (pressures[0].pressure / kPa, "pressure [kPa]") if pressures else (1.0, "load factor")
+    entries = []
+    for number, state in enumerate(solution.states):
+        file = f"{name}_{number:04d}.vtu"
+        write_vtu(folder / file, state)
+        time = f"{state.load_factor * scale:.12g}"
+        entries.append(f'<DataSet timestep="{time}" part="0" file={quoteattr(file)}/>')
+    lines = [*_opening("Collection"), f"<!-- timestep is the {meaning} -->", "<Collection>", *entries]
+    path = folder / f"{name}.pvd"
+    path.write_text("\n".join([*lines, "</Collection>", "</VTKFile>"]) + "\n", encoding="utf-8")
+    return path
+
+
+def _opening(kind: str) -> list[str]:
+    return [
+        '<?xml version="1.0"?>',
+        f'<VTKFile type="{kind}" version="1.0" byte_order="LittleEndian" header_type="UInt32" '
+        'compressor="vtkZLibDataCompressor">',
+    ]
+
+
+def _region_names(at: StateFields) -> str:
+    """Names of the regions as VTK writes strings: the codes of their letters, each name ended by a zero."""
+    codes = b"".join(name.encode() + b"\0" for name in at.mesh.regions)
+    return (
+        f'<Array type="String" Name="region_names" NumberOfTuples="{len(at.mesh.regions)}" format="ascii">'
+        f"{' '.join(map(str, codes))}</Array>"
+    )
+
+
+def _section(tag: str, arrays: Sequence[_Array], more: str = "") -> list[str]:
+    return [f"<{tag}>", *(_data_array(array, tag) for array in arrays), *([more] if more else []), f"</{tag}>"]
+
+
+def _data_array(array: _Array, tag: str) -> str:
+    values = np.ascontiguousarray(array.values)
+    names = "".join(f' ComponentName{k}="{name}"' for k, name in enumerate(array.components))
+    components = f' NumberOfComponents="{values.shape[1]}"' if values.ndim == 2 and tag != "Cells" else ""
+    tuples = f' NumberOfTuples="{len(values)}"' if tag == "FieldData" else ""
+    key = '<InformationKey name="UNITS_LABEL" location="vtkDataArray">'
+    unit = f"{key}{array.unit}</InformationKey>" if array.unit else ""
+    kind = _TYPES[values.dtype.str[1:]]
+    head = f'<DataArray type="{kind}" Name="{array.name}"{components}{names}{tuples} format="binary">'
+    return f"{head}{_encoded(values)}{unit}</DataArray>"
+
+
+def _encoded(values: NDArray[Any]) -> str:
+    """Compress the bytes of an array in blocks, as VTK reads them: sizes first, then the blocks, both in base64."""
+    raw = values.astype(values.dtype.newbyteorder("<")).tobytes()
+    blocks = [zlib.compress(raw[start : start + BLOCK], 6) for start in range(0, len(raw), BLOCK)]
+    sizes = [len(blocks), BLOCK, len(raw) % BLOCK, *map(len, blocks)]
+    header = np.array(sizes, dtype="<u4").tobytes()
+    return base64.b64encode(header).decode() + base64.b64encode(b"".join(blocks)).decode()

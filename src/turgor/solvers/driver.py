@@ -1,0 +1,207 @@
+"""solve: follow the equilibrium path of a model."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
+from turgor.engine.system import Evaluation, Stresses, System
+from turgor.engine.tangent import Tangent
+from turgor.model.model import Model
+from turgor.solvers.checks import check_supports, meeting_walls
+from turgor.solvers.newton import NewtonResult, NewtonSettings, Start, newton, relative_residual
+from turgor.solvers.outcome import Outcome, converged, interrupted, stopped_by, stuck, too_many_steps
+from turgor.solvers.predictor import HISTORY, lagrange_weights
+from turgor.solvers.procedures import Static
+from turgor.solvers.solution import Iteration, Solution, SolveError, State, Step, Timing
+from turgor.solvers.stepping import StepControl
+
+Array = NDArray[np.float64]
+Progress = Callable[[Iteration, State | None], None]
+Stop = Callable[[State], str | None]
+
+
+@dataclass(frozen=True, slots=True)
+class _Hooks:
+    """What the caller listens to and decides."""
+
+    progress: Progress | None
+    stop: Stop | None
+
+
+@dataclass(slots=True)
+class _Path:
+    """What the run has found so far."""
+
+    states: list[State] = field(default_factory=list)
+    history: list[tuple[float, Array, Stresses]] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
+    lost_stability: bool = False
+
+
+def solve(
+    model: Model,
+    procedure: Static | None = None,
+    *,
+    progress: Progress | None = None,
+    stop: Stop | None = None,
+    options: EngineOptions | None = None,
+    throw: bool = True,
+) -> Solution:
+    """Follow the equilibrium path of a model from the undeformed state to the full load.
+
+    Parameters
+    ----------
+    model : Model
+        The question.
+    procedure : Static
+        How the path is followed.
+    hooks : _Hooks
+        Progress, an early stop, notices.
+    options : EngineOptions
+        Linear solver and threads.
+    throw : bool
+        Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
+
+    Returns
+    -------
+    Solution
+        The path with its status, message and advice.
+
+    Raises
+    ------
+    TurgorError
+        If the supports leave a rigid motion free.
+    SolveError
+        If the full load was not reached and ``throw`` is set.
+    """
+    procedure, options, hooks = procedure or Static(), options or EngineOptions(), _Hooks(progress, stop)
+    start = perf_counter()
+    check_supports(model)
+    with use_threads(options.threads):
+        compiling = compile_kernels(options.notify)
+        setup = perf_counter()
+        system = System(model)
+        tangent = Tangent(system, options.linear_solver, options.threads)
+        setup = perf_counter() - setup
+        path = _Path()
+        outcome = _follow(system, tangent, procedure, hooks, path)
+    clock = tangent.clock
+    timing = Timing(
+        compile=compiling, setup=setup, assembly=clock.assembly, factorization=clock.factorization,
+        solve=clock.solve, total=perf_counter() - start, linear_solver=tangent.name,
+    )  # fmt: skip
+    solution = Solution(
+        model=model, procedure=procedure, states=tuple(path.states), status=outcome.status, message=outcome.message,
+        advice=outcome.advice, steps=tuple(path.steps), findings=meeting_walls(model, path.states), timing=timing,
+    )  # fmt: skip
+    if throw and not solution.converged:
+        raise SolveError(solution)
+    return solution
+
+
+def _follow(system: System, tangent: Tangent, procedure: Static, hooks: _Hooks, path: _Path) -> Outcome:
+    """Step from 0 to 1; the path so far is in ``path`` whatever happens."""
+    rest = np.zeros(system.size)
+    at_rest = system.evaluate(rest, 0.0)
+    assert at_rest is not None
+    path.history.append((0.0, rest, system.stresses(at_rest)))
+    path.states.append(_state(system, at_rest, None))
+    control = StepControl.of(procedure)
+    try:
+        while path.history[-1][0] < 1.0:
+            if len(path.steps) >= procedure.max_steps:
+                return too_many_steps(system.model, path.states[-1], procedure)
+            following = _advance(system, tangent, procedure, control, hooks, path)
+            if isinstance(following, Outcome):
+                return following
+            control = following
+    except KeyboardInterrupt:
+        return interrupted(system.model, path.states[-1])
+    return converged(system.model, path.states, path.steps)
+
+
+def _advance(
+    system: System, tangent: Tangent, procedure: Static, control: StepControl, hooks: _Hooks, path: _Path
+) -> StepControl | Outcome:
+    """Attempt one step; return the control for the next one, or how the run ends."""
+    now = path.history[-1][0]
+    load = control.next_load(now)
+    began = perf_counter()
+    number = len(path.steps) + 1
+
+    def report(iteration: int, residual: float, correction: float, length: float) -> None:
+        if hooks.progress is not None:
+            hooks.progress(_iteration(number, load, iteration, residual, correction, length), None)
+
+    settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
+    result = newton(system, tangent, _predict(system, path, load), load, settings, report)
+    path.steps.append(
+        Step(
+            load_factor=load, increment=load - now, iterations=result.iterations, residual=result.residual,
+            accepted=result.converged, seconds=perf_counter() - began, reason=result.reason,
+        )  # fmt: skip
+    )
+    if not result.converged:
+        path.lost_stability |= bool(result.unstable_modes)
+        shorter = control.failed(load - now)
+        if shorter is None:
+            return stuck(system.model, path.states, path.steps, path.lost_stability)
+        return shorter
+    path.lost_stability = False
+    return _accept(system, tangent, result, control, hooks, path)
+
+
+def _accept(
+    system: System, tangent: Tangent, result: NewtonResult, control: StepControl, hooks: _Hooks, path: _Path
+) -> StepControl | Outcome:
+    evaluation = result.evaluation
+    assert evaluation is not None
+    increment = evaluation.load_factor - path.history[-1][0]
+    path.history.append((evaluation.load_factor, evaluation.unknowns, system.stresses(evaluation)))
+    del path.history[:-HISTORY]
+    state = _state(system, evaluation, result.unstable_modes)
+    path.states.append(state)
+    if hooks.progress is not None:
+        last = _iteration(len(path.steps), state.load_factor, result.iterations, result.residual, 0.0, 1.0)
+        hooks.progress(last, state)
+    reason = hooks.stop(state) if hooks.stop is not None else None
+    if reason is not None:
+        return stopped_by(system.model, state, reason)
+    return control.accepted(increment, result.iterations)
+
+
+def _predict(system: System, path: _Path, load: float) -> Start:
+    """The extrapolation that leaves the smallest residual; the last state where all of them invert a cell."""
+    _, unknowns, stresses = path.history[-1]
+    best, smallest = Start(unknowns, stresses), np.inf
+    for count in range(len(path.history), 0, -1):
+        used = path.history[-count:]
+        weights = lagrange_weights([factor for factor, _, _ in used], load)
+        trial = np.asarray(sum(w * x for w, (_, x, _) in zip(weights, used, strict=True)))
+        at = system.evaluate(trial, load)
+        residual = np.inf if at is None else relative_residual(system, at)
+        if residual < smallest:
+            best = Start(trial, Stresses.combine([(w, s) for w, (_, _, s) in zip(weights, used, strict=True)]))
+            smallest = residual
+    return best
+
+
+def _state(system: System, at: Evaluation, modes: int | None) -> State:
+    displacement, mean_stress = system.physical(at.unknowns)
+    force = at.residual[: 3 * system.node_count].reshape(-1, 3) * system.stress * system.length**2
+    return State(
+        model=system.model, load_factor=at.load_factor, displacement=displacement, mean_stress=mean_stress,
+        nodal_force=force, unstable_modes=modes,
+    )  # fmt: skip
+
+
+def _iteration(
+    step: int, load: float, iteration: int, residual: float, correction: float, length: float
+) -> Iteration:
+    return Iteration(
+        step=step, iteration=iteration, load_factor=load, residual=residual, correction=correction, step_length=length
+    )

@@ -1,0 +1,141 @@
+"""Solution: the equilibrium path and how it went."""
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.finding import Finding
+from turgor.model.model import Model
+from turgor.solvers.procedures import Static
+
+
+class Status(StrEnum):
+    """How a solve ended."""
+
+    CONVERGED = "converged"
+    STEP_TOO_SMALL = "step_too_small"
+    LIMIT_POINT = "limit_point"
+    STEP_LIMIT = "step_limit"
+    SINGULAR = "singular"
+    STOPPED = "stopped"
+    INTERRUPTED = "interrupted"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class State:
+    """Equilibrium at one point of the path.
+
+    Parameters
+    ----------
+    model : Model
+        The question.
+    load_factor : float [-]
+        How much of the loads acts, 0 to 1.
+    displacement : (n, 3) array [m]
+        Displacement of every node.
+    mean_stress : (v,) array [Pa]
+        Multiplier of the volume constraint at each vertex (tension positive).
+    nodal_force : (n, 3) array [N]
+        Internal minus external force at every node: zero where it is free, the support's reaction where it is held.
+    unstable_modes : int or None
+        Negative pivots of the tangent beyond those of the mean stress; 0 where the equilibrium is stable,
+        None where it was not looked at.
+    """
+
+    model: Model
+    load_factor: float
+    displacement: NDArray[np.float64]
+    mean_stress: NDArray[np.float64]
+    nodal_force: NDArray[np.float64]
+    unstable_modes: int | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Iteration:
+    """One Newton update: what a progress bar shows."""
+
+    step: int
+    iteration: int
+    load_factor: float
+    residual: float
+    correction: float
+    step_length: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Step:
+    """One attempted step: accepted or cut back."""
+
+    load_factor: float
+    increment: float
+    iterations: int
+    residual: float
+    accepted: bool
+    seconds: float
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Timing:
+    """Where the wall time went [s]."""
+
+    compile: float = 0.0
+    setup: float = 0.0
+    assembly: float = 0.0
+    factorization: float = 0.0
+    solve: float = 0.0
+    total: float = 0.0
+    linear_solver: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Solution:
+    """The path that a solve found and how it went.
+
+    Parameters
+    ----------
+    model, procedure
+        What was asked.
+    states : tuple of State
+        Equilibria in order, the undeformed state (load factor 0) first; the path so far when the solve stopped early.
+    status : Status
+        How it ended.
+    message, advice : str
+        One sentence each: what happened with the numbers, and what to do.
+    steps : tuple of Step
+        Every attempted step.
+    findings : tuple of Finding
+        What checks noticed before and during the solve.
+    timing : Timing
+        Where the time went.
+    """
+
+    model: Model
+    procedure: Static
+    states: tuple[State, ...]
+    status: Status
+    message: str
+    advice: str = ""
+    steps: tuple[Step, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    timing: Timing = field(default_factory=Timing)
+
+    @property
+    def converged(self) -> bool:
+        """Whether the whole load was reached."""
+        return self.status is Status.CONVERGED
+
+    @property
+    def iterations(self) -> int:
+        """Newton iterations of all attempted steps."""
+        return sum(step.iterations for step in self.steps)
+
+
+class SolveError(RuntimeError):
+    """A solve that stopped before the whole load was reached; ``solution`` holds the path so far."""
+
+    def __init__(self, solution: Solution) -> None:
+        super().__init__(f"{solution.status}: {solution.message} {solution.advice}".strip())
+        self.solution = solution

@@ -1,0 +1,75 @@
+"""Step control: how far the next step goes. It knows load factors and iteration counts, nothing else."""
+
+from dataclasses import dataclass, replace
+
+from turgor.solvers.procedures import Static
+
+#: Iterations of a step that is neither too easy nor too hard.
+COMFORTABLE_ITERATIONS = 6
+
+#: A failed step is tried again with this share of its length.
+CUT = 0.35
+
+#: The last stretch to a target is taken whole if it is no longer than this many steps.
+STRETCH = 1.25
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StepControl:
+    """Length of the next step and the load factors still to be hit.
+
+    Parameters
+    ----------
+    length : float
+        Increment that the next step would like to take.
+    max_step, min_step : float
+        Its bounds.
+    targets : tuple of float
+        Load factors to hit exactly, rising, the last one is 1.
+    patience : int
+        Successes since the last failure; steps do not grow right after one.
+    """
+
+    length: float
+    max_step: float
+    min_step: float
+    targets: tuple[float, ...]
+    patience: int = 2
+
+    @staticmethod
+    def of(procedure: Static) -> "StepControl":
+        """Start as a procedure asks."""
+        targets = tuple(sorted({*procedure.at, 1.0}))
+        return StepControl(
+            length=procedure.first_step,
+            max_step=procedure.max_step,
+            min_step=procedure.min_step,
+            targets=targets,
+        )
+
+    def next_load(self, load_factor: float) -> float:
+        """Return the load factor to try next: one step on, or the next target exactly.
+
+        Examples
+        --------
+        >>> control = StepControl.of(Static(first_step=0.4, max_step=0.4, at=(0.5,)))
+        >>> control.next_load(0.0), control.next_load(0.4), control.next_load(0.5)
+        (0.5, 0.5, 0.9)
+        """
+        target = next(t for t in self.targets if t > load_factor)
+        if load_factor + STRETCH * self.length >= target:
+            return target
+        return load_factor + self.length
+
+    def accepted(self, increment: float, iterations: int) -> "StepControl":
+        """Grow after an easy step, shrink after a hard one; a step shortened by a target does not shrink the next."""
+        factor = min(2.0, max(0.5, COMFORTABLE_ITERATIONS / max(iterations, 1)))
+        if self.patience < 2:
+            factor = min(factor, 1.0)
+        reference = max(increment, self.length) if factor >= 1 else increment
+        return replace(self, length=min(self.max_step, reference * factor), patience=self.patience + 1)
+
+    def failed(self, increment: float) -> "StepControl | None":
+        """Cut the step; None when it would fall below the smallest."""
+        shorter = increment * CUT
+        return None if shorter < self.min_step else replace(self, length=shorter, patience=0)

@@ -1,0 +1,165 @@
+"""Units: SI floats inside, constants multiply in and divide out; text with a unit is read at the door.
+
+>>> from turgor.units import mm, kPa, deg
+>>> 1.5 * mm
+0.0015
+>>> 50 * kPa
+50000.0
+>>> parse_quantity("60 kPa", "pressure")
+60000.0
+"""
+
+import re
+from collections.abc import Mapping
+from difflib import get_close_matches
+from math import isfinite, pi
+from types import MappingProxyType
+
+from turgor.errors import TurgorError
+
+m = 1.0
+cm = 1e-2
+mm = 1e-3
+um = 1e-6
+inch = 25.4e-3
+
+rad = 1.0
+deg = pi / 180.0
+
+Pa = 1.0
+kPa = 1e3
+MPa = 1e6
+GPa = 1e9
+bar = 1e5
+psi = 6894.757293168361
+
+N = 1.0
+mN = 1e-3
+
+kg = 1.0
+g = 1e-3
+
+s = 1.0
+ms = 1e-3
+
+mL = 1e-6
+L = 1e-3
+
+#: Units of each dimension as they are written in files; the SI unit of a dimension comes first.
+UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
+    {
+        "length": MappingProxyType({"m": m, "cm": cm, "mm": mm, "um": um, "µm": um, "in": inch}),
+        "angle": MappingProxyType({"rad": rad, "deg": deg, "°": deg}),
+        "pressure": MappingProxyType({"Pa": Pa, "kPa": kPa, "MPa": MPa, "GPa": GPa, "bar": bar, "psi": psi}),
+        "density": MappingProxyType({"kg/m³": 1.0, "kg/m3": 1.0, "g/cm³": 1e3, "g/cm3": 1e3}),
+    }
+)
+
+#: Signs that look alike or are typed for convenience, and the one that is understood.
+_SAME_SIGN = str.maketrans({"\N{GREEK SMALL LETTER MU}": "µ", "\N{MINUS SIGN}": "-", "\N{NO-BREAK SPACE}": " "})
+_NUMBER_AND_UNIT = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
+
+
+def parse_quantity(text: object, dimension: str) -> float:
+    """Read a number with its unit, such as ``"1.5 mm"``, and return it in SI units.
+
+    Parameters
+    ----------
+    text : str
+        Number and unit; anything else is refused with a sentence that says what is needed.
+    dimension : str
+        What is needed: one of the keys of `UNITS`, such as ``"length"`` or ``"pressure"``.
+
+    Returns
+    -------
+    float
+        The value in the SI unit of the dimension.
+
+    Raises
+    ------
+    TurgorError
+        If the text is no finite number followed by a unit of this dimension.
+
+    Examples
+    --------
+    >>> parse_quantity("60 kPa", "pressure")
+    60000.0
+    >>> parse_quantity("60 kP", "pressure")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, MPa, GPa, bar, psi.
+    """
+    units = UNITS[dimension]
+    if isinstance(text, bool) or not isinstance(text, str | int | float):
+        raise TurgorError(f"{_shown(text)} is not a {dimension}; write a number with its unit, {_example(dimension)}.")
+    if not isinstance(text, str):
+        raise TurgorError(f"{text} needs a unit, {_example(dimension)}. {_known(dimension)}")
+    match = _NUMBER_AND_UNIT.fullmatch(text.translate(_SAME_SIGN).strip())
+    if match is None:
+        raise TurgorError(f"'{text}' is not a {dimension}; write a number with its unit, {_example(dimension)}.")
+    number, unit = float(match[1]), match[2]
+    if re.match(r",\d", unit):
+        raise TurgorError(f"'{text}' has a decimal comma; write a point, {_example(dimension)}.")
+    if not unit:
+        raise TurgorError(f"'{text}' needs a unit, {_example(dimension)}. {_known(dimension)}")
+    if unit not in units:
+        raise _wrong_unit(text, unit, dimension)
+    value = number * units[unit]
+    if not isfinite(value):
+        raise TurgorError(f"'{text}' is too large; a finite {dimension} is needed.")
+    return value
+
+
+def format_quantity(value: float, unit: str) -> str:
+    """Write an SI value in a unit, so that `parse_quantity` returns exactly the same float.
+
+    Where no decimal number in this unit gives the same float, the SI unit of the dimension is used instead.
+
+    Parameters
+    ----------
+    value : float
+        The value in SI units.
+    unit : str
+        A unit from `UNITS`, such as ``"mm"``.
+
+    Returns
+    -------
+    str
+        The shortest number that reads back exactly, and the unit.
+
+    Examples
+    --------
+    >>> format_quantity(0.0015, "mm")
+    '1.5 mm'
+    """
+    units = next(units for units in UNITS.values() if unit in units)
+    for digits in range(1, 18):
+        number = float(f"{value / units[unit]:.{digits}g}")
+        if number * units[unit] == value:
+            return f"{number!r}".removesuffix(".0") + f" {unit}"
+    return f"{value!r} {next(iter(units))}"
+
+
+def _wrong_unit(text: str, unit: str, dimension: str) -> TurgorError:
+    for other, units in UNITS.items():
+        if unit in units:
+            article = "an" if other[0] in "aeiou" else "a"
+            needed = "an" if dimension[0] in "aeiou" else "a"
+            return TurgorError(f"'{text}' is {article} {other}, but {needed} {dimension} is needed. {_known(dimension)}")
+    units = UNITS[dimension]
+    same = [known for known in units if known.lower() == unit.lower()]
+    near = same or get_close_matches(unit, units, n=1)
+    hint = f"; did you mean '{near[0]}'?" if near else "."
+    return TurgorError(f"unknown unit '{unit}' in '{text}'{hint} {_known(dimension)}")
+
+
+def _known(dimension: str) -> str:
+    return f"Known {dimension} units: {', '.join(UNITS[dimension])}."
+
+
+def _example(dimension: str) -> str:
+    examples = {"length": "1.5 mm", "angle": "90 deg", "pressure": "60 kPa", "density": "1130 kg/m³"}
+    return f"for example '{examples[dimension]}'"
+
+
+def _shown(value: object) -> str:
+    return {True: "true", False: "false"}[value] if isinstance(value, bool) else repr(value)

@@ -1,0 +1,103 @@
+"""The rules that keep the rooms apart, checked on the text of a file: what it imports, how long it is, what it prints.
+
+The order of the rooms stands here once; ``docs/architecture.md`` shows the same list, and a test compares them.
+"""
+
+import ast
+from collections.abc import Iterator
+
+#: Rooms in the order of import: a room may import from itself and from those before it.
+ROOMS = ("foundation", "materials", "geometry", "meshing", "model", "engine", "solvers", "results", "job", "cli")
+
+#: The modules that every room stands on, with a room name in common.
+FOUNDATION = ("units", "errors", "source", "finding", "response")
+
+#: Where a heavy part, or a part with one purpose, may be imported.
+HOME = {
+    "basix": ("engine",),
+    "ctypes": ("engine",),
+    "mkl": ("engine",),
+    "numba": ("engine",),
+    "rslab": ("engine",),
+    "netgen": ("geometry", "meshing"),
+    "netgen.occ": ("geometry",),
+    "netgen.meshing": ("meshing",),
+    "embreex": ("results",),
+    "jinja2": ("results",),
+    "matplotlib": ("results",),
+    "pydantic": ("job",),
+    "rich": ("cli",),
+    "typer": ("cli",),
+}
+
+LONGEST_FILE = 500
+
+
+def room_of(module: str) -> str | None:
+    """Room of a dotted module such as ``turgor.engine.kernels``; None for the package itself and for other packages.
+
+    The package's ``__init__`` gives the public names, so it is not a room that others may import from.
+    """
+    parts = module.split(".")
+    if parts[0] != "turgor" or len(parts) == 1:
+        return None
+    return {"__main__": "cli"}.get(parts[1], "foundation" if parts[1] in FOUNDATION else parts[1])
+
+
+def problems(module: str, text: str) -> list[str]:
+    """List what breaks a rule in a module of ``src/turgor``, one line each."""
+    tree = ast.parse(text)
+    found = [*_import_problems(module, tree), *_call_problems(module, tree), *_signature_problems(tree)]
+    lines = len(text.splitlines())
+    if lines > LONGEST_FILE:
+        found.append(f"{lines} lines; {LONGEST_FILE} are allowed")
+    return found
+
+
+def imported(module: str, tree: ast.Module) -> Iterator[tuple[int, str]]:
+    """Line and dotted name of everything imported, inside functions too; relative names are made absolute."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from ((node.lineno, alias.name) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = ".".join(module.split(".")[: -node.level]) if node.level else ""
+            source = ".".join(part for part in (base, node.module) if part)
+            yield from ((node.lineno, f"{source}.{alias.name}") for alias in node.names)
+
+
+def _import_problems(module: str, tree: ast.Module) -> Iterator[str]:
+    here = room_of(module)
+    for line, name in imported(module, tree):
+        yield from (f"line {line}: {text}" for text in _home_problems(here, name))
+        if here is None or name.split(".")[0] != "turgor":
+            continue
+        there = room_of(name)
+        if there not in ROOMS:
+            if here != "cli":
+                yield f"line {line}: {name} is a public name; a room imports from the room that defines it"
+        elif ROOMS.index(there) > ROOMS.index(here):
+            yield f"line {line}: {here} must not import {name}, which comes after it"
+
+
+def _home_problems(here: str | None, name: str) -> Iterator[str]:
+    for part, homes in HOME.items():
+        if (name == part or name.startswith(f"{part}.")) and here not in homes:
+            yield f"{part} may be imported in {' and '.join(homes)} only"
+
+
+def _call_problems(module: str, tree: ast.Module) -> Iterator[str]:
+    if room_of(module) == "cli":
+        return
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "print":
+            yield f"line {node.lineno}: print; the library returns, the command line prints"
+
+
+def _signature_problems(tree: ast.Module | ast.ClassDef) -> Iterator[str]:
+    """Functions and methods without a leading underscore, and ``__init__``, name their arguments."""
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+            yield from _signature_problems(node)
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.args.kwarg is not None:
+            if node.name == "__init__" or not node.name.startswith("_"):
+                yield f"line {node.lineno}: **{node.args.kwarg.arg} in the public function {node.name}"

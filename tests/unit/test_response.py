@@ -1,0 +1,131 @@
+"""Response: a table of columns with units that survives a file, and says which name was meant."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from turgor.errors import TurgorError
+from turgor.response import COLUMN_UNITS, Column, Response, read_response
+from turgor.source import Source
+from turgor.units import deg, kPa
+
+SOURCE = Source(text="a test")
+
+
+def table(**columns) -> Response:
+    """Response of columns given as name=(unit, values)."""
+    return Response(columns=tuple(Column(n, unit, values) for n, (unit, values) in columns.items()), source=SOURCE)
+
+
+def test_columns_are_si_and_shown_in_their_unit():
+    response = table(pressure=("kPa", [0, 50 * kPa]), bending_angle=("deg", [0, 90 * deg]))
+    assert response.column("pressure")[1] == 50e3
+    assert response.find("bending_angle").in_unit == pytest.approx([0, 90])
+    assert response.find("bending_angle").label == "bending angle [deg]"
+    assert len(response) == 2
+
+
+def test_values_cannot_be_changed():
+    given_values = np.array([0.0, 1.0])
+    response = table(pressure=("kPa", given_values))
+    given_values[0] = 7.0
+    assert response.column("pressure")[0] == 0.0
+    with pytest.raises(ValueError, match="read-only"):
+        response.column("pressure")[0] = 1.0
+
+
+def test_header_carries_units_and_numbers_are_short(tmp_path):
+    path = tmp_path / "response.csv"
+    table(load_factor=("", [0.1]), pressure=("kPa", [12.3e3]), tip_x=("mm", [-0.0371])).to_csv(path)
+    assert path.read_text() == "load_factor,pressure_kPa,tip_x_mm\n0.1,12.3,-37.1\n"
+
+
+@given(data=st.data())
+def test_round_trip(data, tmp_path_factory):
+    """What is read differs from what was written by the last bit at most (a number times its unit is rounded)."""
+    path = tmp_path_factory.mktemp("response") / "response.csv"
+    floats = st.floats(allow_subnormal=False, allow_nan=False, min_value=-1e300, max_value=1e300)
+    count = data.draw(st.integers(1, 4))
+    names = st.from_regex(r"[a-z]+(_[a-z]{5,8})?", fullmatch=True)
+    chosen = data.draw(st.dictionaries(names, st.sampled_from(sorted(COLUMN_UNITS)), min_size=1, max_size=4))
+    columns = tuple(
+        Column(name, unit, data.draw(st.lists(floats, min_size=count, max_size=count))) for name, unit in chosen.items()
+    )
+    written = Response(columns=columns, source=SOURCE)
+    written.to_csv(path)
+    read = read_response(path)
+    assert read.names == written.names
+    for before, after in zip(written.columns, read.columns, strict=True):
+        assert after.unit == before.unit
+        np.testing.assert_allclose(after.values, before.values, rtol=3e-16, atol=0)
+
+
+def test_infinite_and_missing_values_survive(tmp_path):
+    table(smallest_gap=("mm", [np.inf, np.nan])).to_csv(tmp_path / "r.csv")
+    read = read_response(tmp_path / "r.csv").column("smallest_gap")
+    assert read[0] == np.inf
+    assert np.isnan(read[1])
+
+
+def test_unknown_column_names_the_near_match():
+    with pytest.raises(TurgorError, match=r"unknown column 'presure'; did you mean 'pressure'\?"):
+        table(pressure=("kPa", [0.0])).column("presure")
+
+
+def test_unknown_unit_names_the_near_match():
+    with pytest.raises(TurgorError, match=r"unknown unit of column 'pressure' 'kP'; did you mean 'kPa'\?"):
+        Column("pressure", "kP", [0.0])
+
+
+def test_pure_number_may_not_look_like_a_unit():
+    with pytest.raises(TurgorError, match="'tip_m' without unit would be read as 'tip' in m"):
+        Column("tip_m", "", [0.0])
+
+
+def test_names_are_words():
+    with pytest.raises(TurgorError, match="'a,b' may hold letters, digits and underscores only"):
+        Column("a,b", "", [0.0])
+
+
+def test_columns_must_fit_together():
+    with pytest.raises(TurgorError, match=r"different lengths \(pressure 1, angle 2\)"):
+        table(pressure=("kPa", [0.0]), angle=("deg", [0.0, 1.0]))
+    with pytest.raises(TurgorError, match="two columns are called 'pressure'"):
+        Response(columns=(Column("pressure", "kPa", [0.0]), Column("pressure", "Pa", [0.0])), source=SOURCE)
+    with pytest.raises(TurgorError, match=r"shape \(1, 2\)"):
+        Column("pressure", "kPa", [[0.0, 1.0]])
+    with pytest.raises(TurgorError, match="at least one column"):
+        Response(columns=(), source=SOURCE)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("pressure_kPa\n", "holds no rows"),
+        ("", "holds no rows"),
+        ("pressure_kPa,angle_deg\n1\n", "line 2: 1 values, but the header names 2 columns"),
+        ("pressure_kPa\n1\n\nx\n", "line 4, column 'pressure_kPa': 'x' is not a number"),
+    ],
+)
+def test_bad_files_are_explained(tmp_path, text, message):
+    path = tmp_path / "r.csv"
+    path.write_text(text)
+    with pytest.raises(TurgorError, match=message):
+        read_response(path)
+
+
+def test_missing_file_names_the_near_match(tmp_path):
+    (tmp_path / "response.csv").write_text("x\n1\n")
+    with pytest.raises(TurgorError, match=r"does not exist; did you mean 'response.csv'\?"):
+        read_response(tmp_path / "respnse.csv")
+
+
+def test_files_of_others_are_read(tmp_path):
+    """A spreadsheet's byte order mark, blank lines and spaces around names are no obstacle."""
+    path = tmp_path / "lab.csv"
+    path.write_bytes("\ufeffpressure_kPa, bending_angle_deg\r\n\r\n10, 90\r\n".encode())
+    read = read_response(path, Source(text="our laboratory"))
+    assert read.column("pressure")[0] == 10e3
+    assert read.column("bending_angle")[0] == pytest.approx(np.pi / 2)
+    assert str(read.source) == "our laboratory"

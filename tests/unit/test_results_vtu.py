@@ -1,0 +1,114 @@
+"""VTU and PVD: what VTK reads back is what was written, quadratic cells included."""
+
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+import results_cases as cases
+
+from turgor.results.fields import StateFields
+from turgor.results.vtu import SYMMETRIC, write_series, write_vtu
+
+vtk_io = pytest.importorskip("vtkmodules.vtkIOXML")
+numpy_support = pytest.importorskip("vtkmodules.util.numpy_support")
+
+
+@pytest.fixture(scope="module")
+def state():
+    made = cases.state(cases.model(cases.body(half=True)), cases.bent(1.0), load_factor=0.7)
+    return replace(made, mean_stress=np.linspace(-1e5, 2e5, len(made.mean_stress)))
+
+
+@pytest.fixture(scope="module")
+def grid(state, tmp_path_factory):
+    path = tmp_path_factory.mktemp("vtu") / "state.vtu"
+    write_vtu(path, state)
+    return read(path)
+
+
+def read(path):
+    reader = vtk_io.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    assert reader.GetErrorCode() == 0
+    return reader.GetOutput()
+
+
+def array(data, name):
+    return numpy_support.vtk_to_numpy(data.GetArray(name))
+
+
+def test_quadratic_cells_share_their_nodes(state, grid):
+    mesh = state.model.mesh
+    assert grid.GetNumberOfPoints() == len(mesh.points)
+    np.testing.assert_array_equal(numpy_support.vtk_to_numpy(grid.GetPoints().GetData()), mesh.points)
+    cells = grid.GetCells()
+    np.testing.assert_array_equal(numpy_support.vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, 10), mesh.cells)
+    assert {grid.GetCellType(i) for i in range(grid.GetNumberOfCells())} == {24}
+
+
+def test_vtk_sees_the_cells_as_we_do(state, grid):
+    """A wrong order of the mid-side nodes would fold the cells: VTK's own interpolation gives their centers."""
+    mesh = state.model.mesh
+    weights = np.array([-0.125] * 4 + [0.25] * 6)
+    for i in (0, 7, len(mesh.cells) - 1):
+        cell, center, found = grid.GetCell(i), [0.25] * 3, [0.0] * 3
+        cell.EvaluateLocation(
+            __import__("vtkmodules.vtkCommonCore", fromlist=["reference"]).reference(0), center, found, [0.0] * 10
+        )
+        assert found == pytest.approx(weights @ mesh.points[mesh.cells[i]], abs=1e-12)
+        assert cell.IsA("vtkQuadraticTetra")
+
+
+def test_fields_come_back(state, grid):
+    at, data = StateFields(state), grid.GetPointData()
+    np.testing.assert_array_equal(array(data, "displacement"), state.displacement)
+    np.testing.assert_allclose(array(data, "von_mises"), at.von_mises, rtol=1e-6)
+    np.testing.assert_allclose(array(data, "stretch"), at.stretch, rtol=1e-6)
+    np.testing.assert_allclose(array(data, "mean_stress"), at.mean_stress, rtol=1e-6)
+    cauchy = array(data, "cauchy_stress")
+    for k, (i, j) in enumerate(SYMMETRIC):
+        np.testing.assert_allclose(cauchy[:, k], at.cauchy_stress[:, i, j], rtol=1e-6)
+        assert data.GetArray("cauchy_stress").GetComponentName(k) == "XYZ"[i] + "XYZ"[j]
+
+
+def test_units_and_regions_are_stated(state, grid):
+    key = __import__("vtkmodules.vtkCommonCore", fromlist=["vtkDataArray"]).vtkDataArray.UNITS_LABEL()
+    units = {n: grid.GetPointData().GetArray(n).GetInformation().Get(key) for n in ("displacement", "von_mises")}
+    assert units == {"displacement": "m", "von_mises": "Pa"}
+    names = grid.GetFieldData().GetAbstractArray("region_names")
+    assert [names.GetValue(i) for i in range(2)] == list(state.model.mesh.regions) == ["base", "body"]
+    region = array(grid.GetCellData(), "region")
+    np.testing.assert_array_equal(np.flatnonzero(region == 1), state.model.mesh.region("body"))
+    assert array(grid.GetFieldData(), "load_factor")[0] == 0.7
+
+
+def test_mean_stress_is_linear_between_vertices(state):
+    at = StateFields(state)
+    cell = state.model.mesh.cells[3]
+    assert at.mean_stress[cell[4]] == pytest.approx(state.mean_stress[cell[[0, 1]]].mean())
+    assert at.mean_stress[cell[9]] == pytest.approx(state.mean_stress[cell[[2, 3]]].mean())
+    np.testing.assert_array_equal(at.mean_stress[: len(state.mean_stress)], state.mean_stress)
+
+
+@pytest.mark.parametrize(("hollow", "times", "meaning"), [(True, [0, 20, 50], "pressure [kPa]"),
+                                                          (False, [0, 0.4, 1], "load factor")])  # fmt: skip
+def test_series_is_listed_by_what_drives_it(tmp_path, hollow, times, meaning):
+    model = cases.model(cases.body(hollow=hollow), pressure=50e3)
+    path = [cases.state(model, cases.stretched(1 + f), f) for f in (0.0, 0.4, 1.0)]
+    pvd = write_series(tmp_path, cases.solution(path))
+    sets = ElementTree.parse(pvd).getroot().findall("./Collection/DataSet")
+    assert [float(s.get("timestep")) for s in sets] == times
+    assert f"timestep is the {meaning}" in pvd.read_text()
+    last = read(tmp_path / sets[-1].get("file"))
+    np.testing.assert_array_equal(array(last.GetPointData(), "displacement"), path[-1].displacement)
+
+
+def test_pyvista_opens_the_series(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    model = cases.model(cases.body(half=True))
+    pvd = write_series(tmp_path, cases.solution([cases.state(model, None, 0.0), cases.state(model)]))
+    reader = pyvista.get_reader(str(pvd))
+    assert reader.time_values == [0.0, 50.0]
+    assert reader.read()[0].n_cells == len(model.mesh.cells)

@@ -1,0 +1,92 @@
+"""What the verification tests share: units of the tables, materials, supports, and how they read a solution."""
+
+from collections.abc import Sequence
+from math import inf
+
+import numpy as np
+import turgor as tg
+from turgor.engine.fields import CellFields, cell_fields, strain_energy
+from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.engine.runtime import EngineOptions
+from turgor.meshing.mesh import Mesh
+from turgor.solvers.solution import Solution, State
+
+MM, MPA = 1e-3, 1e6
+
+NEO_HOOKE = tg.NeoHooke(C10=0.12 * MPA)
+YEOH = tg.Yeoh(C10=0.11 * MPA, C20=0.02 * MPA)
+
+#: A slab between two frictionless walls; see `meshes` on the nodes half way between.
+PLANE_STRAIN = (tg.Fixed("z0", "z"), tg.Fixed("z1", "z"))
+
+
+#: One thread: these problems are so small that waiting for a second thread costs more than it saves.
+OPTIONS = EngineOptions(linear_solver="rslab", threads=1)
+
+
+def solve(model: tg.Model, procedure: tg.Static | None = None, **more) -> Solution:
+    """`turgor.solve` with the linear solver that every installation has."""
+    return tg.solve(model, procedure, options=OPTIONS, **more)
+
+
+def rubber(law, bulk_modulus: float = inf, density: float | None = None) -> tg.Material:
+    """A material of a law, incompressible unless told otherwise."""
+    return tg.Material(name="rubber", law=law, bulk_modulus=bulk_modulus, density=density)
+
+
+def one_material(mesh: Mesh, law, bulk_modulus: float = inf, supports: Sequence = (), loads: Sequence = ()) -> tg.Model:
+    """A model whose only region, ``body``, is of one law."""
+    return tg.Model(mesh, materials={"body": rubber(law, bulk_modulus)}, supports=supports, loads=loads)
+
+
+def state_at(solution: Solution, load_factor: float) -> State:
+    """The state of the path at a load factor that was asked for."""
+    state = min(solution.states, key=lambda s: abs(s.load_factor - load_factor))
+    assert abs(state.load_factor - load_factor) < 1e-12, f"the path has no state at load factor {load_factor}"
+    return state
+
+
+def reaction(state: State, face: str) -> np.ndarray:
+    """Sum of the support forces on a face, (3,) [N]."""
+    return state.nodal_force[state.model.mesh.face_nodes(face)].sum(axis=0)
+
+
+def current(state: State) -> np.ndarray:
+    """Current positions of all nodes [m]."""
+    return state.model.mesh.points + state.displacement
+
+
+def mean_radius(state: State, face: str, axes: Sequence[int]) -> float:
+    """Mean distance of the nodes of a face from the axis or the center [m]."""
+    positions = current(state)[state.model.mesh.face_nodes(face)]
+    return float(np.linalg.norm(positions[:, list(axes)], axis=1).mean())
+
+
+def fields(state: State) -> CellFields:
+    """Stresses and stretches of a state at the quadrature points."""
+    return cell_fields(state.model, state.displacement, state.mean_stress)
+
+
+def energy(state: State) -> float:
+    """Stored energy of the modeled part [J]."""
+    return strain_energy(state.model, state.displacement, state.mean_stress)
+
+
+def at_quadrature_points(state: State, nodal: np.ndarray) -> np.ndarray:
+    """A quadratic nodal field (n, 3) at the quadrature points of the cells, (c, q, 3)."""
+    table = reference_cell(3, CELL_QUADRATURE_DEGREE).N
+    return np.einsum("qa,cai->cqi", table, nodal[state.model.mesh.cells])
+
+
+def polar_stress(state: State, axes: Sequence[int], shift: Sequence[float] = 0.0):
+    """Current radius, radial and hoop Cauchy stress at the quadrature points, about the axis or center at the origin.
+
+    ``axes`` are the coordinates in which the radius lies: (0, 1) around z, (0, 1, 2) around the center, where the
+    hoop stress is the mean of two.
+    """
+    x = at_quadrature_points(state, current(state))[..., list(axes)] + shift
+    stress = fields(state).cauchy[..., : len(axes), : len(axes)]
+    r = np.linalg.norm(x, axis=-1)
+    n = x / r[..., None]
+    radial = np.einsum("cqi,cqij,cqj->cq", n, stress, n)
+    return r, radial, (np.trace(stress, axis1=-2, axis2=-1) - radial) / (len(axes) - 1)

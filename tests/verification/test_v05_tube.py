@@ -1,0 +1,104 @@
+"""V05: a thick incompressible tube held at its length follows the exact curve, with the exact axial force and stress.
+
+Problem: inner radius 5 mm, outer 7 mm, a quarter of a slice between two frictionless walls (λz = 1); neo-Hookean
+(C10 = 0.12 MPa) and Yeoh (0.11, 0.02 MPa), inflated to three times the inner radius. Neither curve has a limit point.
+Exact: P = ∫ Ŵ′(λ) / (λ² − 1) dλ between the stretches of the walls, Ŵ = W(λ, 1/λ, 1); axial force of the wall N.
+Source: Green and Zerna; table V05, which `exact.tube_pressure` must reproduce to its seven digits.
+Tolerance: 0.1 % of the inner radius at the tabulated pressure with three curved quadratic elements through the wall, axial
+force 0.2 %, stress at quadrature points 1 % of the inner hoop stress (the table's demands; N is an integral of stress).
+At λ = 2.5 and 3 the neo-Hookean curve is nearly flat (P tends to 0.0807533 MPa): there 0.1 % of radius is 0.01 % of pressure.
+"""
+
+import numpy as np
+import pytest
+import turgor as tg
+
+import exact
+import meshes
+import problems
+
+INNER, OUTER = 5 * problems.MM, 7 * problems.MM
+STRETCHES = (1.05, 1.10, 1.20, 1.30, 1.50, 1.75, 2.00, 2.50, 3.00)
+TABLE = {  # pressure [MPa], axial force [N]
+    "neo-Hookean": (
+        problems.NEO_HOOKE,
+        (0.01078554, 0.01987406, 0.03412093, 0.04452240, 0.05805014, 0.06732012, 0.07235933, 0.07702820, 0.07887216),
+        (0.888898, 1.71287, 3.18670, 4.45863, 6.51663, 8.41165, 9.78743, 11.5839, 12.6544),
+    ),
+    "Yeoh": (
+        problems.YEOH,
+        (0.009907197, 0.01836356, 0.03221811, 0.04342805, 0.06185821, 0.08229422, 0.1028582, 0.1487562, 0.2032710),
+        (0.816509, 1.58268, 3.00886, 4.34836, 6.93909, 10.2618, 13.8608, 22.2075, 32.2770),
+    ),
+}
+
+
+def inflate(law, pressures, mesh):
+    """States of the tube at the given pressures [Pa]."""
+    model = problems.one_material(
+        mesh, law, supports=problems.PLANE_STRAIN, loads=[tg.Pressure("cavity", pressures[-1])]
+    )
+    factors = tuple(p / pressures[-1] for p in pressures)
+    solution = problems.solve(model, tg.Static(first_step=factors[0], at=factors, tolerance=1e-8))
+    return [problems.state_at(solution, factor) for factor in factors]
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_exact_curve_reproduces_the_table(name):
+    law, pressures, _ = TABLE[name]
+    for stretch, pressure in zip(STRETCHES, pressures, strict=True):
+        assert exact.tube_pressure(law, stretch, INNER, OUTER) / problems.MPA == pytest.approx(pressure, rel=5e-7)
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_radius_and_axial_force(name, record_verification):
+    law, pressures, forces = TABLE[name]
+    mesh = meshes.tube_sector(INNER, OUTER, 1 * problems.MM, (3, 6, 1))
+    states = inflate(law, [p * problems.MPA for p in pressures], mesh)
+    radius = [problems.mean_radius(state, "cavity", (0, 1)) / INNER for state in states]
+    force = [mesh.symmetry_factor * float(problems.reaction(state, "z1")[2]) for state in states]
+    record_verification(
+        claim=f"thick tube, {name}, 3 elements through the wall: inner stretch at the tabulated pressures",
+        source="V05, exact",
+        expected=list(STRETCHES),
+        got=radius,
+        tolerance="0.1 %",
+    )
+    record_verification(
+        claim=f"thick tube, {name}: axial force of the wall [N]",
+        source="V05, exact",
+        expected=list(forces),
+        got=force,
+        tolerance="0.2 %",
+    )
+    assert radius == pytest.approx(STRETCHES, rel=1e-3)
+    assert force == pytest.approx(forces, rel=2e-3)
+
+
+def test_stress_and_plane_strain(record_verification):
+    """Stress at the quadrature points, λ = 1.5, and how plane the slab stays though its middle nodes are free."""
+    mesh = meshes.tube_sector(INNER, OUTER, 1 * problems.MM, (3, 6, 1))
+    pressure = 0.05805014 * problems.MPA
+    state = inflate(problems.NEO_HOOKE, [0.5 * pressure, pressure], mesh)[-1]
+    r, radial, hoop = problems.polar_stress(state, (0, 1))
+    stretch = r / np.sqrt(r**2 - (1.5 * INNER) ** 2 + INNER**2)
+    outside = 8.958236 * problems.MM / OUTER
+    mu = problems.NEO_HOOKE.shear_modulus
+
+    def borne(x):
+        return mu * (np.log(x) - 0.5 / x**2)
+
+    exact_radial = borne(outside) - borne(stretch)
+    exact_hoop = exact_radial + mu * (stretch**2 - stretch**-2)
+    error = np.stack([radial - exact_radial, hoop - exact_hoop]) / (0.3752832 * problems.MPA)
+    worst = float(np.abs(error).max())
+    out_of_plane = float(np.abs(state.displacement[:, 2]).max() / np.abs(state.displacement[:, :2]).max())
+    record_verification(
+        claim="thick tube, neo-Hookean, λ = 1.5: worst error of σr and σθ over σθ at the inner wall; motion out of plane",
+        source="V05, exact",
+        expected=[0.0, 0.0],
+        got=[worst, out_of_plane],
+        tolerance="0.01, 1e-4",
+    )
+    assert worst < 0.01
+    assert out_of_plane < 1e-4
