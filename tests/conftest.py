@@ -1,14 +1,15 @@
 """What all tests share: the fixture `record_verification`, and the option that writes `docs/verification.md`.
 
-A verification test calls ``record_verification(claim=..., source=..., expected=..., got=..., tolerance=...)`` beside its
-own assertions; the fixture asserts nothing. ``pytest --write-verification`` (``make verification``) writes the rows to
-the page; every other run leaves the working tree alone.
+A verification test calls ``record_verification(claim=..., source=..., expected=..., got=..., tolerance=...)`` beside
+its own assertions; the fixture asserts nothing. ``pytest --write-verification`` (``make verification``) writes the rows
+to the page; every other run leaves the working tree alone.
 """
 
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
 from verification_page import Row, page
 
 PAGE = Path(__file__).parent.parent / "docs" / "verification.md"

@@ -12,6 +12,9 @@ ROOMS = ("foundation", "materials", "geometry", "meshing", "model", "engine", "s
 #: The modules that every room stands on, with a room name in common.
 FOUNDATION = ("units", "errors", "source", "finding", "response")
 
+#: The modules of the command line, which is a client of the public names.
+COMMAND_LINE = ("cli", "console", "__main__")
+
 #: Where a heavy part, or a part with one purpose, may be imported.
 HOME = {
     "basix": ("engine",),
@@ -41,7 +44,9 @@ def room_of(module: str) -> str | None:
     parts = module.split(".")
     if parts[0] != "turgor" or len(parts) == 1:
         return None
-    return {"__main__": "cli"}.get(parts[1], "foundation" if parts[1] in FOUNDATION else parts[1])
+    if parts[1] in FOUNDATION:
+        return "foundation"
+    return "cli" if parts[1] in COMMAND_LINE else parts[1]
 
 
 def problems(module: str, text: str) -> list[str]:
@@ -67,6 +72,9 @@ def imported(module: str, tree: ast.Module) -> Iterator[tuple[int, str]]:
 
 def _import_problems(module: str, tree: ast.Module) -> Iterator[str]:
     here = room_of(module)
+    if here is not None and here not in ROOMS:
+        yield f"{here} is no known room"
+        return
     for line, name in imported(module, tree):
         yield from (f"line {line}: {text}" for text in _home_problems(here, name))
         if here is None or name.split(".")[0] != "turgor":
@@ -98,6 +106,7 @@ def _signature_problems(tree: ast.Module | ast.ClassDef) -> Iterator[str]:
     for node in tree.body:
         if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
             yield from _signature_problems(node)
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.args.kwarg is not None:
-            if node.name == "__init__" or not node.name.startswith("_"):
-                yield f"line {node.lineno}: **{node.args.kwarg.arg} in the public function {node.name}"
+        if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) or node.args.kwarg is None:
+            continue
+        if node.name == "__init__" or not node.name.startswith("_"):
+            yield f"line {node.lineno}: **{node.args.kwarg.arg} in the public function {node.name}"

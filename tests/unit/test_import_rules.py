@@ -51,6 +51,7 @@ def test_the_page_on_the_architecture_shows_the_same_order():
         ("turgor.engine.cells", "import netgen", "netgen may be imported in geometry and meshing only"),
         ("turgor", "import numba", "numba may be imported in engine only"),
         ("turgor.solvers.newton", "def step():\n    print('hello')", "line 2: print"),
+        ("turgor.studio.pages", "", "studio is no known room"),
         ("turgor.model.model", "def build(**options): ...", "**options in the public function build"),
         (
             "turgor.model.model",

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from netgen.occ import Box, Glue, Pnt
+from netgen.occ import Box, Glue, Pnt, Z
 
 from turgor.finding import Severity
 from turgor.geometry import FastPneuNet, Geometry
@@ -35,14 +35,15 @@ def codes(mesh: Mesh) -> list[str]:
     return [finding.code for finding in check_surface(mesh)]
 
 
-def slab(thickness: float, size: float) -> Mesh:
+def slab(thickness: float, size: float, bottom: str = "outside") -> Mesh:
     """A plate of 10 x 10 mm in the plane and given thickness."""
     shape = Glue([Box(Pnt(0, 0, 0), Pnt(10, 10, thickness))])
     shape.mat("body")
     shape.faces.name = "outside"
+    shape.faces.Min(Z).name = bottom
     wall = thickness * mm
     volume = 100 * thickness * mm**3
-    names = {"regions": ("body",), "faces": ("outside",)}
+    names = {"regions": ("body",), "faces": tuple({"outside", bottom})}
     geometry = Geometry(name="slab", smallest_wall=wall, cavity_volume=0.0, solid_volume=volume, _shape=shape, **names)
     return mesh(geometry, size=size * mm)
 
@@ -103,6 +104,11 @@ def test_one_cell_through_a_plate_is_found_with_its_thickness() -> None:
     (finding,) = check_mesh(thin)
     assert (finding.code, finding.severity) == ("G01", Severity.WARNING)
     assert f"in {len(edges)} places; the thinnest of these walls is 1 mm thick" in finding.message
+
+
+def test_half_a_wall_at_a_mirror_plane_is_no_wall() -> None:
+    assert len(crossings(slab(2.0, 3.0))[0]) > 10
+    assert len(crossings(slab(2.0, 3.0, bottom="symmetry_z"))[0]) == 0
 
 
 def test_a_thick_block_in_small_cells_has_no_wall_of_one_cell() -> None:

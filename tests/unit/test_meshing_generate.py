@@ -7,6 +7,7 @@ from netgen.occ import Box, Cylinder, Glue, Pnt, X, Z
 from turgor.engine.surfaces import area, enclosed_volume, vector_area
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
+from turgor.meshing import generate
 from turgor.meshing.generate import mesh, size_range
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
 from turgor.meshing.quality import cell_volumes
@@ -199,6 +200,36 @@ def test_a_name_or_volume_lost_in_meshing_is_refused() -> None:
         mesh(box_with(("outside",), ("body", "base"), 1000), size=6 * mm)
     with pytest.raises(TurgorError, match="fills 1000 mm³ of 1100 mm³"):
         mesh(box_with(("outside",), ("body",), 1100), size=6 * mm)
+
+
+def test_a_part_that_cannot_be_meshed_is_refused_with_the_cause_and_nothing_else(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    shape = Cylinder(Pnt(0, 0, 0), X, 10, 30) - Cylinder(Pnt(0, 0, 0), X, 9.5, 30)
+    shape.mat("body")
+    shape.faces.name = "outside"
+    names = {"regions": ("body",), "faces": ("outside",)}
+    tube = Geometry(name="tube", smallest_wall=9 * mm, cavity_volume=0, solid_volume=1e-6, _shape=shape, **names)
+    with pytest.raises(
+        TurgorError, match=r"'tube' could not be meshed at size 8 mm; use a smaller one\. .*overlapping"
+    ):
+        mesh(tube, size=8 * mm)  # cells so long that those inside and outside meet
+    captured = capfd.readouterr()
+    assert captured.out == ""
+    assert captured.err == ""
+
+
+def test_a_cell_inside_out_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    def bent(geometry: Geometry, size: float, grading: float) -> generate._Raw:
+        raw = original(geometry, size, grading)
+        raw.points[raw.cells[0, 4]] += 20 * mm
+        return raw
+
+    original = generate._generate
+    monkeypatch.setattr(generate, "_generate", bent)
+    monkeypatch.setattr(generate, "LOST_VOLUME", 1e9)
+    with pytest.raises(TurgorError, match="cells are turned inside out"):
+        mesh(box_with(("outside",), ("body",), 1000), size=6 * mm)
 
 
 def test_the_generator_is_quiet(capfd: pytest.CaptureFixture[str]) -> None:

@@ -4,7 +4,7 @@ from math import inf
 
 import numpy as np
 import pytest
-from netgen.occ import Box, Glue, Pnt
+from netgen.occ import Box, Glue, Pnt, WorkPlane
 
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
@@ -101,8 +101,10 @@ def test_walls_beyond_reach_are_left_out(plates: Mesh) -> None:
             find_facing_walls(plates, reach=wrong)
 
 
-def test_a_wall_opposite_a_much_smaller_one_is_seen_whole() -> None:
-    uneven = boxes(((0, 0, 0), (30, 30, 2)), ((14, 14, 3.5), (16, 16, 6)), size=6.0)
+@pytest.mark.parametrize("side", [1, -1])  # either wall may come first
+def test_a_wall_opposite_a_much_smaller_one_is_seen_whole(side: int) -> None:
+    small = ((14, 14, 3.5), (16, 16, 6)) if side > 0 else ((14, 14, -4), (16, 16, -1.5))
+    uneven = boxes(((0, 0, 0), (30, 30, 2)), small, size=6.0)
     walls = find_facing_walls(uneven)
     assert len(walls.pairs) == 1
     assert smallest_gap(walls) == pytest.approx(1.5 * mm)
@@ -110,6 +112,62 @@ def test_a_wall_opposite_a_much_smaller_one_is_seen_whole() -> None:
 
 def test_a_single_box_faces_nothing() -> None:
     assert smallest_gap(find_facing_walls(boxes(((0, 0, 0), (10, 10, 10)), size=5))) == inf
+
+
+def groove(bottom: float, angle: float) -> Mesh:
+    """A block with a groove of given width [mm] at its bottom whose walls enclose an angle [degrees]."""
+    run = 8 * np.tan(np.deg2rad(angle / 2))
+    left, right = 15 - bottom / 2, 15 + bottom / 2
+    sharp = [] if bottom == 0 else [(right, 2)]
+    outline = [(0, 0), (30, 0), (30, 10), (right + run, 10), *sharp, (left, 2), (left - run, 10), (0, 10)]
+    plane = WorkPlane().MoveTo(*outline[0])
+    for corner in outline[1:]:
+        plane.LineTo(*corner)
+    shape = plane.Close().Face().Extrude(10)
+    shape.mat("body")
+    shape.faces.name = "outside"
+    volume = shape.mass * mm**3
+    names = {"regions": ("body",), "faces": ("outside",)}
+    part = Geometry(name="groove", smallest_wall=2 * mm, cavity_volume=0.0, solid_volume=volume, _shape=shape, **names)
+    return mesh(part, size=3 * mm)
+
+
+def test_steep_walls_of_a_groove_face_each_other_and_flat_ones_do_not() -> None:
+    steep = find_facing_walls(groove(1.0, 30))
+    assert len(steep.pairs) == 1
+    # at the bottom: 1 mm along the normal of the wall on the other side, which is tilted by 30°
+    assert 1 * mm * np.cos(np.deg2rad(30)) < smallest_gap(steep) < 1.6 * mm
+    assert len(find_facing_walls(groove(1.0, 60)).pairs) == 0
+
+
+def test_walls_that_share_an_edge_are_left_out() -> None:
+    sharp = find_facing_walls(groove(0.0, 30))
+    assert len(sharp.pairs) == 0
+    assert smallest_gap(sharp) == inf
+
+
+def test_walls_end_at_sharp_edges() -> None:
+    # a block in the corner of two plates: one wall of it faces each, although they meet at its edge
+    walls = find_facing_walls(
+        boxes(((0, 0, 0), (2, 20, 20)), ((3.7, 4, 0), (20, 20, 20)), ((5, 0, 0), (20, 2.5, 20))), reach=2 * mm
+    )
+    assert len(walls.pairs) == 2
+    assert smallest_gap(walls) == pytest.approx(1.5 * mm)
+
+
+def triangle(corners: list[tuple[float, float, float]]) -> np.ndarray:
+    """Six nodes of a flat triangle."""
+    a, b, c = np.array(corners)
+    return np.array([a, b, c, (a + b) / 2, (b + c) / 2, (c + a) / 2])
+
+
+def test_a_node_beyond_the_rim_of_a_wall_is_not_opposite_to_it() -> None:
+    below = triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
+    for shift, expected in ((0.1, 0.5), (-0.3, inf)):
+        above = triangle([(0, 0.1, 0.5), (0.05, 0.2, 0.5), (0.05, 0.1, 0.5)]) + [shift, 0, 0]
+        pair = np.arange(6)[None], np.arange(6, 12)[None]
+        walls = FacingWalls(points=np.vstack([below, above]), walls=pair, pairs=np.array([[0, 1]]))
+        assert smallest_gap(walls) == pytest.approx(expected)
 
 
 def test_rays_see_the_first_triangle_only() -> None:
@@ -130,6 +188,7 @@ def test_the_gaps_of_a_pneunet_are_found_and_nothing_else() -> None:
     assert smallest_gap(walls) == pytest.approx(1.3 * mm, rel=1e-9)
     places = sorted({round(float(x) / mm, 6) for wall in walls.walls for x in walls.points[wall][..., 0].ravel()})
     starts = [i * finger.pitch / mm + finger.chamber_length / mm for i in range(3)]
+    # no wall runs over the floor, the bridges or the sides: all of them lie in the planes of the gaps
     assert places == pytest.approx(sorted([*starts, *(s + 1.3 for s in starts)]), abs=1e-5)
     stretched = np.zeros_like(body.points)
     stretched[:, 0] = -0.5 * body.points[:, 0]

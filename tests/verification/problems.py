@@ -7,9 +7,6 @@ import numpy as np
 import turgor as tg
 from turgor.engine.fields import CellFields, cell_fields, strain_energy
 from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
-from turgor.engine.runtime import EngineOptions
-from turgor.meshing.mesh import Mesh
-from turgor.solvers.solution import Solution, State
 
 MM, MPA = 1e-3, 1e6
 
@@ -21,10 +18,10 @@ PLANE_STRAIN = (tg.Fixed("z0", "z"), tg.Fixed("z1", "z"))
 
 
 #: One thread: these problems are so small that waiting for a second thread costs more than it saves.
-OPTIONS = EngineOptions(linear_solver="rslab", threads=1)
+OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 
 
-def solve(model: tg.Model, procedure: tg.Static | None = None, **more) -> Solution:
+def solve(model: tg.Model, procedure: tg.Static | None = None, **more) -> tg.Solution:
     """`turgor.solve` with the linear solver that every installation has."""
     return tg.solve(model, procedure, options=OPTIONS, **more)
 
@@ -34,51 +31,51 @@ def rubber(law, bulk_modulus: float = inf, density: float | None = None) -> tg.M
     return tg.Material(name="rubber", law=law, bulk_modulus=bulk_modulus, density=density)
 
 
-def one_material(mesh: Mesh, law, bulk_modulus: float = inf, supports: Sequence = (), loads: Sequence = ()) -> tg.Model:
+def one_material(mesh: tg.Mesh, law, bulk_modulus: float = inf, supports: Sequence = (), loads: Sequence = ()) -> tg.Model:
     """A model whose only region, ``body``, is of one law."""
     return tg.Model(mesh, materials={"body": rubber(law, bulk_modulus)}, supports=supports, loads=loads)
 
 
-def state_at(solution: Solution, load_factor: float) -> State:
+def state_at(solution: tg.Solution, load_factor: float) -> tg.State:
     """The state of the path at a load factor that was asked for."""
     state = min(solution.states, key=lambda s: abs(s.load_factor - load_factor))
     assert abs(state.load_factor - load_factor) < 1e-12, f"the path has no state at load factor {load_factor}"
     return state
 
 
-def reaction(state: State, face: str) -> np.ndarray:
+def reaction(state: tg.State, face: str) -> np.ndarray:
     """Sum of the support forces on a face, (3,) [N]."""
     return state.nodal_force[state.model.mesh.face_nodes(face)].sum(axis=0)
 
 
-def current(state: State) -> np.ndarray:
+def current(state: tg.State) -> np.ndarray:
     """Current positions of all nodes [m]."""
     return state.model.mesh.points + state.displacement
 
 
-def mean_radius(state: State, face: str, axes: Sequence[int]) -> float:
+def mean_radius(state: tg.State, face: str, axes: Sequence[int]) -> float:
     """Mean distance of the nodes of a face from the axis or the center [m]."""
     positions = current(state)[state.model.mesh.face_nodes(face)]
     return float(np.linalg.norm(positions[:, list(axes)], axis=1).mean())
 
 
-def fields(state: State) -> CellFields:
+def fields(state: tg.State) -> CellFields:
     """Stresses and stretches of a state at the quadrature points."""
     return cell_fields(state.model, state.displacement, state.mean_stress)
 
 
-def energy(state: State) -> float:
+def energy(state: tg.State) -> float:
     """Stored energy of the modeled part [J]."""
     return strain_energy(state.model, state.displacement, state.mean_stress)
 
 
-def at_quadrature_points(state: State, nodal: np.ndarray) -> np.ndarray:
+def at_quadrature_points(state: tg.State, nodal: np.ndarray) -> np.ndarray:
     """A quadratic nodal field (n, 3) at the quadrature points of the cells, (c, q, 3)."""
     table = reference_cell(3, CELL_QUADRATURE_DEGREE).N
     return np.einsum("qa,cai->cqi", table, nodal[state.model.mesh.cells])
 
 
-def polar_stress(state: State, axes: Sequence[int], shift: Sequence[float] = 0.0):
+def polar_stress(state: tg.State, axes: Sequence[int], shift: Sequence[float] = 0.0):
     """Current radius, radial and hoop Cauchy stress at the quadrature points, about the axis or center at the origin.
 
     ``axes`` are the coordinates in which the radius lies: (0, 1) around z, (0, 1, 2) around the center, where the

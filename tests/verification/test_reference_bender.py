@@ -15,7 +15,6 @@ from pathlib import Path
 import numpy as np
 import turgor as tg
 from turgor.engine.surfaces import enclosed_volume
-from turgor.meshing.mesh import Mesh
 
 import problems
 
@@ -38,7 +37,7 @@ def _bender():
     cavity = data["cavity"].astype(np.int64)
     assert enclosed_volume(points, cavity) < 0  # normals point out of the solid, into the cavity
     clamp = np.repeat(data["clamp"].astype(np.int64)[:, None], 6, axis=1)
-    mesh = Mesh(
+    mesh = tg.Mesh(
         points=points,
         cells=cells,
         regions={"soft": np.flatnonzero(~stiff), "stiff": np.flatnonzero(stiff)},

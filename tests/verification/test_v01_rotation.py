@@ -9,7 +9,6 @@ Source: verification case V01. Tolerance: 1e-12 relative, round-off of sums over
 import numpy as np
 import turgor as tg
 from turgor.engine.system import System
-from turgor.solvers.solution import State
 
 import meshes
 import problems
@@ -45,7 +44,7 @@ def test_rotation_turns_forces_and_keeps_energy(record_verification):
         residual = system.residual(unknowns, 1.0)
         forces.append(residual[: 3 * len(X)].reshape(-1, 3))
         volumes.append(residual[3 * len(X) :])
-        state = State(model=model, load_factor=1.0, displacement=displacement, mean_stress=p, nodal_force=0 * u)
+        state = tg.State(model=model, load_factor=1.0, displacement=displacement, mean_stress=p, nodal_force=0 * u)
         energies.append(problems.energy(state))
 
     scale = np.abs(forces[0]).max()

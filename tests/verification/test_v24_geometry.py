@@ -48,4 +48,21 @@ def _inflate(mesh, pressure, supports):
 def test_error_with_curved_and_straight_sides(body, record_verification):
     curved = [abs(body(count, straight=False)) for count in (1, 2, 4)]
     straight = [abs(body(count, straight=True)) for count in (1, 2, 4)]
-    print(curved, straight)
+    ratios = [[errors[k] / errors[k + 1] for k in range(2)] for errors in (curved, straight)]
+    record_verification(
+        claim=f"{body.__name__[1:]}: error of the inner stretch falls per halving, curved sides",
+        source="V24, cubic or better",
+        expected="at least 8",
+        got=ratios[0],
+        tolerance="8",
+    )
+    record_verification(
+        claim=f"{body.__name__[1:]}: error of the inner stretch falls per halving, straight sides",
+        source="V24, geometry error of h²",
+        expected=4.0,
+        got=ratios[1],
+        tolerance="3 to 6",
+    )
+    assert min(ratios[0]) >= 8
+    assert 3 < min(ratios[1]) <= max(ratios[1]) < 6
+    assert all(bad > 10 * good for bad, good in zip(straight, curved, strict=True))

@@ -58,9 +58,9 @@ class RslabSolver:
             raise SingularTangentError(str(error)) from error
 
     def solve(self, right: Array) -> Array:
-        """Solve with one step of refinement."""
+        """Solve; Newton's next residual corrects what round-off leaves."""
         assert self._factor is not None
-        return np.asarray(self._factor.solve(right, refine=1))
+        return np.asarray(self._factor.solve(right))
 
     def negative_pivots(self) -> int | None:
         """Negative pivots from the inertia of D."""
@@ -99,9 +99,9 @@ class PardisoSolver:
             indptr=(pattern.indptr + 1).astype(np.int32),
             indices=(pattern.indices + 1).astype(np.int32),
         )
-        # 1: own settings; 2: parallel nested dissection; 8: one refinement; 10: pivot 1e-8; 11, 13: no scaling, no
+        # 1: own settings; 2: parallel nested dissection; 8: no refinement; 10: pivot 1e-8; 11, 13: no scaling, no
         # matching (they depend on values and would force a new analysis); 21: 1 × 1 and 2 × 2 pivots; 24: two-level
-        for index, value in ((0, 1), (1, 3), (7, 1), (9, 8), (10, 0), (12, 0), (20, 1), (23, 1)):
+        for index, value in ((0, 1), (1, 3), (7, 0), (9, 8), (10, 0), (12, 0), (20, 1), (23, 1)):
             self._arrays.settings[index] = value
         _call_pardiso(mkl, self._arrays, 11, None)
         # at interpreter exit the operating system takes the memory back, and NumPy may be gone by then
@@ -113,7 +113,7 @@ class PardisoSolver:
         _call_pardiso(self._mkl, self._arrays, 22, None)
 
     def solve(self, right: Array) -> Array:
-        """Solve with one step of refinement."""
+        """Solve; Newton's next residual corrects what round-off leaves."""
         return _call_pardiso(self._mkl, self._arrays, 33, right)
 
     def negative_pivots(self) -> int | None:

@@ -8,6 +8,7 @@ from threading import Timer
 from time import perf_counter
 
 import numba
+from threadpoolctl import threadpool_limits
 
 from turgor.engine.kernels_warmup import touch_kernels
 from turgor.errors import TurgorError
@@ -45,11 +46,15 @@ class EngineOptions:
 
 @contextmanager
 def use_threads(threads: int) -> Iterator[None]:
-    """Run the kernels on a number of threads, at most as many as the machine started with."""
+    """Run the kernels on a number of threads, at most as many as the machine started with.
+
+    NumPy's own library stays on one: its products are small here, and its waiting threads take time from the solver's.
+    """
     before = numba.get_num_threads()
     numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
     try:
-        yield
+        with threadpool_limits(1, user_api="blas"):
+            yield
     finally:
         numba.set_num_threads(before)
 

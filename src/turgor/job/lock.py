@@ -37,7 +37,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     """
     content = {
         "name": job.name,
-        "actuator": {"type": actuator_type(job.actuator)} | _dimensions(job.actuator),
+        "actuator": {"type": actuator_type(job.actuator)} | dimensions(job.actuator),
         "mesh": {"size": format_quantity(job.mesh_size, "mm"), "grading": job.mesh_grading},
         "materials": {name: _material(entry) for name, entry in job.materials.items()},
         "supports": {support.face: support.directions for support in job.supports},
@@ -49,7 +49,8 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     return _HEADER + tomlkit.dumps(content)
 
 
-def _dimensions(actuator: Any) -> dict[str, Any]:
+def dimensions(actuator: Any) -> dict[str, Any]:
+    """Return the fields of an actuator as a job file states them: lengths and angles with their unit."""
     values = {}
     for item in fields(actuator):
         value, dimension = getattr(actuator, item.name), item.metadata.get("dimension", "length")

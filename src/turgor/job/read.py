@@ -121,9 +121,9 @@ def _text(path: Path) -> str:
         raise TurgorError(f"'{path}' is a folder; name a job file, such as '{path / 'job.toml'}'.")
     if not path.exists():
         folder = path.parent
-        known = [entry.name for entry in folder.glob("*.toml")] if folder.is_dir() else []
-        hint = near_match(path.name, known) or "."
-        listed = f" Job files there: {', '.join(sorted(known))}." if known else ""
+        known = sorted(entry.stem for entry in folder.glob("*.toml")) if folder.is_dir() else []
+        hint = near_match(path.stem, known) or "."
+        listed = f" TOML files there: {', '.join(f'{stem}.toml' for stem in known)}." if known else ""
         raise TurgorError(f"there is no job file '{path}'{hint}{listed}")
     try:
         return path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")

@@ -1,60 +1,24 @@
 """run: everything that one job asks for, from the mesh to the folder of results."""
 
-import csv
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from turgor.engine.runtime import EngineOptions
-from turgor.finding import Finding, Severity
-from turgor.job.folder import FIELDS, LOCK, LOG, RESPONSE, STEPS, claimed, clear, default_folder
+from turgor.finding import Finding
+from turgor.job.folder import claimed, default_folder
 from turgor.job.job import Job
-from turgor.job.lock import lock_text
+from turgor.job.outcome import RunOutcome
 from turgor.job.versions import versions
+from turgor.job.write import write_results
 from turgor.meshing.checks import check_mesh
 from turgor.meshing.generate import mesh
 from turgor.model.model import Model
-from turgor.response import Response
 from turgor.results.measures import check_measures, find_measure, measure
-from turgor.results.vtu import write_series
 from turgor.solvers.checks import check_supports
 from turgor.solvers.driver import Progress, solve
-from turgor.solvers.solution import Solution
 
 Notify = Callable[[str], None]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class RunOutcome:
-    """What a run found and where it wrote it.
-
-    Parameters
-    ----------
-    job : Job
-        What was asked.
-    solution : Solution
-        The path, complete or not.
-    response : Response
-        The measures along it.
-    findings : tuple of Finding
-        What the checks noticed before, during and after the solve.
-    folder : Path
-        Where everything was written.
-    files : tuple of Path
-        What was written, in the order of interest.
-    """
-
-    job: Job
-    solution: Solution
-    response: Response
-    findings: tuple[Finding, ...]
-    folder: Path
-    files: tuple[Path, ...]
-
-    @property
-    def errors(self) -> tuple[Finding, ...]:
-        """Findings that invalidate the results or a part of them."""
-        return tuple(finding for finding in self.findings if finding.severity is Severity.ERROR)
 
 
 def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Finding, ...]]:
@@ -139,12 +103,16 @@ def run(
         solution = solve(model, job.procedure, progress=progress, options=listening, throw=False)
         notify("measuring")
         response = measure(solution, *(find_measure(name) for name in job.output.measures))
-        findings += solution.findings
-        clear(folder)
         outcome = RunOutcome(
-            job=job, solution=solution, response=response, findings=findings, folder=folder, files=()
+            job=job,
+            solution=solution,
+            response=response,
+            findings=(*findings, *solution.findings),
+            written_by=versions() | {"threads": options.threads, "linear_solver": solution.timing.linear_solver},
+            notices=tuple(notices),
+            folder=folder,
         )
-    return outcome
+        return replace(outcome, files=write_results(outcome, notify))
 
 
 def _silent(_: str) -> None:

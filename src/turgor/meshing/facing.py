@@ -17,6 +17,9 @@ OPPOSED = 0.7
 #: Triangles that share an edge belong to the same wall when their normals differ by less than 40°.
 SMOOTH = 0.77
 
+#: A triangle continues a wall when its normal is within 20° of the one that it continues.
+CONTINUED = 0.94
+
 #: Rays followed together, so that a large surface does not need gigabytes.
 CHUNK = 2_000
 
@@ -108,23 +111,40 @@ def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
         Walls that see each other and share no node, the smaller number first.
     """
     normal = unit_normals(points, triangles)
-    seen = np.where(hit >= 0, hit, 0)
-    facing = (hit >= 0) & (np.einsum("ij,ij->i", normal, normal[seen]) < -OPPOSED)
-    facing[hit[facing]] = True  # what is seen faces back, even where its own centroid looks past
+    seeing = np.flatnonzero(hit >= 0)
+    seeing = seeing[np.einsum("ij,ij->i", normal[seeing], normal[hit[seeing]]) < -OPPOSED]
+    facing = np.zeros(len(triangles), dtype=bool)
+    facing[seeing] = facing[hit[seeing]] = True
     left, right = _neighbors(triangles)
-    together = facing[left] & facing[right] & (np.einsum("ij,ij->i", normal[left], normal[right]) > SMOOTH)
+    smooth = np.einsum("ij,ij->i", normal[left], normal[right]) > SMOOTH
+    left, right = left[smooth], right[smooth]
+    facing = _grown(facing, normal, left, right)
+    together = facing[left] & facing[right]
     size = len(triangles)
     graph = coo_array((np.ones(int(together.sum())), (left[together], right[together])), shape=(size, size))
     label = connected_components(graph, directed=False)[1]
     wall = np.full(size, -1, dtype=np.int64)
     wall[facing] = np.unique(label[facing], return_inverse=True)[1]
-    sees = np.flatnonzero(facing & (hit >= 0))
-    sees = sees[np.einsum("ij,ij->i", normal[sees], normal[hit[sees]]) < -OPPOSED]
-    pairs = np.sort(np.stack([wall[sees], wall[hit[sees]]], axis=1), axis=1)
+    pairs = np.sort(np.stack([wall[seeing], wall[hit[seeing]]], axis=1), axis=1)
     pairs = np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)
     nodes = [np.unique(triangles[wall == i]) for i in range(int(wall.max(initial=-1)) + 1)]
     apart = [not np.isin(nodes[a], nodes[b]).any() for a, b in pairs]
     return wall, pairs[np.array(apart, dtype=bool)]
+
+
+def _grown(facing: NDArray[np.bool_], normal: Array, left: Ints, right: Ints) -> NDArray[np.bool_]:
+    """Extend walls over what continues them, so that a wall is whole where its partner covers a part of it only.
+
+    Each triangle that joins keeps the normal of the one it started from, so that no wall grows around a fillet.
+    """
+    facing, start = facing.copy(), normal.copy()
+    from_, to = np.concatenate([left, right]), np.concatenate([right, left])
+    while True:
+        joins = facing[from_] & ~facing[to] & (np.einsum("ij,ij->i", start[from_], normal[to]) > CONTINUED)
+        if not joins.any():
+            return facing
+        start[to[joins]] = start[from_[joins]]
+        facing[to[joins]] = True
 
 
 def _neighbors(triangles: Ints) -> tuple[Ints, Ints]:

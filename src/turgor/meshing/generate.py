@@ -14,6 +14,7 @@ from turgor.errors import TurgorError
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.meshing.quality import cell_volumes, refuse_inverted
+from turgor.meshing.quiet import captured_output
 from turgor.meshing.surface import cell_sides, corner_keys
 from turgor.units import mm
 
@@ -125,23 +126,26 @@ class _Raw:
 
 
 def _generate(geometry: Geometry, size: float, grading: float) -> _Raw:
-    before = SetMessageImportance(0)  # the generator writes its progress to stdout otherwise
-    try:
-        # curvaturesafety 1 instead of 2: as many cells along a fillet as its radius needs, not twice as many
-        netgen_mesh = geometry._shape.GenerateMesh(
-            maxh=size / geometry.length_scale,
-            grading=grading,
-            curvaturesafety=1.0,
-            parallel_meshing=False,  # the same mesh for half the work: its threads spin where a machine is busy
-            ngs_mesh=False,
-        )
-        netgen_mesh.SecondOrder()
-    except NgException as error:
-        raise TurgorError(
-            f"'{geometry.name}' could not be meshed at size {size / mm:.4g} mm: {error}; try another size."
-        ) from error
-    finally:
-        SetMessageImportance(before)
+    before = SetMessageImportance(0)
+    with captured_output() as text:  # at level 0 its warnings and errors still go to stdout, line after line
+        try:
+            # curvaturesafety 1 instead of 2: as many cells along a fillet as its radius needs, not twice as many
+            netgen_mesh = geometry._shape.GenerateMesh(
+                maxh=size / geometry.length_scale,
+                grading=grading,
+                curvaturesafety=1.0,
+                parallel_meshing=False,  # the same mesh for half the work: its threads spin where a machine is busy
+                ngs_mesh=False,
+            )
+            netgen_mesh.SecondOrder()
+        except NgException as error:
+            causes = [line.strip() for line in text().splitlines() if " error: " in line.lower()]
+            raise TurgorError(
+                f"'{geometry.name}' could not be meshed at size {size / mm:.4g} mm; use a smaller one. "
+                f"The mesh generator says: {causes[-1] if causes else error}"
+            ) from error
+        finally:
+            SetMessageImportance(before)
     return _read(netgen_mesh, geometry.length_scale)
 
 

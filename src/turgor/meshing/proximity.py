@@ -110,9 +110,8 @@ def find_facing_walls(mesh: Mesh, reach: float | None = None) -> FacingWalls:
     if not (isfinite(reach) and reach > 0):
         raise TurgorError(f"reach is {reach / mm:g} mm; allowed is more than 0.")
     surface = outer_triangles(mesh)
-    surface = surface[~_named(mesh, surface, "symmetry_")]  # a mirror plane is no wall and blocks no view
     hit = first_hits(mesh.points, surface, reach)
-    cavity = _named(mesh, surface, "cavity")
+    cavity = _cavity(mesh, surface)
     hit[cavity | ((hit >= 0) & cavity[hit])] = -1
     wall, pairs = find_walls(mesh.points, surface, hit)
     used = np.unique(pairs)
@@ -120,10 +119,10 @@ def find_facing_walls(mesh: Mesh, reach: float | None = None) -> FacingWalls:
     return FacingWalls(points=mesh.points, walls=walls, pairs=np.searchsorted(used, pairs).reshape(-1, 2))
 
 
-def _named(mesh: Mesh, triangles: Ints, prefix: str) -> NDArray[np.bool_]:
-    """Which triangles belong to a face whose name begins with the prefix."""
+def _cavity(mesh: Mesh, triangles: Ints) -> NDArray[np.bool_]:
+    """Which triangles are walls of a cavity."""
     n = len(mesh.points)
-    keys = [corner_keys(faces, n) for name, faces in mesh.faces.items() if name.startswith(prefix)]
+    keys = [corner_keys(faces, n) for name, faces in mesh.faces.items() if name.startswith("cavity")]
     return np.isin(corner_keys(triangles, n), np.concatenate([np.zeros(0, dtype=np.int64), *keys]))
 
 

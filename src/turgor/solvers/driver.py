@@ -175,7 +175,7 @@ def _accept(
 
 
 def _predict(system: System, path: _Path, load: float) -> Start:
-    """The extrapolation that leaves the smallest residual; the last state where all of them invert a cell."""
+    """Extrapolate with the highest order whose residual a lower order does not improve."""
     _, unknowns, stresses = path.history[-1]
     best, smallest = Start(unknowns, stresses), np.inf
     for count in range(len(path.history), 0, -1):
@@ -184,6 +184,8 @@ def _predict(system: System, path: _Path, load: float) -> Start:
         trial = np.asarray(sum(w * x for w, (_, x, _) in zip(weights, used, strict=True)))
         at = system.evaluate(trial, load)
         residual = np.inf if at is None else relative_residual(system, at)
+        if np.isfinite(smallest) and residual >= smallest:
+            break
         if residual < smallest:
             best = Start(trial, Stresses.combine([(w, s) for w, (_, _, s) in zip(weights, used, strict=True)]))
             smallest = residual

@@ -1,0 +1,206 @@
+"""Command line: each command is a thin call of a public function.
+
+Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged (the path so far is written).
+Heavy imports stand inside the commands, so that help and mistakes are answered at once.
+"""
+
+import sys
+import traceback
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.finding import Finding
+    from turgor.job.run import RunOutcome
+
+DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED = 0, 1, 2, 3
+
+app = typer.Typer(
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    help="Finite element modeling of soft fluidic actuators.",
+    epilog="Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged.",
+)
+
+JobFile = Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)]
+Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")]
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return the exit code."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        code = app(given or ["--help"], prog_name="turgor", standalone_mode=False)
+    except typer.Abort:
+        return NOT_CONVERGED
+    except Exception as error:
+        # every mistake in the arguments is one of typer's exceptions that can say what is wrong
+        if not hasattr(error, "format_message"):
+            raise
+        typer.echo(f"turgor: {_sentence(error.format_message())} See 'turgor --help'.", err=True)
+        return BAD_INPUT
+    if not given:
+        return BAD_INPUT
+    return code if isinstance(code, int) else DONE
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from turgor.job.versions import package_version
+
+        typer.echo(f"turgor {package_version('turgor') or '(not installed)'}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and stop.")
+    ] = False,
+) -> None:
+    """Take the options that stand before a command."""
+
+
+@app.command("run")
+def _run(
+    job: JobFile,
+    output: Annotated[
+        Path | None, typer.Option(help="Folder of results; by default NAME-results here.", show_default=False)
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Print errors and warnings only.")] = False,
+    threads: Annotated[
+        int | None, typer.Option(min=1, help="Processors to use; by default all.", show_default=False)
+    ] = None,
+    debug: Debug = False,
+) -> None:
+    """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
+    with _errors_as_sentences(debug):
+        outcome = _solve(job, output, force, quiet, threads)
+        if not quiet:
+            _tell(outcome)
+        _warn(outcome.findings)
+        if not outcome.solution.converged:
+            typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
+            raise typer.Exit(NOT_CONVERGED)
+        raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
+
+
+@app.command("check")
+def _check(job: JobFile, debug: Debug = False) -> None:
+    """Read, build, mesh and check a job without solving it."""
+    with _errors_as_sentences(debug):
+        from turgor.finding import Severity
+        from turgor.job.read import read_job
+        from turgor.job.run import prepare
+
+        model, findings = prepare(read_job(job))
+        mesh = model.mesh
+        typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
+        _warn(findings)
+        raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
+
+
+@app.command("actuators")
+def _actuators() -> None:
+    """List the actuator families and their keys with defaults."""
+    from dataclasses import fields
+
+    from turgor.job.job import ACTUATORS
+    from turgor.job.lock import dimensions
+    from turgor.job.tables import shown
+
+    for name, family in ACTUATORS.items():
+        typer.echo(f"{name}: {(family.__doc__ or '').splitlines()[0]}")
+        values = dimensions(family())
+        for item in fields(family):  # type: ignore[arg-type]
+            typer.echo(f"  {item.name} = {shown(values[item.name])}")
+
+
+@app.command("materials")
+def _materials() -> None:
+    """List the library materials and their records."""
+    from turgor.materials.records import library, records
+
+    for name in library():
+        typer.echo(name)
+        for record in records(name):
+            typer.echo(f"  {record.name}: {record.law}, {record.printed}; {record.material.source.text}")
+
+
+def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: int | None) -> "RunOutcome":
+    from turgor.job.read import read_job
+
+    question = read_job(job)
+    from rich.console import Console
+
+    from turgor.console import LiveDisplay, PlainDisplay
+    from turgor.engine.runtime import EngineOptions
+    from turgor.job.run import run
+
+    console = Console(quiet=quiet)
+    with LiveDisplay(console) if console.is_terminal else PlainDisplay(console) as display:
+        options = EngineOptions(notify=display.notify)
+        if threads is not None:
+            options = EngineOptions(notify=display.notify, threads=threads)
+        return run(question, output, force=force, options=options, progress=display.progress)
+
+
+def _tell(outcome: "RunOutcome") -> None:
+    """Say how it ended, the numbers at the end, and where everything is."""
+    from turgor.results.measures import find_measure
+
+    solution, response = outcome.solution, outcome.response
+    if solution.converged:
+        typer.echo(f"{solution.message} {solution.advice}".strip())
+    measures = [find_measure(name) for name in outcome.job.output.measures]
+    numbers = [f"{m.name.replace('_', ' ')} {m.text(response.column(m.name)[-1])}" for m in measures]
+    drive = f"{response.column('pressure')[-1] / 1e3:.4g} kPa" if "pressure" in response.names else "the end"
+    typer.echo(f"At {drive}: {', '.join(numbers)}.")
+    typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
+
+
+def _warn(findings: "Sequence[Finding]") -> None:
+    for found in findings:
+        typer.echo(str(found), err=True)
+
+
+@contextmanager
+def _errors_as_sentences(debug: bool) -> Iterator[None]:
+    """Turn what goes wrong into sentences and exit codes; show the traceback only when asked."""
+    try:
+        yield
+    except typer.Exit:
+        raise
+    except TurgorError as error:
+        _complain(str(error), debug)
+    except KeyboardInterrupt:
+        _complain("interrupted before the results were written.", debug, NOT_CONVERGED)
+    except Exception as error:
+        _complain(
+            f"turgor failed unexpectedly, {type(error).__name__}: {error}. Please report it with the output of --debug.",
+            debug,
+        )
+
+
+def _complain(sentence: str, debug: bool, code: int = BAD_INPUT) -> None:
+    if debug:
+        traceback.print_exc()
+    typer.echo(sentence, err=True)
+    raise typer.Exit(code)
+
+
+def _sentence(text: str) -> str:
+    """End a text with a period."""
+    return text if text.endswith((".", "?", "!", ")")) else f"{text}."
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,64 @@
+"""write_results: what a run leaves in its folder."""
+
+import csv
+from collections.abc import Callable
+from pathlib import Path
+
+from turgor.job.folder import FIELDS, LOCK, LOG, RESPONSE, STEPS, clear
+from turgor.job.lock import lock_text
+from turgor.job.outcome import RunOutcome
+from turgor.results.vtu import write_series
+from turgor.solvers.solution import Solution
+
+STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
+
+
+def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[Path, ...]:
+    """Write everything that the job asks for, the tables first, and return the files in the order of interest.
+
+    Results that an earlier run left in the folder are removed.
+    """
+    folder, output = outcome.folder, outcome.job.output
+    clear(folder)
+    notify("writing the response")
+    outcome.response.to_csv(folder / RESPONSE)
+    (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
+    write_steps(folder / STEPS, outcome.solution)
+    (folder / LOG).write_text(log_text(outcome), encoding="utf-8")
+    files = [folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG]
+    if output.fields:
+        notify("writing the fields")
+        (folder / FIELDS).mkdir(exist_ok=True)
+        files.append(write_series(folder / FIELDS, outcome.solution))
+    return tuple(files)
+
+
+def write_steps(file: Path, solution: Solution) -> None:
+    """Write every attempted step as a line of CSV."""
+    with file.open("w", newline="", encoding="utf-8") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(f"{name}_s" if name == "seconds" else name for name in STEP_COLUMNS)
+        for step in solution.steps:
+            writer.writerow(getattr(step, name) for name in STEP_COLUMNS)
+
+
+def log_text(outcome: RunOutcome) -> str:
+    """Write how a run went: versions, what was done, the end with its advice, findings, and where the time went."""
+    solution, timing = outcome.solution, outcome.solution.timing
+    made = ", ".join(f"{name} {value}" for name, value in outcome.written_by.items())
+    accepted = sum(step.accepted for step in solution.steps)
+    cut = len(solution.steps) - accepted
+    spent = {"compilation": timing.compile, "setup": timing.setup, "assembly": timing.assembly,
+             "factorization": timing.factorization, "solution": timing.solve, "total": timing.total}  # fmt: skip
+    return "\n".join(
+        [
+            f"job {outcome.job.name}",
+            f"with {made}",
+            *outcome.notices,
+            f"{solution.status}: {solution.message} {solution.advice}".rstrip(),
+            f"{accepted} steps accepted, {cut} cut back, {solution.iterations} iterations",
+            f"wall time: {', '.join(f'{name} {seconds:.2f} s' for name, seconds in spent.items())}",
+            *map(str, outcome.findings),
+            "",
+        ]
+    )

@@ -1,0 +1,114 @@
+"""Facts that stand in two places agree: versions, dependencies, finding codes, examples in documents."""
+
+import ast
+import re
+import subprocess
+import sys
+import tomllib
+import zipfile
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import turgor
+
+ROOT = Path(__file__).parents[2]
+SOURCES = sorted((ROOT / "src").rglob("*.py"))
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+#: Distributions whose import name is another one.
+IMPORT_NAMES = {"fenics-basix": "basix", "netgen-mesher": "netgen"}
+
+FINDING = re.compile(r"\b([GBMNL]\d\d)\b")
+
+
+def read(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def test_version_is_the_same_everywhere():
+    assert turgor.__version__ == PROJECT["version"]
+    assert f"\nversion: {PROJECT['version']}\n" in read("CITATION.cff")
+
+
+def test_every_public_name_exists():
+    assert [name for name in turgor.__all__ if not hasattr(turgor, name)] == []
+
+
+def test_dependencies_are_those_that_are_imported():
+    imported = set()
+    for path in SOURCES:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Import):
+                imported |= {alias.name.split(".")[0] for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and not node.level:
+                imported.add(node.module.split(".")[0])
+    names = (re.match(r"[\w-]+", entry)[0] for entry in PROJECT["dependencies"])
+    declared = {IMPORT_NAMES.get(name, name) for name in names}
+    assert imported - {"turgor", *sys.stdlib_module_names} == declared
+
+
+@pytest.mark.parametrize("lock", ["run", "dev", "docs", "fast"])
+def test_lock_pins_what_the_project_asks_for(lock):
+    lines = read(f"requirements/{lock}.lock").splitlines()
+    pinned = dict(line.split(" ;")[0].split("==") for line in lines)
+    extra = PROJECT["optional-dependencies"].get(lock, [])
+    asked = {re.match(r"[\w-]+", entry)[0] for entry in (*PROJECT["dependencies"], *extra)}
+    assert asked <= set(pinned)
+
+
+def test_locks_agree_with_each_other():
+    run, *others = (set(read(f"requirements/{lock}.lock").splitlines()) for lock in ("run", "dev", "docs", "fast"))
+    for other in others:
+        assert run <= other
+
+
+def test_every_finding_has_its_section():
+    used = {code for path in SOURCES for code in FINDING.findall(path.read_text(encoding="utf-8"))}
+    assert set(re.findall(r"^## (\w+)$", read("docs/findings.md"), re.MULTILINE)) == used
+    assert used >= {"G01", "B01", "B02"}
+
+
+def test_functions_named_on_the_page_on_theory_exist():
+    names = set(re.findall(r"`(turgor\.[\w.]+)`", read("docs/theory.md")))
+    assert len(names) > 15
+    for name in names:
+        module, attribute = name.rsplit(".", 1)
+        assert hasattr(import_module(module), attribute), name
+
+
+def test_example_of_the_readme_is_the_example():
+    block = re.search(r"```python\n(.*?)```", read("README.md"), re.DOTALL)[1]
+    statements = [ast.dump(node) for node in ast.parse(block).body]
+    example = [ast.dump(node) for node in ast.parse(read("examples/fast_pneunet.py")).body]
+    assert [statement for statement in statements if statement not in example] == []
+
+
+def test_links_between_documents_lead_somewhere():
+    pages = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
+    broken = []
+    for page in pages:
+        for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+            if not (page.parent / target).exists():
+                broken.append(f"{page.name}: {target}")
+    assert broken == []
+
+
+def test_wheel_holds_data_and_command(tmp_path):
+    build = "import sys, hatchling.build as b; print(b.build_wheel(sys.argv[1]))"
+    run = subprocess.run(
+        [sys.executable, "-c", build, str(tmp_path)], cwd=ROOT, check=True, capture_output=True, text=True
+    )
+    with zipfile.ZipFile(tmp_path / run.stdout.splitlines()[-1]) as wheel:
+        held = {name for name in wheel.namelist() if "__pycache__" not in name}
+        entry = next(name for name in held if name.endswith("entry_points.txt"))
+        assert "turgor = turgor.cli:main" in wheel.read(entry).decode()
+    folder = ROOT / "src"
+    wanted = {
+        path.relative_to(folder).as_posix()
+        for path in folder.rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts and "egg-info" not in str(path)
+    }
+    assert wanted <= held
+    assert {"turgor/py.typed", "turgor/materials/library/paper.toml"} <= held
