@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from turgor import __version__
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
     from turgor.finding import Finding
-    from turgor.job.run import RunOutcome
+    from turgor.job.outcome import RunOutcome
 
 DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED = 0, 1, 2, 3
 
@@ -53,9 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        from turgor.job.versions import package_version
-
-        typer.echo(f"turgor {package_version('turgor') or '(not installed)'}")
+        typer.echo(f"turgor {__version__}")
         raise typer.Exit
 
 
@@ -142,15 +141,11 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
     from rich.console import Console
 
     from turgor.console import LiveDisplay, PlainDisplay
-    from turgor.engine.runtime import EngineOptions
-    from turgor.job.run import run
+    from turgor.job.run import run_job
 
     console = Console(quiet=quiet)
     with LiveDisplay(console) if console.is_terminal else PlainDisplay(console) as display:
-        options = EngineOptions(notify=display.notify)
-        if threads is not None:
-            options = EngineOptions(notify=display.notify, threads=threads)
-        return run(question, output, force=force, options=options, progress=display.progress)
+        return run_job(question, output, force=force, threads=threads, notify=display.notify, progress=display.progress)
 
 
 def _tell(outcome: "RunOutcome") -> None:
@@ -184,10 +179,8 @@ def _errors_as_sentences(debug: bool) -> Iterator[None]:
     except KeyboardInterrupt:
         _complain("interrupted before the results were written.", debug, NOT_CONVERGED)
     except Exception as error:
-        _complain(
-            f"turgor failed unexpectedly, {type(error).__name__}: {error}. Please report it with the output of --debug.",
-            debug,
-        )
+        what = f"{type(error).__name__}: {error}"
+        _complain(f"turgor failed unexpectedly, {what}. Please report it with the output of --debug.", debug)
 
 
 def _complain(sentence: str, debug: bool, code: int = BAD_INPUT) -> None:

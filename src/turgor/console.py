@@ -3,7 +3,6 @@
 from collections import deque
 from math import pi
 from time import perf_counter
-from types import TracebackType
 from typing import Self
 
 from rich.console import Console
@@ -11,6 +10,7 @@ from rich.progress import BarColumn, Progress, ProgressColumn, SpinnerColumn, Ta
 from rich.text import Text
 
 from turgor.errors import TurgorError
+from turgor.job.run import SOLVING
 from turgor.results.measures import bending_angle
 from turgor.solvers.solution import Iteration, State
 from turgor.units import deg, kPa
@@ -84,7 +84,7 @@ class PlainDisplay:
     def notify(self, text: str) -> None:
         """Say what is being done."""
         self._line(text)
-        if text == "solving":
+        if text == SOLVING:
             self._course.start()
 
     def progress(self, iteration: Iteration, state: State | None) -> None:
@@ -130,12 +130,12 @@ class LiveDisplay:
         self._bar.start()
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(self, *_: object) -> None:
         self._bar.stop()
 
     def notify(self, text: str) -> None:
         """Say what is being done; facts stay on the screen, activities do not."""
-        if text == "solving":
+        if text == SOLVING:
             self._course.start()
         if ":" in text:
             self._console.print(text, highlight=False, markup=False)
@@ -160,8 +160,8 @@ def describe(iteration: Iteration, state: State) -> str:
     """Write one accepted step in words."""
     pressures = state.model.pressures
     load = f", {pressures[0].pressure * state.load_factor / kPa:.4g} kPa" if pressures else ""
-    count = f"{iteration.iteration} iterations"
-    return f"step {iteration.step}: load factor {state.load_factor:.4f}{load}, {count}, residual {iteration.residual:.1e}"
+    work = f"{iteration.iteration} iterations, residual {iteration.residual:.1e}"
+    return f"step {iteration.step}: load factor {state.load_factor:.4f}{load}, {work}"
 
 
 def bending(angle: float | None) -> str:

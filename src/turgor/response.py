@@ -71,7 +71,7 @@ class Column:
     @property
     def label(self) -> str:
         """Name and unit as they stand beside an axis, such as ``"bending angle [deg]"``."""
-        words = self.name.replace("_", " ")
+        words = self.name.replace("_", " ").replace("von mises", "von Mises stress")
         return f"{words} [{self.unit}]" if self.unit else words
 
     @property

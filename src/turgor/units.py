@@ -86,7 +86,8 @@ def parse_quantity(text: object, dimension: str) -> float:
     60000.0
     >>> parse_quantity("60 kP", "pressure")
     Traceback (most recent call last):
-    turgor.errors.TurgorError: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, MPa, GPa, bar, psi.
+    turgor.errors.TurgorError: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, \
+MPa, GPa, bar, psi.
     """
     units = UNITS[dimension]
     if isinstance(text, bool) or not isinstance(text, str | int | float):
@@ -144,7 +145,9 @@ def _wrong_unit(text: str, unit: str, dimension: str) -> TurgorError:
         if unit in units:
             article = "an" if other[0] in "aeiou" else "a"
             needed = "an" if dimension[0] in "aeiou" else "a"
-            return TurgorError(f"'{text}' is {article} {other}, but {needed} {dimension} is needed. {_known(dimension)}")
+            return TurgorError(
+                f"'{text}' is {article} {other}, but {needed} {dimension} is needed. {_known(dimension)}"
+            )
     units = UNITS[dimension]
     same = [known for known in units if known.lower() == unit.lower()]
     near = same or get_close_matches(unit, units, n=1)

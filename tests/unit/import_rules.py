@@ -18,10 +18,11 @@ COMMAND_LINE = ("cli", "console", "__main__")
 #: Where a heavy part, or a part with one purpose, may be imported.
 HOME = {
     "basix": ("engine",),
-    "ctypes": ("engine",),
+    "ctypes": ("engine", "meshing"),  # MKL; emptying the buffers of the mesh generator
     "mkl": ("engine",),
     "numba": ("engine",),
     "rslab": ("engine",),
+    "threadpoolctl": ("engine",),
     "netgen": ("geometry", "meshing"),
     "netgen.occ": ("geometry",),
     "netgen.meshing": ("meshing",),

@@ -1,7 +1,8 @@
 """Stress of the laws in homogeneous deformations against tabulated values (verification case V02), to 1e-6.
 
 The table holds six digits computed by energy differentiation and by stress formulas independently, so a relative
-tolerance of half a unit in its last digit, 5e-6, is the tightest that the table allows; closed forms are tested to 1e-12.
+tolerance of half a unit in its last digit, 5e-6, is the tightest that the table allows; closed forms are tested to
+1e-12.
 """
 
 from dataclasses import dataclass
@@ -9,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from turgor.errors import TurgorError
 from turgor.materials.homogeneous import cauchy_stress, equibiaxial, nominal_stress, planar, simple_shear, uniaxial
 from turgor.materials.laws import Hooke, Law, MooneyRivlin, NeoHooke, Yeoh

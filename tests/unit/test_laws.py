@@ -4,6 +4,7 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
+
 from turgor.errors import TurgorError
 from turgor.materials.derivatives import energy_and_derivatives
 from turgor.materials.homogeneous import cauchy_stress, simple_shear
@@ -64,7 +65,7 @@ def test_there_is_no_default_stiffness(law_type: type) -> None:
 def test_shear_modulus_must_be_positive(law_type: type, value: float) -> None:
     names = [field.name for field in fields(law_type)]
     with pytest.raises(TurgorError, match=f"{law_type.__name__} has an initial shear modulus"):
-        law_type(**{name: value for name in names})
+        law_type(**dict.fromkeys(names, value))
 
 
 @pytest.mark.parametrize(("E", "nu", "word"), [(0.0, 0.2, "E is"), (1e9, 0.5, "nu is"), (1e9, -1.0, "nu is")])

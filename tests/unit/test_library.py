@@ -67,7 +67,11 @@ def test_no_record_is_chosen_silently() -> None:
         ("elastosil", None, "unknown library material 'elastosil'; did you mean 'elastosil-m4601'?"),
         ("Elastosil M4601", None, "unknown library material 'Elastosil M4601'; did you mean 'elastosil-m4601'?"),
         ("steel", None, "unknown library material 'steel'. Known: elastosil-m4601, paper."),
-        ("paper", "hooke-yang", "unknown record 'hooke-yang' of 'paper'; did you mean 'hooke-yang-2020'? Known: hooke-"),
+        (
+            "paper",
+            "hooke-yang",
+            "unknown record 'hooke-yang' of 'paper'; did you mean 'hooke-yang-2020'? Known: hooke-",
+        ),
     ],
 )
 def test_a_wrong_name_is_answered_with_the_near_match(name: str, record: str | None, sentence: str) -> None:

@@ -4,7 +4,7 @@ from math import inf
 
 import numpy as np
 import pytest
-from netgen.occ import Box, Glue, Pnt, WorkPlane
+from netgen.occ import Box, Cylinder, Glue, Pnt, WorkPlane, Y
 
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
@@ -151,8 +151,21 @@ def test_walls_end_at_sharp_edges() -> None:
     walls = find_facing_walls(
         boxes(((0, 0, 0), (2, 20, 20)), ((3.7, 4, 0), (20, 20, 20)), ((5, 0, 0), (20, 2.5, 20))), reach=2 * mm
     )
-    assert len(walls.pairs) == 2
+    assert (len(walls.walls), len(walls.pairs)) == (4, 2)
     assert smallest_gap(walls) == pytest.approx(1.5 * mm)
+
+
+def test_the_walls_of_a_rounded_slot_end_in_its_bottom() -> None:
+    # a slot 2 mm wide with a half-round bottom: one smooth surface, but two walls 2 mm apart
+    shape = Box(Pnt(0, 0, 0), Pnt(12, 5, 9)) - Box(Pnt(5, 0, 4), Pnt(7, 5, 9)) - Cylinder(Pnt(6, 0, 4), Y, 1, 5)
+    shape.mat("body")
+    shape.faces.name = "outside"
+    volume = shape.mass * mm**3
+    names = {"regions": ("body",), "faces": ("outside",)}
+    part = Geometry(name="slot", smallest_wall=3 * mm, cavity_volume=0.0, solid_volume=volume, _shape=shape, **names)
+    walls = find_facing_walls(mesh(part, size=1.5 * mm))
+    assert len(walls.pairs) == 1
+    assert smallest_gap(walls) == pytest.approx(2 * mm, rel=1e-3)
 
 
 def triangle(corners: list[tuple[float, float, float]]) -> np.ndarray:
@@ -168,6 +181,17 @@ def test_a_node_beyond_the_rim_of_a_wall_is_not_opposite_to_it() -> None:
         pair = np.arange(6)[None], np.arange(6, 12)[None]
         walls = FacingWalls(points=np.vstack([below, above]), walls=pair, pairs=np.array([[0, 1]]))
         assert smallest_gap(walls) == pytest.approx(expected)
+
+
+def test_nodes_that_look_nearest_but_are_not_opposite_do_not_hide_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    below = triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
+    above = triangle([(0.1, 0.1, 0.5), (0.2, 0.2, 0.5), (0.2, 0.1, 0.5)])
+    beyond = triangle([(-0.3, 0.1, 0.2), (-0.2, 0.2, 0.2), (-0.2, 0.1, 0.2)])
+    monkeypatch.setattr("turgor.meshing.proximity.MEASURED", 1)
+    upper = np.arange(6, 18).reshape(2, 6)
+    points = np.vstack([below, above, beyond])
+    walls = FacingWalls(points=points, walls=(np.arange(6)[None], upper), pairs=np.array([[0, 1]]))
+    assert smallest_gap(walls) == pytest.approx(0.5)
 
 
 def test_rays_see_the_first_triangle_only() -> None:

@@ -3,6 +3,7 @@
 import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
+
 from turgor.materials.homogeneous import equibiaxial, nominal_stress, planar
 from turgor.materials.laws import Law
 

@@ -1,12 +1,13 @@
 """Structured meshes of ten-node tetrahedra for the verification tests.
 
-A `Block` is a lattice of nx × ny × nz cubes over the parameters 0..1, each cut into six tetrahedra along the same body
-diagonal (Kuhn), and placed in space by a smooth map. Blocks that share a side are glued by position; their diagonals
-match when both count the shared parameters in the same direction.
+A `Block` is a lattice of nx × ny × nz cubes over the parameters 0..1, each cut into six tetrahedra along the same
+body diagonal (Kuhn), and placed in space by a smooth map. Blocks that share a side are glued by position; their
+diagonals match when both count the shared parameters in the same direction.
 
-Plane strain is a slab of one layer with ``Fixed("z0", "z"), Fixed("z1", "z")``. The nodes half way between stay free in z:
-the exact solution has no displacement there, so they are ordinary unknowns of a three-dimensional problem whose answer
-happens to be plane, and the slab stays a test of the whole cell. `test_v05_tube.py` measures how plane the answer is.
+Plane strain is a slab of one layer with ``Fixed("z0", "z"), Fixed("z1", "z")``. The nodes half way between stay
+free in z: the exact solution has no displacement there, so they are ordinary unknowns of a three-dimensional
+problem whose answer happens to be plane, and the slab stays a test of the whole cell. `test_v05_tube.py` measures
+how plane the answer is.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -15,6 +16,7 @@ from itertools import permutations
 
 import numpy as np
 from numpy.typing import NDArray
+
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TETRAHEDRON_FACES, Mesh
 
 Array = NDArray[np.float64]
@@ -112,7 +114,7 @@ def box(size: tuple[float, float, float], counts: tuple[int, int, int], place: M
 def tube_sector(
     inner: float, outer: float, height: float, counts: tuple[int, int, int], *, straight: bool = False
 ) -> Mesh:
-    """Quarter of a tube around z; counts are radial, around, along. Faces cavity, outside, symmetry_x, symmetry_y, z0, z1."""
+    """Quarter of a tube around z; counts are radial, around, along; faces cavity, outside, symmetry_x/y, z0, z1."""
 
     def place(parameters: Array) -> Array:
         r = inner + (outer - inner) * parameters[:, 0]

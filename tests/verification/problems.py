@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from math import inf
 
 import numpy as np
+
+import meshes
 import turgor as tg
 from turgor.engine.fields import CellFields, cell_fields, strain_energy
 from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
@@ -31,9 +33,19 @@ def rubber(law, bulk_modulus: float = inf, density: float | None = None) -> tg.M
     return tg.Material(name="rubber", law=law, bulk_modulus=bulk_modulus, density=density)
 
 
-def one_material(mesh: tg.Mesh, law, bulk_modulus: float = inf, supports: Sequence = (), loads: Sequence = ()) -> tg.Model:
+def one_material(
+    mesh: tg.Mesh, law, bulk_modulus: float = inf, supports: Sequence = (), loads: Sequence = ()
+) -> tg.Model:
     """A model whose only region, ``body``, is of one law."""
     return tg.Model(mesh, materials={"body": rubber(law, bulk_modulus)}, supports=supports, loads=loads)
+
+
+def pinned(mesh: tg.Mesh) -> tuple[tg.Mesh, list[tg.Fixed]]:
+    """Hold three corners of a cube of side 1 against the six rigid motions and nothing else; the origin stays."""
+    corners = ((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    pins = {f"pin{k}": meshes.single_node(meshes.node_at(mesh, corner)) for k, corner in enumerate(corners)}
+    supports = [tg.Fixed("pin0", "xyz"), tg.Fixed("pin1", "yz"), tg.Fixed("pin2", "z")]
+    return meshes.with_faces(mesh, **pins), supports
 
 
 def state_at(solution: tg.Solution, load_factor: float) -> tg.State:

@@ -1,22 +1,24 @@
 """The reference bender: 20 pressure steps on the same mesh as FEniCSx, tip and cavity volume.
 
-Problem: semicircular two-material bender 100 mm long, soft Yeoh body and a neo-Hookean bottom twenty times as stiff,
-ν = 0.499, follower pressure to 100 kPa, which bends it by more than 90°; `data/reference_bender/problem.json` has all of it.
+Problem: semicircular two-material bender 100 mm long, soft Yeoh body and a neo-Hookean bottom twenty times as
+stiff, ν = 0.499, follower pressure to 100 kPa, which bends it by more than 90°;
+`data/reference_bender/problem.json` has all of it.
 Reference: dolfinx 0.5.2 with Taylor–Hood elements on the same straight-edged mesh, `reference_S.csv`.
 Source: `data/reference_bender/SOURCE.md`.
-Tolerance: 1e-5 of the length of the tip displacement, and 1e-5 of the volume, at each of the 20 steps. The elements, the mesh and
-the exactness of the quadrature are the same, so only Newton tolerances and the digits of the table remain (1e-6 mm in a
-displacement of 0.56 mm at the first step). Codes that integrate otherwise differ more: NGSolve by 1e-4, and 2e-4 is asked for.
+Tolerance: 1e-5 of the length of the tip displacement, and 1e-5 of the volume, at each of the 20 steps. The
+elements, the mesh and the exactness of the quadrature are the same, so only Newton tolerances and the digits of the
+table remain (1e-6 mm in a displacement of 0.56 mm at the first step). Codes that integrate otherwise differ more:
+NGSolve by 1e-4, and 2e-4 is asked for.
 """
 
 import csv
 from pathlib import Path
 
 import numpy as np
-import turgor as tg
-from turgor.engine.surfaces import enclosed_volume
 
 import problems
+import turgor as tg
+from turgor.engine.surfaces import enclosed_volume
 
 MM, MPA = problems.MM, problems.MPA
 DATA = Path(__file__).parent / "data" / "reference_bender"

@@ -2,20 +2,21 @@
 
 Problem: unit cube of irregular cells (interior vertex moved by 0.15 in each direction; sides straight, or bent at
 random), boundary displaced by a volume-preserving F̄; neo-Hookean and Yeoh, incompressible and with κ = 1000 μ.
-Exact: interior nodes at F̄ X, uniform stress; with κ and F̄ = 1.01·1 the mean stress is κ (J − 1) = 1000 μ · 0.030301.
+Exact: interior nodes at F̄ X, uniform stress; with κ and F̄ = 1.01·1 the mean stress is κ (J − 1) = 1000 μ ·
+0.030301.
 Source: Irons' patch test; verification case V01.
 Tolerance: 1e-10 of the cube's side for positions, 1e-8 for stress: the elements hold linear fields exactly, so only
-round-off and the Newton tolerance of 1e-12 remain. With its whole boundary prescribed an incompressible body has no mean
-stress to find (any constant will do), so there the top face is left free along its normal, which sets P₃₃ = 0 and does
-not change the exact answer.
+round-off and the Newton tolerance of 1e-12 remain. With its whole boundary prescribed an incompressible body has no
+mean stress to find (any constant will do), so there the top face is left free along its normal, which sets P₃₃ = 0
+and does not change the exact answer.
 """
 
 import numpy as np
 import pytest
-import turgor as tg
 
 import meshes
 import problems
+import turgor as tg
 
 MU = problems.NEO_HOOKE.shear_modulus
 SHEARED = np.array([[1.2, 0.3, 0.0], [0.0, 1 / 1.2, 0.1], [0.0, 0.0, 1.0]])
@@ -57,7 +58,7 @@ def _solve(bent, law, bulk_modulus, path):
 
 
 def _exact_stress(law, bulk_modulus):
-    """Cauchy stress at `SHEARED`: deviator of 2 W₁ B; mean stress κ (J − 1) = 0, or whatever makes P₃₃ = (σ F⁻ᵀ)₃₃ zero."""
+    """Cauchy stress at `SHEARED`: deviator of 2 W₁ B; mean stress κ (J − 1) = 0, or what makes P₃₃ = (σ F⁻ᵀ)₃₃ zero."""
     B = SHEARED @ SHEARED.T
     W1 = law.C10 + (2 * law.C20 * (np.trace(B) - 3) if isinstance(law, tg.Yeoh) else 0.0)
     deviator = 2 * W1 * (B - np.trace(B) / 3 * np.eye(3))

@@ -1,17 +1,17 @@
 """V01.2: a rotation on top of any deformation turns the internal forces and leaves the energy alone.
 
-Problem: a twisted, sheared, pressurized block, incompressible Yeoh with a membrane on one side; every position is then
-turned by 37° about (1, 2, 3).
+Problem: a twisted, sheared, pressurized block, incompressible Yeoh with a membrane on one side; every position is
+then turned by 37° about (1, 2, 3).
 Exact: force vectors turn with it, their norms, the volume constraints and the energy do not change (objectivity).
 Source: verification case V01. Tolerance: 1e-12 relative, round-off of sums over about a thousand terms.
 """
 
 import numpy as np
-import turgor as tg
-from turgor.engine.system import System
 
 import meshes
 import problems
+import turgor as tg
+from turgor.engine.system import System
 
 
 def rotation(axis, angle):

@@ -1,22 +1,25 @@
-"""V02: the finite elements give the exact stress of homogeneous tests, for neo-Hookean and Yeoh rubber.
+"""V02: the finite elements give the exact stress of homogeneous tests, for three laws.
 
-Problem: cube of irregular cells in uniaxial, equibiaxial and planar tension and compression and in simple shear; the
-pull is the reaction on the moved face over the initial area. Elastosil M4601: C10 = 0.12 MPa, or 0.11 and 0.02 MPa.
+Problem: cube of irregular cells in uniaxial, equibiaxial and planar tension and compression and in simple shear;
+the pull is the reaction on the moved face over the initial area. Elastosil M4601: neo-Hookean C10 = 0.12 MPa, or
+Yeoh 0.11 and 0.02 MPa; Dragon Skin 30: Mooney–Rivlin 1.190 and 23.028 kPa, nearly all of it in the second
+invariant.
 Exact: nominal stresses of the table (review Eqs. 14 and 15 with Eq. 16), shear 12, 11 and 22 Cauchy stresses.
 Source: verification case V02, computed there by two routes.
-Tolerance: 5e-6 against the table, half a unit of its sixth digit; 1e-8 against `materials.homogeneous`, since the elements
-hold linear fields exactly. In planar tension the force that holds the width is tested as well.
+Tolerance: 5e-6 against the table, half a unit of its sixth digit; 1e-8 against `materials.homogeneous`, since the
+elements hold linear fields exactly. In planar tension the force that holds the width is tested as well.
 """
 
 import numpy as np
 import pytest
-import turgor as tg
-from turgor.materials.homogeneous import equibiaxial, nominal_stress, planar, uniaxial
 
 import meshes
 import problems
+import turgor as tg
+from turgor.materials.homogeneous import equibiaxial, nominal_stress, planar, uniaxial
 
 A, B = problems.NEO_HOOKE, problems.YEOH
+C = tg.MooneyRivlin(C10=1.190e3, C01=23.028e3)
 TENSION = np.array([1.2, 1.5, 2.0, 3.0])
 TABLE = [  # law, name, moved faces, held faces, stress [MPa] at 0.7, then at TENSION
     (A, uniaxial, ("x1",), (), [-0.321796, 0.121333, 0.253333, 0.420000, 0.693333]),
@@ -25,8 +28,15 @@ TABLE = [  # law, name, moved faces, held faces, stress [MPa] at 0.7, then at TE
     (B, uniaxial, ("x1",), (), [-0.332216, 0.115536, 0.281481, 0.665000, 2.17630]),
     (B, equibiaxial, ("x1", "y1"), (), [-2.05583, 0.198717, 0.486849, 1.23047, 4.25712]),
     (B, planar, ("x1",), ("y1",), [-0.581479, 0.143368, 0.331687, 0.750000, 2.33745]),
+    (C, uniaxial, ("x1",), (), [-0.0914092, 0.0206064, 0.0349220, 0.0444640, 0.0512258]),
+    (C, equibiaxial, ("x1", "y1"), (), [-0.130972, 0.0548315, 0.145049, 0.367377, 1.24894]),
+    (C, planar, ("x1",), ("y1",), [-0.107308, 0.0300931, 0.0583026, 0.0908175, 0.143514]),
 ]
-SHEAR = [(A, [(0.12, 0.06, 0.0), (0.24, 0.24, 0.0), (0.48, 0.96, 0.0)]), (B, [(0.12, 0.06, 0), (0.30, 0.30, 0), (1.08, 2.16, 0)])]
+SHEAR = [
+    (A, [(0.12, 0.06, 0.0), (0.24, 0.24, 0.0), (0.48, 0.96, 0.0)]),
+    (B, [(0.12, 0.06, 0), (0.30, 0.30, 0), (1.08, 2.16, 0)]),
+    (C, [(0.024218, 0.000595, -0.011514), (0.048436, 0.00238, -0.046056), (0.096872, 0.00952, -0.184224)]),
+]
 
 
 def _irregular_cube():
@@ -72,7 +82,9 @@ def test_pull_of_tension_and_compression(law, deformation, moved, held, expected
 @pytest.mark.parametrize(("law", "expected"), SHEAR)
 def test_simple_shear(law, expected, record_verification):
     amounts = (0.5, 1.0, 2.0)
-    sides = [tg.Displacement(face, lambda X, t: 2 * t * X[:, [1]] * [1.0, 0, 0], "xy") for face in ("x0", "x1", "y0", "y1")]
+    sides = [
+        tg.Displacement(face, lambda X, t: 2 * t * X[:, [1]] * [1.0, 0, 0], "xy") for face in ("x0", "x1", "y0", "y1")
+    ]
     model = problems.one_material(_irregular_cube(), law, supports=[*sides, tg.Fixed("z0", "z")])
     solution = problems.solve(model, tg.Static(at=(0.25, 0.5), tolerance=1e-10))
     for amount, (shear, first, second) in zip(amounts, expected, strict=True):

@@ -2,19 +2,20 @@
 
 Problem: the sphere of `test_v04_sphere`, asked for 0.125 MPa, more than it can ever hold.
 Exact: the pressure rises to 0.11844454 MPa at a/A = 1.603434 and falls from there.
-Source: table V04. Tolerance: last pressure between 0.2 % below the exact one (the solver gives up when its step would fall below
-1e-4 of the load, and a step just short of the limit may fail) and 0.1 % above (the mesh's own error is 0.03 %); the
-radius there between 1.5 and 1.65, since the curve is flat; every state of the path within 0.2 % of the exact pressure at its
-own radius, so nothing beyond the limit point passes for an equilibrium under a higher pressure.
+Source: table V04. Tolerance: last pressure between 0.2 % below the exact one (the solver gives up when its step
+would fall below 1e-4 of the load, and a step just short of the limit may fail) and 0.1 % above (the mesh's own
+error is 0.03 %); the radius there between 1.5 and 1.65, since the curve is flat; every state of the path within 0.2
+% of the exact pressure at its own radius, so nothing beyond the limit point passes for an equilibrium under a
+higher pressure.
 """
 
 import numpy as np
 import pytest
-import turgor as tg
 
 import exact
 import meshes
 import problems
+import turgor as tg
 
 INNER, OUTER = 10 * problems.MM, 15 * problems.MM
 LIMIT = 0.11844454 * problems.MPA

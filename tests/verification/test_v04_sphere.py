@@ -1,22 +1,22 @@
 """V04: a thick incompressible sphere under internal pressure follows the exact curve.
 
-Problem: inner radius 10 mm, outer 15 mm, one eighth with three mirror planes; neo-Hookean (C10 = 0.12 MPa) up to just below its
-limit point, Yeoh (0.11, 0.02 MPa), whose curve rises for ever, up to three times the radius.
+Problem: inner radius 10 mm, outer 15 mm, one eighth with three mirror planes; neo-Hookean (C10 = 0.12 MPa) up to
+just below its limit point, Yeoh (0.11, 0.02 MPa), whose curve rises for ever, up to three times the radius.
 Exact: P = ∫ Ŵ′(λ) / (λ³ − 1) dλ between the stretches of the walls, Ŵ = W(λ⁻², λ, λ); stresses at λ = 1.5.
 Source: Green and Zerna; table V04, which `exact.sphere_pressure` must reproduce to its seven digits.
-Tolerance: pressure at the radius found within 0.2 % with four curved quadratic elements through the wall, 0.05 % with
-eight (the table's demand). The pressure is compared, not the radius, because the curve is flat near the limit point, where
-a small change of pressure moves the radius by any amount. Stress at every quadrature point: 2 % of the inner hoop stress,
-because the mean stress is linear in a cell.
+Tolerance: pressure at the radius found within 0.2 % with four curved quadratic elements through the wall, 0.05 %
+with eight (the table's demand). The pressure is compared, not the radius, because the curve is flat near the limit
+point, where a small change of pressure moves the radius by any amount. Stress at every quadrature point: 2 % of the
+inner hoop stress, because the mean stress is linear in a cell.
 """
 
 import numpy as np
 import pytest
-import turgor as tg
 
 import exact
 import meshes
 import problems
+import turgor as tg
 
 INNER, OUTER = 10 * problems.MM, 15 * problems.MM
 STRETCHES = (1.05, 1.10, 1.20, 1.30, 1.50, 1.75, 2.00, 2.50, 3.00)

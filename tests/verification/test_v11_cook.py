@@ -1,22 +1,25 @@
 """V11: Cook's membrane at finite strain, nearly incompressible, bends as far as converged reference solutions.
 
-Problem: (0,0), (48,44), (48,60), (0,44) mm, plane strain, left side clamped, dead shear traction of 6.25 MPa on the right;
-neo-Hookean μ = 80.1938 MPa with ½ κ (J − 1)², κ = 400,942 MPa (κ/μ = 5000). Value: displacement of the corner (48, 60).
-Reference: (−5.836 ± 0.004, 6.935 ± 0.002) mm, converged high-order elements; OpenGeoSys with F-bar 6.891 at 30 × 30.
+Problem: (0,0), (48,44), (48,60), (0,44) mm, plane strain, left side clamped, dead shear traction of 6.25 MPa on the
+right; neo-Hookean μ = 80.1938 MPa with ½ κ (J − 1)², κ = 400,942 MPa (κ/μ = 5000). Value: displacement of the
+corner (48, 60).
+Reference: (−5.836 ± 0.004, 6.935 ± 0.002) mm, converged high-order elements; OpenGeoSys with F-bar 6.891 at 30 ×
+30.
 Source: de Souza Neto et al. 1996; table V11.
-Tolerance: 0.5 % with 16 × 16 cells, and from below, monotonically, as the mesh is refined (the table's demands). The upper clamped
-corner, 108° wide, is singular and governs the error: where the diagonals of the cells start in it, two cells share it and
-16 × 16 is 0.2 % low; with the other diagonals one cell fills it and the same count is 0.8 % low, which is tested to 1 %.
-The mean stress must be free of checkerboard: its jump along cell edges, relative to its spread, falls with the cell size
-where the field is smooth and stays where it alternates from vertex to vertex.
+Tolerance: 0.5 % with 16 × 16 cells, and from below, monotonically, as the mesh is refined (the table's demands).
+The upper clamped corner, 108° wide, is singular and governs the error: where the diagonals of the cells start in
+it, two cells share it and 16 × 16 is 0.2 % low; with the other diagonals one cell fills it and the same count is
+0.8 % low, which is tested to 1 %. The mean stress must be free of checkerboard: its jump along cell edges, relative
+to its spread, falls with the cell size where the field is smooth and stays where it alternates from vertex to
+vertex.
 """
 
 import numpy as np
 import pytest
-import turgor as tg
 
 import meshes
 import problems
+import turgor as tg
 
 MM, MPA = problems.MM, problems.MPA
 MU, KAPPA = 80.1938 * MPA, 400942 * MPA
@@ -41,7 +44,9 @@ def _corner(state):
 def _roughness(state):
     """Mean jump of the mean stress along cell edges over its spread, away from the clamped corners."""
     mesh = state.model.mesh
-    edges = np.unique(np.sort(np.concatenate([mesh.cells[:, [a, b]] for a, b in meshes.TETRAHEDRON_EDGES]), axis=1), axis=0)
+    edges = np.unique(
+        np.sort(np.concatenate([mesh.cells[:, [a, b]] for a, b in meshes.TETRAHEDRON_EDGES]), axis=1), axis=0
+    )
     edges = edges[(mesh.points[edges][:, :, 0] > 12 * MM).all(axis=1)]
     return float(np.abs(np.diff(state.mean_stress[edges], axis=1)).mean() / state.mean_stress[np.unique(edges)].std())
 

@@ -1,19 +1,19 @@
 """V13: a clamped strip under follower pressure on one side curls up as converged reference solutions do.
 
-Problem: length 50 mm, thickness 5 mm, plane strain, incompressible neo-Hookean C10 = 0.12 MPa, clamped at x = 0, pressure on the
-bottom face only, up to 1.5 kPa. The loaded face is open, so the pressure has no potential and its tangent is not
-symmetric. Value: displacement of the end of the middle line.
+Problem: length 50 mm, thickness 5 mm, plane strain, incompressible neo-Hookean C10 = 0.12 MPa, clamped at x = 0,
+pressure on the bottom face only, up to 1.5 kPa. The loaded face is open, so the pressure has no potential and its
+tangent is not symmetric. Value: displacement of the end of the middle line.
 Reference: table V13, converged high-order elements, uncertain by 0.03 mm (singular clamped corners).
-Tolerance: 1 % of the displacement's length with 4 × 40 cells (the table's demand). A dead load gives a different curve: it leaves the end
-at positive height for ever, far outside the tolerance, which is tested too.
+Tolerance: 1 % of the displacement's length with 4 × 40 cells (the table's demand). A dead load gives a different
+curve: it leaves the end at positive height for ever, far outside the tolerance, which is tested too.
 """
 
 import numpy as np
 import pytest
-import turgor as tg
 
 import meshes
 import problems
+import turgor as tg
 
 MM, MPA = problems.MM, problems.MPA
 LENGTH, THICKNESS = 50 * MM, 5 * MM

@@ -1,22 +1,22 @@
 """V23: forces balance, weights are carried, volumes are right, and the work of the pressure is the stored energy.
 
-Exact statements, checked on coarse meshes because they hold on any: (1) pressure in a closed cavity that does not touch the
-support has no resultant, so the support carries no force and no moment; (2) where the cavity opens on the clamped face the
-support carries pressure times the opening; (3) the support carries the weight; (4) volumes of a cube and a sphere, wherever
-they lie; (5) ∫ P dV = stored energy; (6) the tangent of a closed cavity is symmetric.
+Exact statements, checked on coarse meshes because they hold on any: (1) pressure in a closed cavity that does not
+touch the support has no resultant, so the support carries no force and no moment; (2) where the cavity opens on the
+clamped face the support carries pressure times the opening; (3) the support carries the weight; (4) volumes of a
+cube and a sphere, wherever they lie; (5) ∫ P dV = stored energy; (6) the tangent of a closed cavity is symmetric.
 Source: verification case V23. Tolerance: 1e-8 P·A for reactions (Newton tolerance 1e-11 times the internal forces),
-1e-12 for volumes of cubes and symmetry, 0.1 % for the work over 40 steps by the trapezoidal rule (its own error, tested
-to fall four times when the steps are halved).
+1e-12 for volumes of cubes and symmetry, 0.1 % for the work over 40 steps by the trapezoidal rule (its own error,
+tested to fall four times when the steps are halved).
 """
 
 import numpy as np
 import pytest
-import turgor as tg
-from turgor.engine.surfaces import enclosed_volume, vector_area
-from turgor.engine.system import System
 
 import meshes
 import problems
+import turgor as tg
+from turgor.engine.surfaces import enclosed_volume, vector_area
+from turgor.engine.system import System
 
 P = 4e4
 EXACT = tg.Static(first_step=0.2, tolerance=1e-11)
@@ -122,9 +122,13 @@ def test_volumes(record_verification):
 
 def _work_over_energy(count):
     mesh = meshes.sphere_octant(0.01, 0.015, 1, 2)
-    model = problems.one_material(mesh, problems.YEOH, 1000 * problems.YEOH.shear_modulus, loads=[tg.Pressure("cavity", 2e5)])
+    model = problems.one_material(
+        mesh, problems.YEOH, 1000 * problems.YEOH.shear_modulus, loads=[tg.Pressure("cavity", 2e5)]
+    )
     factors = tuple(k / count for k in range(1, count + 1))
-    states = problems.solve(model, tg.Static(first_step=1 / count, max_step=1 / count, at=factors, tolerance=1e-9)).states
+    states = problems.solve(
+        model, tg.Static(first_step=1 / count, max_step=1 / count, at=factors, tolerance=1e-9)
+    ).states
     volume = np.array([-enclosed_volume(problems.current(state), mesh.face("cavity")) for state in states])
     pressure = np.array([2e5 * state.load_factor for state in states])
     return float(np.trapezoid(pressure, volume)) / problems.energy(states[-1])
@@ -152,7 +156,7 @@ def test_tangent_of_a_closed_cavity_is_symmetric(record_verification):
     derivative = _pressure_tangent(system, unknowns)
     skew = float(np.abs(derivative - derivative.T).max() / np.abs(derivative).max())
     record_verification(
-        claim="pressure tangent of a closed cavity, by differences of the forces: unsymmetric part over its largest entry",
+        claim="pressure tangent of a closed cavity, by differences of forces: unsymmetric part over largest entry",
         source="V23, exact",
         expected=0.0,
         got=skew,

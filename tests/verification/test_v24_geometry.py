@@ -1,22 +1,22 @@
 """V24: curved sides make the radius of a pressurized tube and sphere converge fast, straight ones slowly.
 
-Problem: the tube of V05 (0.05 MPa) and the sphere of V04 (0.10 MPa), neo-Hookean, with quadratic cells whose mid-side nodes lie on
-the circle, or half way between the vertices. Value: inner stretch, from the volume of the cavity, which a few nodes on
-the circle cannot flatter.
+Problem: the tube of V05 (0.05 MPa) and the sphere of V04 (0.10 MPa), neo-Hookean, with quadratic cells whose
+mid-side nodes lie on the circle, or half way between the vertices. Value: inner stretch, from the volume of the
+cavity, which a few nodes on the circle cannot flatter.
 Exact: `exact.tube_stretch`, `exact.sphere_stretch`.
-Source: table V24. Tolerance: the error falls at least eightfold per halving of the cells with curved sides, and only about fourfold
-(between 3 and 6) with straight ones, whose geometry is wrong by a share of h². At equal cells the straight error is at
-least ten times the curved one.
+Source: table V24. Tolerance: the error falls at least eightfold per halving of the cells with curved sides, and
+only about fourfold (between 3 and 6) with straight ones, whose geometry is wrong by a share of h². At equal cells
+the straight error is at least ten times the curved one.
 """
 
 import numpy as np
 import pytest
-import turgor as tg
-from turgor.engine.surfaces import enclosed_volume
 
 import exact
 import meshes
 import problems
+import turgor as tg
+from turgor.engine.surfaces import enclosed_volume
 
 MM, MPA = problems.MM, problems.MPA
 
@@ -32,7 +32,9 @@ def _tube(count, straight):
 def _sphere(count, straight):
     mesh = meshes.sphere_octant(10 * MM, 15 * MM, count, count, straight=straight)
     volume = 8 * _enclosed(_inflate(mesh, 0.10 * MPA, ())) / MM**3
-    return (3 * volume / (4 * np.pi)) ** (1 / 3) / 10 - exact.sphere_stretch(problems.NEO_HOOKE, 0.10 * MPA, 10, 15, 1.6)
+    return (3 * volume / (4 * np.pi)) ** (1 / 3) / 10 - exact.sphere_stretch(
+        problems.NEO_HOOKE, 0.10 * MPA, 10, 15, 1.6
+    )
 
 
 def _enclosed(state):

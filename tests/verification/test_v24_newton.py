@@ -1,22 +1,23 @@
 """V24: Newton's method converges quadratically, pressure stiffness included, also on an open face.
 
-Problem: from the equilibrium at 80 % of the load to the full load in one step, by the textbook's iteration on the engine's
-residual and tangent; a closed cavity in Yeoh rubber, and a cantilever under pressure on its open lower face.
-Expected: the exponent q in r(k+1) ∝ r(k)^q tends to 2; a tangent without its pressure part, or with the symmetric part of
-an open face alone, gives q = 1, which is tested with the symmetric part.
-Source: verification case V24. Tolerance: q of 1.8 or more from the last three residuals above round-off (1e-11 of the
-first). The solver's own iteration, which keeps factors and linearizes stresses, must reach the full load from rest in a
-single step of at most eight updates (five and six in fact).
+Problem: from the equilibrium at 80 % of the load to the full load in one step, by the textbook's iteration on the
+engine's residual and tangent; a closed cavity in Yeoh rubber, and a cantilever under pressure on its open lower
+face.
+Expected: the exponent q in r(k+1) ∝ r(k)^q tends to 2; a tangent without its pressure part, or with the symmetric
+part of an open face alone, gives q = 1, which is tested with the symmetric part.
+Source: verification case V24. Tolerance: q of 1.8 or more from the last three residuals above round-off (1e-11 of
+the first). The solver's own iteration, which keeps factors and linearizes stresses, must reach the full load from
+rest in a single step of at most eight updates (five and six in fact).
 """
 
 import numpy as np
 import pytest
-import turgor as tg
 from scipy.sparse.linalg import splu
-from turgor.engine.system import System
 
 import meshes
 import problems
+import turgor as tg
+from turgor.engine.system import System
 
 
 def _cavity():

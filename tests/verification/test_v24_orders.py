@@ -1,23 +1,24 @@
 """V24: with the right body force the discrete solution tends to a chosen one, at the rates of the element.
 
-Problem: plane strain unit square (one layer of cells between frictionless walls), incompressible neo-Hookean, chosen
-solution x = X + A sin(kY), y = Y (volume-preserving), A = 0.2, k = π, multiplier p = −μ + p₀ cos(πX/2) cos(πY) with
-p₀ = μ/2. The table prescribes the whole boundary, which leaves the mean stress of an incompressible body open by a constant; here
-p is chosen so that the normal traction at X = 1 vanishes and that side is free along x, which fixes the constant.
-Exact: body force of the table, B_X = μ A k² sin kY − p,X, B_Y = A k cos kY p,X − p,Y; our mean stress, which belongs to Ī₁, is
-p + μ I₁/3 with I₁ = 3 + A² k² cos² kY.
-Source: method of manufactured solutions, table V24. Expected rates of Taylor–Hood: displacement 3 in L², 2 in H¹, mean stress 2.
-Tolerance: a rate may be 0.25 below the theoretical one on the last halving, because meshes of 4 to 16 cells are not yet at the
-limit, and the errors themselves must be small (1e-3 of A, 1 % of μ).
+Problem: plane strain unit square (one layer of cells between frictionless walls), incompressible neo-Hookean,
+chosen solution x = X + A sin(kY), y = Y (volume-preserving), A = 0.2, k = π, multiplier p = −μ + p₀ cos(πX/2)
+cos(πY) with p₀ = μ/2. The table prescribes the whole boundary, which leaves the mean stress of an incompressible
+body open by a constant; here p is chosen so that the normal traction at X = 1 vanishes and that side is free along
+x, which fixes the constant.
+Exact: body force of the table, B_X = μ A k² sin kY − p,X, B_Y = A k cos kY p,X − p,Y; our mean stress, which
+belongs to Ī₁, is p + μ I₁/3 with I₁ = 3 + A² k² cos² kY.
+Source: method of manufactured solutions, table V24. Expected rates of Taylor–Hood: displacement 3 in L², 2 in H¹,
+mean stress 2.
+Tolerance: a rate may be 0.25 below the theoretical one on the last halving, because meshes of 4 to 16 cells are not
+yet at the limit, and the errors themselves must be small (1e-3 of A, 1 % of μ).
 """
 
 import numpy as np
-import pytest
-import turgor as tg
-from turgor.engine.reference import reference_cell
 
 import meshes
 import problems
+import turgor as tg
+from turgor.engine.reference import reference_cell
 
 A, K, MU = 0.2, np.pi, 1.0e5
 P0 = MU / 2
@@ -88,7 +89,7 @@ def test_convergence_orders(record_verification):
         tolerance="0.25 below",
     )
     record_verification(
-        claim="manufactured solution, 16 cells a side: error of u (L² over A), of ∇u (L²), of the mean stress (L² over μ)",
+        claim="manufactured solution, 16 cells: L² error of u over A, of ∇u, of the mean stress over μ",
         source="V24, exact",
         expected=[0.0, 0.0, 0.0],
         got=errors[-1] / [A, 1, 1],

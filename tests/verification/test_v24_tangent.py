@@ -1,20 +1,20 @@
 """V24: the tangent is the derivative of the residual: material, geometric, pressure and membrane parts, all columns.
 
-Problem: two cubes of cells at a random, large deformation and mean stress; each case adds one part. Residuals at
-x ± h e_j give the columns by central differences.
+Problem: two cubes of cells at a random, large deformation and mean stress; each case adds one part. Residuals at x
+± h e_j give the columns by central differences.
 Exact: equality for the free unknowns (supports drop the rest, with them the rim terms of pressure on a cut cavity).
-Source: verification case V24. Tolerance: 1e-6 of the largest entry of the tangent, asked for by the table; the differences
-themselves are good to 1e-8 at h = 1e-5, so a tenth of the tolerance is left to them. The compressibility of 1e-9 that
-keeps incompressible tangents regular is far below.
+Source: verification case V24. Tolerance: 1e-6 of the largest entry of the tangent, asked for by the table; the
+differences themselves are good to 1e-8 at h = 1e-5, so a tenth of the tolerance is left to them. The
+compressibility of 1e-9 that keeps incompressible tangents regular is far below.
 """
 
 import numpy as np
 import pytest
-import turgor as tg
-from turgor.engine.system import System
 
 import meshes
 import problems
+import turgor as tg
+from turgor.engine.system import System
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.Hooke(E=5e6, nu=0.3)), 5e-4)
 OPEN = tg.Pressure("z1", 4e4)

@@ -32,7 +32,7 @@ class Held:
         out = np.zeros_like(points)
         for nodes, axes, support in self.moving:
             value = np.asarray(support.value(points[nodes], load_factor), dtype=np.float64)
-            out[np.ix_(nodes, axes)] = np.broadcast_to(value, (len(nodes), 3))[:, axes]
+            out[nodes[:, None], axes] = np.broadcast_to(value, (len(nodes), 3))[:, axes]
         return out
 
 
@@ -43,7 +43,7 @@ def held_components(model: Model) -> Held:
     for support in model.supports:
         nodes = np.unique(outer_triangles(model.mesh)) if support.face == "*" else model.mesh.face_nodes(support.face)
         axes = _axes(model.mesh, support)
-        mask[np.ix_(nodes, axes)] = True
+        mask[nodes[:, None], axes] = True
         if isinstance(support, Displacement):
             moving.append((nodes, axes, support))
     return Held(mask, tuple(moving))

@@ -68,7 +68,8 @@ class FaceTerms:
 
     def locate(self, pattern: Pattern) -> None:
         """Find where the entries of the triangles go in the tangent."""
-        for term in (*self._pressed, *self._sheets):
+        terms: list[_Pressed | _Sheet] = [*self._pressed, *self._sheets]
+        for term in terms:
             unknowns = _unknowns(term.triangles)
             term.positions = locate(
                 pattern.indptr, pattern.indices, unknowns[:, _LOWER[0]].ravel(), unknowns[:, _LOWER[1]].ravel()

@@ -44,7 +44,7 @@ class CellFields:
 @lru_cache(maxsize=2)
 def _geometry(mesh: Mesh) -> tuple[Array, Array]:
     r = reference_cell(3, CELL_QUADRATURE_DEGREE)
-    return kernels.reference_geometry(mesh.points, mesh.cells, r.dN, r.weights)  # type: ignore[no-any-return]
+    return kernels.reference_geometry(mesh.points, mesh.cells, r.dN, r.weights)
 
 
 def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFields:

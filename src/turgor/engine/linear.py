@@ -1,4 +1,4 @@
-"""Linear solvers for the symmetric indefinite tangent: analyze the pattern once, factor, solve, count negative pivots."""
+"""Linear solvers for the symmetric indefinite tangent: analyze once, factor, solve, count negative pivots."""
 
 import ctypes
 import sys
@@ -135,10 +135,23 @@ def _call_pardiso(mkl: ctypes.CDLL, arrays: _PardisoArrays, phase: int, right: A
         return array.ctypes.data_as(ctypes.c_void_p)
 
     mkl.pardiso(
-        pointer(arrays.handle), integer(1), integer(1), integer(-2), integer(phase), integer(size),
-        pointer(arrays.data), pointer(arrays.indptr), pointer(arrays.indices), pointer(permutation), integer(1),
-        pointer(arrays.settings), integer(0), pointer(vector), pointer(result), ctypes.byref(error),
-    )  # fmt: skip
+        pointer(arrays.handle),
+        integer(1),
+        integer(1),
+        integer(-2),
+        integer(phase),
+        integer(size),
+        pointer(arrays.data),
+        pointer(arrays.indptr),
+        pointer(arrays.indices),
+        pointer(permutation),
+        integer(1),
+        pointer(arrays.settings),
+        integer(0),
+        pointer(vector),
+        pointer(result),
+        ctypes.byref(error),
+    )
     if error.value:
         raise SingularTangentError(f"Pardiso returned {error.value} in phase {phase}")
     return result
@@ -186,10 +199,15 @@ class UnsymmetricSolver:
 _SOLVERS: dict[str, Callable[[Pattern, int], LinearSolver]] = {"rslab": RslabSolver, "mkl-pardiso": PardisoSolver}
 
 
+def available_solvers() -> tuple[str, ...]:
+    """Names of the solvers that this environment has, the fastest first."""
+    return ("mkl-pardiso", "rslab") if _load_mkl() is not None else ("rslab",)
+
+
 def linear_solver(name: str, pattern: Pattern, threads: int) -> LinearSolver:
     """Make the named solver; ``"auto"`` takes MKL Pardiso where it is installed and rslab elsewhere."""
     if name == "auto":
-        name = "mkl-pardiso" if _load_mkl() is not None else "rslab"
+        name = available_solvers()[0]
     if name not in _SOLVERS:
         raise unknown("linear solver", name, [*_SOLVERS, "auto"])
     return _SOLVERS[name](pattern, threads)

@@ -1,8 +1,9 @@
 """Membranes: thin sheets of Hooke's material on six-node triangles, free to bend.
 
 The energy per reference area is ½ h E : ℂ : E with Green's strain of the surface and the plane-stress moduli. It is
-integrated with three points: one strain per three nodes neither locks in bending (six points tie the
-in-plane strain of every corner and do) nor leaves the sheet slack, because the body it is bonded to holds the rest.
+integrated with three points. A sheet that does not stretch should not care how stiff it is: on the coarse fast PneuNet
+at 100° of bending, ten times the stiffness changed the angle by −0.8° with six points (they tie more strains than a
+bent quadratic triangle can keep at zero: locking), by +0.5° with one (slack) and by −0.1° with three.
 """
 
 import numpy as np
@@ -24,7 +25,7 @@ def plane_stress_moduli(law: Hooke) -> Array:
 
 
 def surface_gradients(points: Array, triangles: NDArray[np.int64]) -> tuple[Array, Array]:
-    """Shape function gradients in a local orthonormal frame of the reference surface, (f, q, 6, 2), and areas (f, q)."""
+    """Shape function gradients in an orthonormal frame of the reference surface (f, q, 6, 2), areas (f, q)."""
     reference = reference_cell(2, MEMBRANE_QUADRATURE_DEGREE)
     tangents = np.einsum("qad,fai->fqid", reference.dN, points[triangles])
     r, s = tangents[..., 0], tangents[..., 1]
@@ -80,9 +81,7 @@ def membrane_forces(x, triangles, gradients, areas, stress):
             for a in range(NODES):
                 g0, g1 = gradients[f, q, a, 0], gradients[f, q, a, 1]
                 for i in range(3):
-                    out[f, a, i] += w * (
-                        (S0 * g0 + S2 * g1) * t[0, i] + (S1 * g1 + S2 * g0) * t[1, i]
-                    )
+                    out[f, a, i] += w * ((S0 * g0 + S2 * g1) * t[0, i] + (S1 * g1 + S2 * g0) * t[1, i])
     return out
 
 
@@ -115,9 +114,7 @@ def membrane_tangents(x, triangles, gradients, areas, moduli, stress):
             for a in range(NODES):
                 for b in range(NODES):
                     k = w * (
-                        S0 * g[a, 0] * g[b, 0]
-                        + S1 * g[a, 1] * g[b, 1]
-                        + S2 * (g[a, 0] * g[b, 1] + g[a, 1] * g[b, 0])
+                        S0 * g[a, 0] * g[b, 0] + S1 * g[a, 1] * g[b, 1] + S2 * (g[a, 0] * g[b, 1] + g[a, 1] * g[b, 0])
                     )
                     for i in range(3):
                         out[f, 3 * a + i, 3 * b + i] += k

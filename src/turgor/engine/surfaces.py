@@ -58,7 +58,7 @@ def nodal_weights(points: Array, triangles: Triangles) -> Array:
     reference = reference_cell(2, SURFACE_QUADRATURE_DEGREE)
     _, r, s = _tangents(points, triangles)
     local = np.einsum("q,qa,fq->fa", reference.weights, reference.N, np.linalg.norm(np.cross(r, s), axis=2))
-    return np.bincount(triangles.ravel(), local.ravel(), minlength=len(points))
+    return np.bincount(triangles.ravel(), local.ravel(), minlength=len(points)).astype(float)
 
 
 @njit(cache=True, parallel=True)

@@ -170,7 +170,7 @@ class System:
         by_cell = kernels.residual(
             self.cells, u, p, r.dN, r.M, self.Jinv, self.dV, W[0], W[1], self.materials.compliance
         )
-        internal = np.bincount(self._cell_unknowns.ravel(), by_cell.ravel(), minlength=self.size)
+        internal: Array = np.bincount(self._cell_unknowns.ravel(), by_cell.ravel(), minlength=self.size).astype(float)
         position = self.points + u
         forces, external = self.faces.forces(position, load_factor)
         internal[: 3 * self.node_count] += forces.ravel()
@@ -191,10 +191,18 @@ class System:
         for start in range(0, len(self.cells), CHUNK):
             chunk = slice(start, start + CHUNK)
             packed = kernels.tangent(
-                self.cells[chunk], u, p, r.dN, r.M, self.Jinv[chunk], self.dV[chunk],
-                np.ascontiguousarray(at.derivatives[:, chunk]), compliance[chunk],
-                nothing if geometric is None else geometric.cells[chunk], geometric is not None,
-            )  # fmt: skip
+                self.cells[chunk],
+                u,
+                p,
+                r.dN,
+                r.M,
+                self.Jinv[chunk],
+                self.dV[chunk],
+                np.ascontiguousarray(at.derivatives[:, chunk]),
+                compliance[chunk],
+                nothing if geometric is None else geometric.cells[chunk],
+                geometric is not None,
+            )
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
         sheets = None if geometric is None else geometric.membranes
         self.faces.add_tangents(data, self.points + u, at.load_factor, sheets)

@@ -86,6 +86,8 @@ class Job:
         How the path is followed.
     output : Output
         What to write.
+    threads : int or None
+        Processors to use; None takes all. The last digits of the results depend on it, nothing else.
     """
 
     name: str
@@ -97,3 +99,4 @@ class Job:
     loads: tuple[Pressure | Gravity, ...]
     procedure: Static = field(default_factory=Static)
     output: Output = field(default_factory=Output)
+    threads: int | None = None

@@ -37,7 +37,7 @@ class _Tokens:
 
 
 def key_lines(text: str) -> dict[Key, int]:
-    """Map every key of a valid TOML text, tables included, to the line where it first stands.
+    r"""Map every key of a valid TOML text, tables included, to the line where it first stands.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def key_lines(text: str) -> dict[Key, int]:
 
     Examples
     --------
-    >>> key_lines('[mesh]\\nsize = "3 mm"\\n')
+    >>> key_lines('[mesh]\nsize = "3 mm"\n')
     {('mesh',): 1, ('mesh', 'size'): 2}
     """
     tokens, lines, table = _Tokens(text), dict[Key, int](), Key()

@@ -20,7 +20,7 @@ from turgor.units import format_quantity, kPa
 _UNIT = {"length": "mm", "angle": "deg", "pressure": "MPa", "density": "kg/m³"}
 
 _HEADER = (
-    "# Every value of one run, defaults included. It is a job file itself: `turgor run` with this file repeats the run.\n"
+    "# Every value of one run, defaults included. This is a job file: `turgor run` with it repeats the run.\n"
     "# [written_by] says which versions wrote it; it is not read.\n\n"
 )
 
@@ -44,6 +44,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "loads": _loads(job),
         "procedure": _procedure(job),
         "output": {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)},
+        "engine": {"threads": job.threads} if job.threads is not None else {},
         "written_by": dict(written_by),
     }
     return _HEADER + tomlkit.dumps(content)

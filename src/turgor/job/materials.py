@@ -40,11 +40,12 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
 
 def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: Problems) -> Material | Membrane | None:
     if isinstance(values, Mapping) and "law" in values:
-        law = values["law"]
+        law = str(values["law"])
         if law not in LAWS:
-            problems.add((*key, "law"), str(unknown("law", str(law), LAWS)))
+            problems.add((*key, "law"), str(unknown("law", law, LAWS)))
             return None
-        table = read_table(law_table(LAWS[law]), values, key, problems)
+        kind: Any = LAWS[law]
+        table = read_table(law_table(kind), values, key, problems)
     else:
         table = read_table(LibraryTable, values, key, problems)
     if table is None:
@@ -55,25 +56,18 @@ def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: P
         return None
     if table.thickness is None:
         return material
-    membrane: Membrane | None = None
-    with problems.at(key, ("thickness",)):
-        membrane = Membrane(material, thickness=table.thickness)
-    return membrane
+    return problems.attempt(key, lambda: Membrane(material, thickness=table.thickness), fields=("thickness",))
 
 
 def _from_library(table: LibraryTable, key: Key, problems: Problems) -> Material | None:
-    material: Material | None = None
-    with problems.at((*key, "library" if table.library not in library() else "record")):
-        material = from_library(table.library, record=table.record)
+    wrong = "record" if table.library in library() else "library"
+    material = problems.attempt((*key, wrong), lambda: from_library(table.library, record=table.record))
     if material is None or table.density is None:
         return material
-    with problems.at(key, ("density",)):
-        material = replace(material, density=table.density)
-    return material
+    return problems.attempt(key, lambda: replace(material, density=table.density), fields=("density",))
 
 
 def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
-    material: Material | None = None
     kind = LAWS[table.law]
     source = Source(text=f"stated in {problems.file}")
     if table.source is not None:
@@ -82,8 +76,9 @@ def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
     if stretch_range is not None and not (len(stretch_range) == 2 and 0 < stretch_range[0] <= 1 <= stretch_range[1]):
         problems.add((*key, "stretch_range"), f"{stretch_range} is not [smallest, largest] with 1 between them.")
         return None
-    with problems.at(key, [item.name for item in fields(kind)]):
-        material = Material(
+
+    def make() -> Material:
+        return Material(
             name=table.name or key[-1],
             law=kind(**{item.name: getattr(table, item.name) for item in fields(kind)}),
             bulk_modulus=getattr(table, "bulk_modulus", inf),
@@ -91,7 +86,8 @@ def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
             stretch_range=(stretch_range[0], stretch_range[1]) if stretch_range else None,
             source=source,
         )
-    return material
+
+    return problems.attempt(key, make, fields=(*(item.name for item in fields(kind)), "bulk_modulus", "density"))
 
 
 def _suits(

@@ -1,13 +1,14 @@
 """Problems: everything that is wrong with one job file, collected and reported together."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from turgor.errors import TurgorError
 from turgor.job.lines import Key
 
+Made = TypeVar("Made")
 
 #: Stands for the line of what is absent from the file; such problems come last.
 _NOWHERE = 10**9
@@ -50,25 +51,31 @@ class Problems:
         place = f"{self.file}:{line}" if known is not None else self.file
         self.found.append((line, f"{place}: {'.'.join(key)}: {sentence}"))
 
-    @contextmanager
-    def at(self, key: Key, fields: Iterable[str] = ()) -> Iterator[None]:
-        """Note a `TurgorError` of the block at a key, or at the one of its fields that the message begins with.
+    def attempt(self, key: Key, make: Callable[[], Made], fields: Iterable[str] = ()) -> Made | None:
+        """Make a value; note a `TurgorError` at the key, or at the one of its fields that the message begins with.
 
         Parameters
         ----------
         key : tuple of str
             Key of a table or value.
+        make : callable
+            Makes the value from what stands there.
         fields : iterable of str
-            Fields of the value that the block makes; the message names the one that is wrong.
+            Keys of the table that are fields of the value; the message names the one that is wrong.
+
+        Returns
+        -------
+        The value, or None where it could not be made.
         """
         try:
-            yield
+            return make()
         except TurgorError as error:
             sentence = str(error)
             match = re.match(r"(?:[^;]{0,80}?[.: ])?(\w+) (?:is|holds) ", sentence)
             if match is not None and match[1] in set(fields):
                 key, sentence = (*key, match[1]), sentence[match.end() :]
             self.add(key, sentence)
+            return None
 
     def raise_any(self) -> None:
         """Raise a `JobError` with all problems in the order of their lines, if there are any."""

@@ -14,6 +14,7 @@ from turgor.job.materials import read_materials
 from turgor.job.problems import JobError, Problems
 from turgor.job.sections import (
     read_actuator,
+    read_engine,
     read_loads,
     read_mesh,
     read_output,
@@ -23,13 +24,14 @@ from turgor.job.sections import (
 from turgor.job.tables import shown
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
-SECTIONS = ("name", "actuator", "mesh", "materials", "supports", "loads", "procedure", "output", "written_by")
+SECTIONS = ("name", "actuator", "mesh", "materials", "supports", "loads", "procedure", "output", "engine", "written_by")
 
 #: Sections that may be left out, and what stands in for them.
 DEFAULTS: Mapping[str, Mapping[str, Any]] = {
     "supports": {"fixed": "xyz"},
     "procedure": {"type": "static"},
     "output": {},
+    "engine": {},
 }
 
 _NAME = re.compile(r"[\w.-]+")
@@ -85,6 +87,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     supports = read_supports(given["supports"], geometry, problems)
     procedure = read_procedure(given["procedure"], loads, problems)
     output = read_output(given["output"], problems)
+    threads = read_engine(given["engine"], problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
         return None
     return Job(
@@ -97,16 +100,13 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
         loads=loads,
         procedure=procedure,
         output=output,
+        threads=threads,
     )
 
 
 def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:
     """Build the shape, because its names are the allowed keys of other sections."""
-    geometry: Geometry | None = None
-    if actuator is not None:
-        with problems.at(("actuator",)):
-            geometry = actuator.build()
-    return geometry
+    return None if actuator is None else problems.attempt(("actuator",), actuator.build)
 
 
 def _name(value: object, problems: Problems) -> str:

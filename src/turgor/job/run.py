@@ -1,4 +1,4 @@
-"""run: everything that one job asks for, from the mesh to the folder of results."""
+"""run_job: everything that one job asks for, from the mesh to the folder of results."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -19,6 +19,9 @@ from turgor.solvers.checks import check_supports
 from turgor.solvers.driver import Progress, solve
 
 Notify = Callable[[str], None]
+
+#: What `run_job` says when the solve begins.
+SOLVING = "solving"
 
 
 def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Finding, ...]]:
@@ -55,12 +58,13 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     return model, check_mesh(made)
 
 
-def run(
+def run_job(
     job: Job,
     output: str | Path | None = None,
     *,
     force: bool = False,
-    options: EngineOptions | None = None,
+    threads: int | None = None,
+    notify: Notify | None = None,
     progress: Progress | None = None,
 ) -> RunOutcome:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder of its own.
@@ -75,8 +79,10 @@ def run(
         Folder of results; ``<name>-results`` in the working directory if it is not given.
     force : bool
         Whether results that the folder holds already are replaced.
-    options : EngineOptions, optional
-        Linear solver, threads, and ``notify(text)``, called with what is being done.
+    threads : int, optional
+        Processors to use, whatever the job says; all if neither says.
+    notify : callable, optional
+        ``notify(text)``, called with what is being done.
     progress : callable, optional
         Called by `solve` after every iteration and every accepted step.
 
@@ -89,30 +95,32 @@ def run(
     TurgorError
         If the folder is taken or cannot be written (before anything is computed), or the job cannot be meshed.
     """
-    options = options or EngineOptions()
     notices: list[str] = []
 
-    def notify(text: str) -> None:
+    def say(text: str) -> None:
         notices.append(text)
-        (options.notify or _silent)(text)
+        (notify or _silent)(text)
 
+    options = EngineOptions(notify=say)
+    wanted = threads if threads is not None else job.threads
+    if wanted is not None:
+        options = replace(options, threads=wanted)
     with claimed(Path(output) if output is not None else default_folder(job.name), force) as folder:
-        model, findings = prepare(job, notify)
-        notify("solving")
-        listening = EngineOptions(linear_solver=options.linear_solver, threads=options.threads, notify=notify)
-        solution = solve(model, job.procedure, progress=progress, options=listening, throw=False)
-        notify("measuring")
+        model, findings = prepare(job, say)
+        say(SOLVING)
+        solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
+        say("measuring")
         response = measure(solution, *(find_measure(name) for name in job.output.measures))
         outcome = RunOutcome(
-            job=job,
+            job=replace(job, threads=options.threads),
             solution=solution,
             response=response,
             findings=(*findings, *solution.findings),
-            written_by=versions() | {"threads": options.threads, "linear_solver": solution.timing.linear_solver},
+            written_by=versions() | {"linear_solver": solution.timing.linear_solver},
             notices=tuple(notices),
             folder=folder,
         )
-        return replace(outcome, files=write_results(outcome, notify))
+        return replace(outcome, files=write_results(outcome, say))
 
 
 def _silent(_: str) -> None:

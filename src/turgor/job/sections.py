@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
+from turgor.engine.runtime import EngineOptions
 from turgor.errors import unknown
 from turgor.geometry import Geometry
 from turgor.job.job import ACTUATORS, Actuator, Output
@@ -11,6 +12,7 @@ from turgor.job.lines import Key
 from turgor.job.problems import Problems
 from turgor.job.tables import (
     DIRECTIONS,
+    EngineTable,
     LoadsTable,
     MeshTable,
     OutputTable,
@@ -39,9 +41,9 @@ def _chosen(kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems
     if "type" not in values:
         problems.add((*key, "type"), f"'type' is missing; allowed: {', '.join(kinds)}.")
         return None
-    name = values["type"]
+    name = str(values["type"])
     if name not in kinds:
-        problems.add((*key, "type"), str(unknown(what, str(name), kinds)))
+        problems.add((*key, "type"), str(unknown(what, name, kinds)))
         return None
     return kinds[name]
 
@@ -58,10 +60,10 @@ def read_actuator(values: Any, problems: Problems) -> Actuator | None:
     table = read_table(dataclass_table(family), values, key, problems) if family else None
     if family is None or table is None:
         return None
-    actuator: Actuator | None = None
-    with problems.at(key, [item.name for item in fields(family)]):
-        actuator = family(**_fields_of(table))
-    return actuator
+    made: Actuator | None = problems.attempt(
+        key, lambda: family(**_fields_of(table)), fields=[item.name for item in fields(family)]
+    )
+    return made
 
 
 def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> MeshTable | None:
@@ -71,8 +73,9 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
         return table
     low, high = size_range(geometry)
     if not (low <= table.size <= high and 0.1 <= table.grading <= 1):
-        with problems.at(("mesh",), ("size", "grading")):
-            mesh(geometry, size=table.size, grading=table.grading)
+        problems.attempt(
+            ("mesh",), lambda: mesh(geometry, size=table.size, grading=table.grading), fields=("size", "grading")
+        )
     return table
 
 
@@ -134,10 +137,8 @@ def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems:
     given = _fields_of(table)
     top = next((load.pressure for load in loads if isinstance(load, Pressure)), None)
     given["at"] = tuple(_load_factors(given["at"], top, problems))
-    procedure: Static | None = None
-    with problems.at(key, given):
-        procedure = kind(**given)
-    return procedure
+    made: Static | None = problems.attempt(key, lambda: kind(**given), fields=given)
+    return made
 
 
 def _load_factors(requested: list[Any], top: float | None, problems: Problems) -> list[float]:
@@ -156,6 +157,15 @@ def _load_factors(requested: list[Any], top: float | None, problems: Problems) -
             break
         factors.append(factor)
     return sorted(set(factors))
+
+
+def read_engine(values: Any, problems: Problems) -> int | None:
+    """Read ``[engine]``: the number of threads."""
+    table = read_table(EngineTable, values, ("engine",), problems)
+    if table is None or table.threads is None:
+        return None
+    options = problems.attempt(("engine",), lambda: EngineOptions(threads=table.threads), fields=("threads",))
+    return None if options is None else options.threads
 
 
 def read_output(values: Any, problems: Problems) -> Output | None:

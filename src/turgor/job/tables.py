@@ -5,7 +5,7 @@ The keys of an actuator, a law and a procedure are the fields of its dataclass, 
 
 from collections.abc import Mapping
 from dataclasses import MISSING, Field, fields
-from functools import cache
+from functools import cache, partial
 from math import inf
 from typing import Annotated, Any
 
@@ -31,14 +31,19 @@ DIRECTIONS: Mapping[str, tuple[float, float, float]] = {
 }
 
 
-def quantity(dimension: str) -> Any:
-    """Return the type of a value that carries a unit of a dimension and becomes an SI float."""
-    return Annotated[float, BeforeValidator(lambda text: parse_quantity(text, dimension))]
+Length = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="length"))]
+Angle = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="angle"))]
+Pressure = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="pressure"))]
+Density = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="density"))]
 
-
-Length = quantity("length")
-Pressure = quantity("pressure")
-Density = quantity("density")
+#: Type of a float field by the dimension that its dataclass states.
+QUANTITIES: Mapping[str, Any] = {
+    "length": Length,
+    "angle": Angle,
+    "pressure": Pressure,
+    "density": Density,
+    "number": float,
+}
 
 
 def _bulk_modulus(text: object) -> float:
@@ -108,6 +113,12 @@ class LoadsTable(Table):
 
     pressure: Pressure | None = None
     gravity: Annotated[str, AfterValidator(_direction)] | None = None
+
+
+class EngineTable(Table):
+    """``[engine]``."""
+
+    threads: int | None = None
 
 
 class OutputTable(Table):
@@ -208,10 +219,7 @@ def _model_at(table: type[BaseModel], place: Key) -> type[BaseModel]:
 
 
 def _type_of(item: Field[Any]) -> Any:
-    if item.type is not float:
-        return item.type
-    dimension = item.metadata.get("dimension", "length")
-    return float if dimension == "number" else quantity(dimension)
+    return item.type if item.type is not float else QUANTITIES[item.metadata.get("dimension", "length")]
 
 
 def _default_of(item: Field[Any]) -> Any:

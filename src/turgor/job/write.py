@@ -4,9 +4,12 @@ import csv
 from collections.abc import Callable
 from pathlib import Path
 
-from turgor.job.folder import FIELDS, LOCK, LOG, RESPONSE, STEPS, clear
+from turgor.job.folder import DEFORMED, FIELDS, LOCK, LOG, PLOT, RESPONSE, STEPS, UNDEFORMED, clear
 from turgor.job.lock import lock_text
 from turgor.job.outcome import RunOutcome
+from turgor.results.fields import MeshFacts, StateFields
+from turgor.results.pictures import picture_title, shared_view, write_picture
+from turgor.results.plots import write_plot
 from turgor.results.vtu import write_series
 from turgor.solvers.solution import Solution
 
@@ -30,7 +33,26 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[P
         notify("writing the fields")
         (folder / FIELDS).mkdir(exist_ok=True)
         files.append(write_series(folder / FIELDS, outcome.solution))
+    notify("drawing")
+    title = picture_title(outcome.response, name=outcome.job.name)
+    write_plot(folder / PLOT, outcome.response, title=title)
+    files.append(folder / PLOT)
+    if output.pictures:
+        files += write_pictures(outcome)
     return tuple(files)
+
+
+def write_pictures(outcome: RunOutcome) -> list[Path]:
+    """Draw the first and the last state with the same view, scale and colors; the last one over the first."""
+    folder, states, facts = outcome.folder, outcome.solution.states, MeshFacts(outcome.solution.model.mesh)
+    first, last = StateFields(states[0], facts), StateFields(states[-1], facts)
+    view = shared_view([first, last])
+    name, files = outcome.job.name, [folder / UNDEFORMED]
+    write_picture(files[0], first, view, title=picture_title(outcome.response, 0, name))
+    if len(states) > 1:
+        files.append(folder / DEFORMED)
+        write_picture(files[1], last, view, title=picture_title(outcome.response, -1, name), ghost=first)
+    return files
 
 
 def write_steps(file: Path, solution: Solution) -> None:

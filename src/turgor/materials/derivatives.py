@@ -21,7 +21,7 @@ def _compiled_derivatives(law_type: type) -> Callable[..., tuple[Any, ...]]:
     I1, I2 = sympy.symbols("I1 I2", positive=True)
     names = [field.name for field in fields(law_type)]
     symbols = sympy.symbols(names)
-    law = object.__new__(law_type)  # symbols have no sign to check, so the checks of the constructor are skipped
+    law: Any = object.__new__(law_type)  # symbols have no sign to check, so the checks of the constructor are skipped
     for name, symbol in zip(names, symbols, strict=True):
         object.__setattr__(law, name, symbol)
     energy = law.energy(I1, I2)

@@ -139,7 +139,9 @@ def cauchy_stress(law: Law, F: Array) -> Array:
     determinant = np.linalg.det(F)
     worst = float(np.abs(determinant - 1.0).max(initial=0.0))
     if not worst <= _ISOCHORIC:
-        raise TurgorError(f"det F differs from 1 by {worst:.3g}; these stresses are for volume-preserving deformations.")
+        raise TurgorError(
+            f"det F differs from 1 by {worst:.3g}; these stresses are for volume-preserving deformations."
+        )
     B = F @ F.swapaxes(-1, -2)
     I1 = np.trace(B, axis1=-2, axis2=-1)
     I2 = 0.5 * (I1**2 - np.trace(B @ B, axis1=-2, axis2=-1))

@@ -18,7 +18,7 @@ from turgor.source import Source
 from turgor.units import format_quantity, parse_quantity
 
 #: Laws by the name that files use.
-LAWS: Mapping[str, type[Law] | type[Hooke]] = {
+LAWS: Mapping[str, type[Any]] = {
     "neo_hooke": NeoHooke,
     "mooney_rivlin": MooneyRivlin,
     "yeoh": Yeoh,
@@ -169,7 +169,8 @@ def law_from_printed(law: str, convention: str, printed: Mapping[str, float]) ->
             raise unknown(f"constant of {law} in the convention {convention}", symbol, symbols)
         name, factor = symbols[symbol]
         coefficients[name] = factor * value
-    return LAWS[law](**coefficients)
+    made: Law | Hooke = LAWS[law](**coefficients)
+    return made
 
 
 _NO_SEPARATORS = str.maketrans("", "", "-_ ")
@@ -179,7 +180,9 @@ def _record(content: Mapping[str, Any], name: str) -> Record:
     entry = content["records"][name]
     texts: dict[str, Any] = entry["parameters"]
     printed = ", ".join(f"{symbol} = {value}" for symbol, value in texts.items())
-    values = {key: float(v) if isinstance(v, int | float) else parse_quantity(v, "pressure") for key, v in texts.items()}
+    values = {
+        key: float(v) if isinstance(v, int | float) else parse_quantity(v, "pressure") for key, v in texts.items()
+    }
     law = law_from_printed(entry["law"], entry["convention"], values)
     density = entry.get("density", content.get("density", {}))
     stated = printed if printed == describe(law) else f"printed as {printed}, here {describe(law)}"

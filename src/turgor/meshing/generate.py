@@ -30,6 +30,10 @@ MOST_UNKNOWNS = 3e6
 #: Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35.
 UNKNOWNS_PER_SIZE_CUBED = 40.0
 
+#: Cells along an arc as long as its radius. With 1, curved cells turn inside out where a fillet or a tube is coarse
+#: (a slot of 1 mm radius at 1 mm size: 3 cells); with 2, none did on slots, tubes, half tubes and spheres.
+CELLS_PER_RADIUS = 2.0
+
 #: A finished mesh fills the geometry; quadratic cells may miss this share of it at curved faces.
 LOST_VOLUME = 0.01
 
@@ -129,11 +133,10 @@ def _generate(geometry: Geometry, size: float, grading: float) -> _Raw:
     before = SetMessageImportance(0)
     with captured_output() as text:  # at level 0 its warnings and errors still go to stdout, line after line
         try:
-            # curvaturesafety 1 instead of 2: as many cells along a fillet as its radius needs, not twice as many
             netgen_mesh = geometry._shape.GenerateMesh(
                 maxh=size / geometry.length_scale,
                 grading=grading,
-                curvaturesafety=1.0,
+                curvaturesafety=CELLS_PER_RADIUS,
                 parallel_meshing=False,  # the same mesh for half the work: its threads spin where a machine is busy
                 ngs_mesh=False,
             )

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.response import Response
 from turgor.results.fields import StateFields
-from turgor.results.raycast import Camera, Hits, Scene, camera
+from turgor.results.raycast import Camera, Hits, Raster, Scene, camera
 from turgor.results.shading import GHOST, INK, Look, draw_lines, find_lines, paint, reduced
 from turgor.results.skin import Skin, visible_skin
 from turgor.solvers.solution import State
@@ -28,7 +28,10 @@ Array = NDArray[np.float64]
 RUBBER = "#f1efec"
 
 #: Samples along each side of a pixel.
-SAMPLES = 3
+SAMPLES = 2
+
+#: Rows of pixels that are drawn at a time.
+BAND = 96
 
 #: Pixels around the actuator, above it for the title, below it for the colors.
 MARGIN, HEAD, FOOT = 50, 90, 130
@@ -52,8 +55,6 @@ class View:
         Part of the picture plane that all pictures show, from side to side; top and bottom follow the actuator.
     limit : float [Pa]
         Von Mises stress at the upper end of the colors.
-    largest : float [Pa]
-        Largest von Mises stress of all states, told beside the colors.
     width : int
         Width of the pictures in pixels.
     """
@@ -63,8 +64,7 @@ class View:
     left: float
     right: float
     limit: float
-    largest: float
-    width: int = 1800
+    width: int = 1600
 
     @property
     def eye(self) -> Camera:
@@ -77,7 +77,7 @@ class View:
         return (self.right - self.left) / (self.width - 2 * MARGIN)
 
 
-def shared_view(states: Sequence[State | StateFields], width: int = 1800) -> View:
+def shared_view(states: Sequence[State | StateFields], width: int = 1600) -> View:
     """Choose a view that shows all states whole, at the same scale and with the same colors.
 
     Parameters
@@ -91,16 +91,15 @@ def shared_view(states: Sequence[State | StateFields], width: int = 1800) -> Vie
         raise TurgorError(f"picture width is {width} pixels; allowed is 400 or more.")
     if not states:
         raise TurgorError("a view needs at least one state to show.")
-    plain = View(left=0.0, right=1.0, limit=1.0, largest=0.0)
-    left, right, limit, largest = np.inf, -np.inf, 0.0, 0.0
+    plain = View(left=0.0, right=1.0, limit=1.0)
+    left, right, limit = np.inf, -np.inf, 0.0
     for state in states:
         at = _fields(state)
         skin = visible_skin(at, at.von_mises)
         across = plain.eye.project(skin.points)[:, 0]
         left, right = min(left, float(across.min())), max(right, float(across.max()))
         limit = max(limit, _surface_percentile(skin, PERCENTILE))
-        largest = max(largest, float(at.cells.von_mises.max()))
-    return View(left=left, right=right, limit=limit if limit > 0 else 1 * kPa, largest=largest, width=width)
+    return View(left=left, right=right, limit=limit if limit > 0 else 1 * kPa, width=width)
 
 
 def write_picture(
@@ -130,8 +129,7 @@ def write_picture(
     shown = [at] if ghost is None else [at, _fields(ghost)]
     view = view or shared_view(shown)
     skins = [visible_skin(each, each.von_mises) for each in shown]
-    picture, window = _render(skins, view)
-    figure = _compose(picture, window, view, title)
+    figure = _compose(_render(skins, view), view, title)
     figure.savefig(path, metadata={"Software": None})
 
 
@@ -176,41 +174,42 @@ def _color_map() -> Colormap:
     return LinearSegmentedColormap.from_list("stress", (1 - share) * to_rgba(RUBBER) + share * colors)
 
 
-def _render(skins: list[Skin], view: View) -> tuple[NDArray[np.uint8], tuple[float, float, float, float]]:
-    """Image of the first skin with outlines of the others behind it, and the part of the picture plane it shows."""
-    eye = view.eye
-    heights = np.concatenate([eye.project(skin.points)[:, 1] for skin in skins])
-    edge = MARGIN * view.pixel
-    rows = int(np.ceil((np.ptp(heights)) / view.pixel)) + MARGIN
-    middle = (heights.max() + heights.min()) / 2
-    window = (
-        view.left - edge, view.right + edge, middle - rows * view.pixel / 2, middle + rows * view.pixel / 2,
+def _render(skins: list[Skin], view: View) -> NDArray[np.uint8]:
+    """Image of the first skin with the lines of the others behind it, (h, w, 3)."""
+    heights = np.concatenate([view.eye.project(skin.points)[:, 1] for skin in skins])
+    rows = int(np.ceil(np.ptp(heights) / view.pixel)) + MARGIN
+    raster = Raster(
+        left=view.left - MARGIN * view.pixel, top=float(heights.max() + heights.min() + rows * view.pixel) / 2,
+        step=view.pixel / SAMPLES, rows=rows * SAMPLES, columns=view.width * SAMPLES,
     )  # fmt: skip
-    shape = (rows * SAMPLES, view.width * SAMPLES)
-    skin = skins[0]
-    scene = Scene(skin)
-    hits = scene.look(eye, window, shape)
-    openness = scene.openness(SKY_REACH * float(np.ptp(skin.points, axis=0).max()))
-    image = paint(skin, hits, eye, Look(colors=_color_map(), limit=view.limit, openness=openness))
-    for other in skins[1:]:
-        _draw_ghost(image, hits, other, eye, window)
-    draw_lines(image, find_lines(skin, hits), INK, 0.9 * SAMPLES)
-    return reduced(image, SAMPLES), window
+    scenes = [Scene(skin, view.eye) for skin in skins]
+    near = [scene.near(raster) for scene in scenes]
+    sky = scenes[0].openness(SKY_REACH * float(np.ptp(skins[0].points, axis=0).max()))
+    look = Look(colors=_color_map(), limit=view.limit, openness=sky)
+    image = np.empty((rows, view.width, 3), dtype=np.uint8)
+    for start in range(0, rows, BAND):  # in bands, so that memory stays small; lines need the rows next to a band
+        first, last = max(start - 2, 0), min(start + BAND + 2, rows)
+        samples = slice(first * SAMPLES, last * SAMPLES)
+        band = raster.band(samples.start, samples.stop)
+        hits = [scene.look(band, where[samples]) for scene, where in zip(scenes, near, strict=True)]
+        drawn = reduced(_draw(scenes, hits, look), SAMPLES)
+        image[start : start + BAND] = drawn[start - first : start - first + BAND]
+    return image
 
 
-def _draw_ghost(
-    image: NDArray[np.uint8], front: Hits, skin: Skin, eye: Camera, window: tuple[float, float, float, float]
-) -> None:
-    """Draw the lines of another skin where nothing of the first is seen."""
-    hits = Scene(skin).look(eye, window, front.triangle.shape)
-    free = front.triangle < 0
-    outline, inner = find_lines(skin, hits)
-    draw_lines(image, (outline & free, inner & free), GHOST, 0.8 * SAMPLES)
+def _draw(scenes: list[Scene], hits: list[Hits], look: Look) -> NDArray[np.uint8]:
+    """Paint the first skin, and lines: its own, and those of the others where it does not hide them."""
+    front = scenes[0]
+    image = paint(front.skin, hits[0], front.eye, look)
+    free = hits[0].triangle < 0
+    for scene, seen in zip(scenes[1:], hits[1:], strict=True):
+        outline, inner = find_lines(scene.skin, seen)
+        draw_lines(image, (outline & free, inner & free), GHOST, 0.8 * SAMPLES)
+    draw_lines(image, find_lines(front.skin, hits[0]), INK, 0.9 * SAMPLES)
+    return image
 
 
-def _compose(
-    picture: NDArray[np.uint8], window: tuple[float, float, float, float], view: View, title: str
-) -> Figure:
+def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
     """Put picture, title, colors and axes on one page, pixel by pixel."""
     width, height = picture.shape[1], picture.shape[0] + HEAD + FOOT
     figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
@@ -222,7 +221,7 @@ def _compose(
     colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
     colorbar.outline.set_visible(False)  # type: ignore[operator]
     bar.tick_params(labelsize=16, colors=_hex(INK), length=5)
-    note = f"von Mises stress [kPa]; {PERCENTILE:g} % of the surface lie within the bar; largest in the solid {view.largest / kPa:.3g}"
+    note = f"von Mises stress [kPa]; {PERCENTILE:g} % of the surface lie within the bar"
     figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=_hex(INK))
     _draw_axes(figure, view)
     return figure

@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 TILE = 16
 
 #: Rays a point sends out to see how much of the sky is hidden from it.
-SKY_RAYS = 48
+SKY_RAYS = 32
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -49,18 +49,45 @@ def camera(azimuth: float, elevation: float) -> Camera:
     return Camera(right=right, up=np.cross(right, forward), forward=forward)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Raster:
+    """Part of the picture plane, cut into samples; rows count downwards.
+
+    Parameters
+    ----------
+    left, top : float [m]
+        Upper left corner.
+    step : float [m]
+        Distance of samples.
+    rows, columns : int
+        How many there are.
+    """
+
+    left: float
+    top: float
+    step: float
+    rows: int
+    columns: int
+
+    def band(self, start: int, stop: int) -> "Raster":
+        """Some of the rows."""
+        return Raster(
+            left=self.left, top=self.top - start * self.step, step=self.step, rows=stop - start, columns=self.columns
+        )
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Hits:
-    """What the samples of a picture see; rows count downwards.
+    """What the samples of a raster see.
 
     Parameters
     ----------
     triangle : (h, w) int array
         Triangle seen, -1 where there is none.
     depth : (h, w) array [m]
-        Distance along the view, infinite where nothing is seen.
-    u, v : (h, w) arrays
-        Barycentric coordinates of the second and third corner.
+        Distance along the view, zero where nothing is seen.
+    u, v : (k,) arrays
+        Barycentric coordinates of the second and third corner, for the samples that see a triangle, in order.
     """
 
     triangle: NDArray[np.int32]
@@ -70,73 +97,57 @@ class Hits:
 
 
 class Scene:
-    """A skin that rays can be cast at; lengths are scaled to about one, since Embree computes in single precision."""
+    """A skin before a camera; lengths are scaled to about one, since Embree computes in single precision."""
 
-    def __init__(self, skin: Skin) -> None:
+    def __init__(self, skin: Skin, eye: Camera) -> None:
+        self.skin, self.eye = skin, eye
         self._center = (skin.points.min(axis=0) + skin.points.max(axis=0)) / 2
         self._size = float(np.ptp(skin.points, axis=0).max()) or 1.0
         self._scene: Any = EmbreeScene()
-        self._skin = skin
         TriangleMesh(self._scene, self._scaled(skin.points), np.ascontiguousarray(skin.triangles, dtype=np.int32))
 
     def _scaled(self, points: Array) -> NDArray[np.float32]:
         return np.ascontiguousarray((points - self._center) / self._size, dtype=np.float32)
 
-    def look(self, eye: Camera, window: tuple[float, float, float, float], shape: tuple[int, int]) -> Hits:
-        """Cast one ray through the middle of each sample.
-
-        Parameters
-        ----------
-        eye : Camera
-        window : (left, right, bottom, top) [m]
-            Part of the picture plane that is seen.
-        shape : (int, int)
-            Rows and columns of samples.
-        """
-        left, right, bottom, top = window
-        rows, columns = np.nonzero(self._near(eye, window, shape))
-        across = left + (columns + 0.5) * (right - left) / shape[1]
-        upward = top - (rows + 0.5) * (top - bottom) / shape[0]
-        start = float((self._center @ eye.forward) - 2 * self._size)
-        origins = across[:, None] * eye.right + upward[:, None] * eye.up + start * eye.forward
-        directions = np.tile(eye.forward.astype(np.float32), (len(origins), 1))
-        found = self._scene.run(self._scaled(origins), directions, query="INTERSECT", output=True)
+    def look(self, raster: Raster, near: NDArray[np.bool_]) -> Hits:
+        """Cast a ray through the middle of each sample of a raster where something is near (see `near`)."""
+        rows, columns = np.nonzero(near)
+        across = (raster.left + (columns + 0.5) * raster.step - self._center @ self.eye.right) / self._size
+        upward = (raster.top - (rows + 0.5) * raster.step - self._center @ self.eye.up) / self._size
+        origins = np.empty((len(rows), 3), dtype=np.float32)
+        for i in range(3):
+            origins[:, i] = across * self.eye.right[i] + upward * self.eye.up[i] - 2 * self.eye.forward[i]
+        directions = np.tile(self.eye.forward.astype(np.float32), (len(origins), 1))
+        found = self._scene.run(origins, directions, query="INTERSECT", output=True)
+        triangle = np.full((raster.rows, raster.columns), -1, dtype=np.int32)
+        depth = np.zeros(triangle.shape, dtype=np.float32)
         seen = found["primID"] >= 0
-        place = (rows[seen], columns[seen])
-        hits = Hits(
-            triangle=np.full(shape, -1, dtype=np.int32), depth=np.full(shape, np.inf, dtype=np.float32),
-            u=np.zeros(shape, dtype=np.float32), v=np.zeros(shape, dtype=np.float32),
-        )  # fmt: skip
-        hits.triangle[place] = found["primID"][seen]
-        hits.depth[place] = found["tfar"][seen] * self._size
-        hits.u[place] = found["u"][seen]
-        hits.v[place] = found["v"][seen]
-        return hits
+        triangle[near] = found["primID"]
+        depth[near] = np.where(seen, found["tfar"], 0) * np.float32(self._size)
+        return Hits(triangle=triangle, depth=depth, u=found["u"][seen], v=found["v"][seen])
 
-    def _near(self, eye: Camera, window: tuple[float, float, float, float], shape: tuple[int, int]) -> NDArray[np.bool_]:
-        """Samples in tiles that a triangle may cover; the others see nothing and need no ray."""
-        left, right, bottom, top = window
-        flat = eye.project(self._skin.points)[:, :2][self._skin.triangles]
-        scale = np.array([shape[1] / (right - left), shape[0] / (top - bottom)])
-        tile = max(TILE, int(np.ceil((np.ptp(flat, axis=1) * scale).max())))
-        counts = (-(-shape[1] // tile), -(-shape[0] // tile))
+    def near(self, raster: Raster) -> NDArray[np.bool_]:
+        """Samples that a triangle may cover, (rows, columns), tile by tile; the others see nothing and need no ray."""
+        flat = self.eye.project(self.skin.points)[:, :2][self.skin.triangles]
+        tile = max(TILE, int(np.ceil(np.ptp(flat, axis=1).max() / raster.step)))
+        down, aside = -(-raster.rows // tile), -(-raster.columns // tile)
         corners = flat.reshape(-1, 2)
-        column = np.floor((corners[:, 0] - left) * scale[0] / tile).astype(int)
-        row = np.floor((top - corners[:, 1]) * scale[1] / tile).astype(int)
-        near = np.zeros((counts[1] + 2, counts[0] + 2), dtype=bool)
-        for down in (-1, 0, 1):  # a triangle is no larger than a tile: it ends in a neighbor of its corners' tiles
-            for aside in (-1, 0, 1):
-                r, c = np.clip(row + down, -1, counts[1]), np.clip(column + aside, -1, counts[0])
-                near[r + 1, c + 1] = True
-        return np.repeat(np.repeat(near[1:-1, 1:-1], tile, axis=0), tile, axis=1)[: shape[0], : shape[1]]
+        column = np.floor((corners[:, 0] - raster.left) / raster.step / tile).astype(int)
+        row = np.floor((raster.top - corners[:, 1]) / raster.step / tile).astype(int)
+        near = np.zeros((down + 2, aside + 2), dtype=bool)
+        for i in (0, 1, 2):  # a triangle is no larger than a tile: it ends in a neighbor of its corners' tiles
+            for j in (0, 1, 2):
+                near[np.clip(row + i, 0, down + 1), np.clip(column + j, 0, aside + 1)] = True
+        near = np.repeat(np.repeat(near[1:-1, 1:-1], tile, axis=0), tile, axis=1)
+        return near[: raster.rows, : raster.columns]
 
     def openness(self, reach: float) -> Array:
         """Share of the sky above each point of the skin that nothing hides within ``reach`` [m], (p,)."""
-        normals, count = self._skin.normals, len(self._skin.points)
+        normals, count = self.skin.normals, len(self.skin.points)
         tangent = np.cross(normals, np.where(np.abs(normals[:, :1]) < 0.7, [[1.0, 0, 0]], [[0, 1.0, 0]]))
         tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
         second = np.cross(normals, tangent)
-        origins = self._scaled(self._skin.points + 1e-3 * reach * normals)
+        origins = self._scaled(self.skin.points + 1e-3 * reach * normals)
         limit = np.full(count, reach / self._size, dtype=np.float32)
         hidden = np.zeros(count)
         for x, y, z in _cosine_directions(SKY_RAYS):

@@ -20,6 +20,7 @@ PAPER = (255, 255, 255)
 LAMP = 0.45
 LAMP_PLACE = (-0.45, 0.75, -0.65)
 HIGHLIGHT = 0.10
+BRIGHTNESS = 1.12
 
 #: A jump in depth of more than this share of the size of the body is an edge in front of something behind it.
 DEPTH_JUMP = 0.006
@@ -49,60 +50,47 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
     """Color every sample, (h, w, 3): the field's color under a lamp and a sky; white where nothing is seen."""
     image = np.full((*hits.triangle.shape, 3), PAPER, dtype=np.uint8)
     seen = hits.triangle >= 0
+    fields = np.column_stack([skin.values, look.openness, skin.normals]).astype(np.float32)
     corners = skin.triangles[hits.triangle[seen]]
-    u, v = hits.u[seen], hits.v[seen]
-    weights = np.stack([1 - u - v, u, v], axis=1).astype(np.float32)
-
-    def at_samples(field: NDArray[np.float64]) -> NDArray[np.float32]:
-        flat = field.astype(np.float32)
-        return np.asarray(sum(weights[:, [k]] * flat[corners[:, k]].reshape(len(u), -1) for k in range(3)))
-
-    value, sky = at_samples(skin.values)[:, 0], at_samples(look.openness)[:, 0]
+    at = fields[corners[:, 0]] * (1 - hits.u - hits.v)[:, None]
+    at += fields[corners[:, 1]] * hits.u[:, None]
+    at += fields[corners[:, 2]] * hits.v[:, None]
+    value, sky, normal = at[:, 0], at[:, 1], at[:, 2:]
     table = (look.colors(np.linspace(0, 1, 1024))[:, :3] ** GAMMA).astype(np.float32)
-    color = table[np.clip(value / look.limit * 1023, 0, 1023).astype(np.int32)]
-    normal = at_samples(skin.normals)
-    facing = -np.sign(normal @ eye.forward.astype(np.float32))
-    normal *= (facing / np.maximum(np.linalg.norm(normal, axis=1), 1e-12))[:, None]
-    lamp = _in_space(LAMP_PLACE, eye)
-    half = lamp - eye.forward
-    half /= np.linalg.norm(half)
-    light = (1 - LAMP) * (0.25 + 0.75 * sky) * (0.8 + 0.2 * normal[:, 2]) + LAMP * np.maximum(
-        normal @ lamp.astype(np.float32), 0
-    ) * (0.4 + 0.6 * sky)
-    shine = HIGHLIGHT * np.maximum(normal @ half.astype(np.float32), 0) ** 40 * sky
-    color = color * (1.12 * light)[:, None] + shine[:, None]
-    image[seen] = (np.clip(color, 0, 1) ** (1 / GAMMA) * 255 + 0.5).astype(np.uint8)
+    color = table[np.clip(value * (1023 / look.limit), 0, 1023).astype(np.int32)]
+    forward = eye.forward.astype(np.float32)
+    lamp = _unit(LAMP_PLACE[0] * eye.right + LAMP_PLACE[1] * eye.up + LAMP_PLACE[2] * eye.forward)
+    half = _unit(lamp - forward)
+    length = np.sqrt(np.einsum("si,si->s", normal, normal))
+    normal *= (-np.sign(normal @ forward) / np.maximum(length, 1e-12))[:, None]
+    light = (1 - LAMP) * (0.25 + 0.75 * sky) * (0.8 + 0.2 * normal[:, 2])
+    light += LAMP * np.maximum(normal @ lamp, 0) * (0.4 + 0.6 * sky)
+    color *= (BRIGHTNESS * light)[:, None]
+    color += (HIGHLIGHT * np.maximum(normal @ half, 0) ** 40 * sky)[:, None]
+    levels = (np.linspace(0, 1, 4096) ** (1 / GAMMA) * 255 + 0.5).astype(np.uint8)
+    image[seen] = levels[(np.clip(color, 0, 1) * 4095).astype(np.int32)]
     return image
 
 
-def _in_space(place: tuple[float, float, float], eye: Camera) -> NDArray[np.float64]:
-    """Unit direction towards a place given to the right, up and away from the eye."""
-    direction = place[0] * eye.right + place[1] * eye.up + place[2] * eye.forward
-    return np.asarray(direction / np.linalg.norm(direction))
+def _unit(vector: NDArray[np.float64]) -> NDArray[np.float32]:
+    return np.asarray(vector / np.linalg.norm(vector), dtype=np.float32)
 
 
 def find_lines(skin: Skin, hits: Hits) -> tuple[Mask, Mask]:
     """Samples on the outline of the body, and samples on edges within it."""
-    patch = np.where(hits.triangle >= 0, skin.patch[hits.triangle], -1)
-    depth = np.where(np.isfinite(hits.depth), hits.depth, 0.0)
-    size = float(np.ptp(skin.points, axis=0).max())
+    patch = np.where(hits.triangle >= 0, skin.patch.astype(np.int32)[hits.triangle], -1)
+    jump = DEPTH_JUMP * float(np.ptp(skin.points, axis=0).max())
     outline, inner = np.zeros(patch.shape, dtype=bool), np.zeros(patch.shape, dtype=bool)
     for axis in (0, 1):
-        here, there = _shifted(patch, axis)
-        change = here != there
-        border = change & ((here < 0) | (there < 0))
-        _mark(outline, border, axis)
-        # the second difference is small on a slope however steep, and large at a step
-        bend = np.abs(np.diff(depth, n=2, axis=axis)) > DEPTH_JUMP * size
-        covered = (here >= 0) & (there >= 0)
-        step = bend & _but_last(covered, axis) & _but_first(covered, axis)
-        _mark(inner, change & ~border, axis)
-        _mark(inner, step, axis)
+        here, there = _but_last(patch, axis), _but_first(patch, axis)
+        change, covered = here != there, (here >= 0) & (there >= 0)
+        slope = np.diff(hits.depth, axis=axis)
+        # from one pair of samples to the next the slope changes little where the surface is smooth, however steep
+        step = np.abs(_but_first(slope, axis) - _but_last(slope, axis)) > jump
+        _mark(outline, change & ~covered, axis)
+        _mark(inner, change & covered, axis)
+        _mark(inner, step & _but_last(covered, axis) & _but_first(covered, axis), axis)
     return outline, inner & ~outline
-
-
-def _shifted(field: NDArray[np.int64], axis: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    return _but_last(field, axis), _but_first(field, axis)
 
 
 def _but_last(field: NDArray, axis: int) -> NDArray:
@@ -144,6 +132,8 @@ def _thickened(mask: Mask, radius: float) -> tuple[NDArray[np.int64], NDArray[np
 
 def reduced(image: Bytes, samples: int) -> Bytes:
     """Average ``samples`` x ``samples`` samples into each pixel."""
-    h, w = image.shape[0] // samples, image.shape[1] // samples
-    blocks = image[: h * samples, : w * samples].reshape(h, samples, w, samples, 3)
-    return np.asarray(blocks.mean(axis=(1, 3), dtype=np.float32) + 0.5).astype(np.uint8)
+    total = np.zeros((image.shape[0] // samples, image.shape[1] // samples, 3), dtype=np.uint16)
+    for i in range(samples):
+        for j in range(samples):
+            total += image[i::samples, j::samples]
+    return ((total + samples**2 // 2) // samples**2).astype(np.uint8)

@@ -91,13 +91,25 @@ def solve(
         outcome = _follow(system, tangent, procedure, hooks, path)
     clock = tangent.clock
     timing = Timing(
-        compile=compiling, setup=setup, assembly=clock.assembly, factorization=clock.factorization,
-        solve=clock.solve, total=perf_counter() - start, linear_solver=tangent.name,
-    )  # fmt: skip
+        compile=compiling,
+        setup=setup,
+        assembly=clock.assembly,
+        factorization=clock.factorization,
+        solve=clock.solve,
+        total=perf_counter() - start,
+        linear_solver=tangent.name,
+    )
     solution = Solution(
-        model=model, procedure=procedure, states=tuple(path.states), status=outcome.status, message=outcome.message,
-        advice=outcome.advice, steps=tuple(path.steps), findings=meeting_walls(model, path.states), timing=timing,
-    )  # fmt: skip
+        model=model,
+        procedure=procedure,
+        states=tuple(path.states),
+        status=outcome.status,
+        message=outcome.message,
+        advice=outcome.advice,
+        steps=tuple(path.steps),
+        findings=meeting_walls(model, path.states),
+        timing=timing,
+    )
     if throw and not solution.converged:
         raise SolveError(solution)
     return solution
@@ -141,9 +153,14 @@ def _advance(
     result = newton(system, tangent, _predict(system, path, load), load, settings, report)
     path.steps.append(
         Step(
-            load_factor=load, increment=load - now, iterations=result.iterations, residual=result.residual,
-            accepted=result.converged, seconds=perf_counter() - began, reason=result.reason,
-        )  # fmt: skip
+            load_factor=load,
+            increment=load - now,
+            iterations=result.iterations,
+            residual=result.residual,
+            accepted=result.converged,
+            seconds=perf_counter() - began,
+            reason=result.reason,
+        )
     )
     if not result.converged:
         path.lost_stability |= bool(result.unstable_modes)
@@ -196,14 +213,16 @@ def _state(system: System, at: Evaluation, modes: int | None) -> State:
     displacement, mean_stress = system.physical(at.unknowns)
     force = at.residual[: 3 * system.node_count].reshape(-1, 3) * system.stress * system.length**2
     return State(
-        model=system.model, load_factor=at.load_factor, displacement=displacement, mean_stress=mean_stress,
-        nodal_force=force, unstable_modes=modes,
-    )  # fmt: skip
+        model=system.model,
+        load_factor=at.load_factor,
+        displacement=displacement,
+        mean_stress=mean_stress,
+        nodal_force=force,
+        unstable_modes=modes,
+    )
 
 
-def _iteration(
-    step: int, load: float, iteration: int, residual: float, correction: float, length: float
-) -> Iteration:
+def _iteration(step: int, load: float, iteration: int, residual: float, correction: float, length: float) -> Iteration:
     return Iteration(
         step=step, iteration=iteration, load_factor=load, residual=residual, correction=correction, step_length=length
     )

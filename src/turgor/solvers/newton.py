@@ -151,9 +151,7 @@ def _linearized(system: System, tangent: Tangent, at: Evaluation, update: Array)
     return out
 
 
-def _line_search(
-    system: System, tangent: Tangent, at: Evaluation, update: Array
-) -> tuple[Evaluation | None, float]:
+def _line_search(system: System, tangent: Tangent, at: Evaluation, update: Array) -> tuple[Evaluation | None, float]:
     """Shorten the update until no cell is turned inside out."""
     length = 1.0
     while length >= SHORTEST_STEP:

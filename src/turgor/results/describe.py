@@ -1,0 +1,139 @@
+"""Describe: models in words and rows for a report."""
+
+import inspect
+import re
+from dataclasses import dataclass, fields
+from math import isinf
+from typing import Any
+
+from turgor.materials.material import Material
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.quality import MeshQuality
+from turgor.model.loads import BodyForce, Gravity, Pressure, Traction
+from turgor.model.model import Membrane, Model
+from turgor.model.supports import Displacement, Fixed
+from turgor.units import GPa, MPa, kPa, mm
+
+Rows = list[tuple[str, str]]
+
+
+@dataclass(frozen=True, slots=True)
+class MaterialText:
+    """A material in words: where it is used, its name, its law, its values, its source and what is doubtful."""
+
+    where: str
+    name: str
+    law: str
+    values: Rows
+    source: str
+    doubts: tuple[str, ...]
+
+
+def loads(model: Model) -> list[str]:
+    """Say what drives a model at load factor 1, a sentence for each load."""
+    said = []
+    for load in model.loads:
+        match load:
+            case Pressure(face, pressure):
+                said.append(f"Gauge pressure {pressure / kPa:g} kPa on {face}, following the surface.")
+            case Traction(face, vector):
+                shown = ", ".join(f"{component / kPa:g}" for component in vector)
+                said.append(f"Traction ({shown}) kPa on {face}, fixed in direction.")
+            case Gravity(direction, acceleration):
+                said.append(f"Gravity {acceleration:g} m/s² along {direction}.")
+            case BodyForce():
+                said.append("Force per volume, given as a function of position.")
+    return said or ["None."]
+
+
+def supports(model: Model) -> list[str]:
+    """Say what holds a model, a sentence for each support."""
+    said = []
+    for support in model.supports:
+        match support:
+            case Fixed(face, directions):
+                said.append(f"{face} held in {', '.join(directions)}.")
+            case Displacement(face, _, directions):
+                said.append(f"{'The whole surface' if face == '*' else face} moved in {', '.join(directions)}.")
+            case _:
+                said.append(f"{support.face} is a mirror plane.")
+    return said
+
+
+def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
+    """Counts of a mesh and, where it was measured, its quality."""
+    share = {1: "whole actuator", 2: "half, mirrored", 4: "quarter, mirrored"}.get(of.symmetry_factor, "part, mirrored")
+    rows = [
+        ("cells", f"{len(of.cells):,} ten-node tetrahedra ({share})"),
+        ("nodes", f"{len(of.points):,}"),
+        ("unknowns", f"{of.unknown_count:,} displacements and mean stresses"),
+        ("regions", ", ".join(f"{name} {len(cells):,}" for name, cells in of.regions.items())),
+    ]
+    if quality is not None:
+        rows += [
+            ("edges", f"{quality.min_edge / mm:.2g} to {quality.max_edge / mm:.2g} mm, mean {quality.mean_edge / mm:.2g} mm"),
+            ("shape", f"mean {quality.mean_shape:.2f}, worst {quality.min_shape:.2f} (1 is regular, 0 is flat)"),
+            ("curvature", f"worst Jacobian ratio {quality.min_jacobian_ratio:.2f} (1 is straight, 0 is folded)"),
+        ]
+    return rows
+
+
+def materials(model: Model) -> list[MaterialText]:
+    """Put the materials of a model into words; regions of the same material share one text."""
+    users: dict[int, list[str]] = {}
+    for name, used in model.materials.items():
+        users.setdefault(id(used), []).append(name)
+    return [_material(names, model.materials[names[0]]) for names in users.values()]
+
+
+def _material(names: list[str], used: Material | Membrane) -> MaterialText:
+    held = used.material if isinstance(used, Membrane) else used
+    where = ", ".join(name.replace("_", " ") for name in names)
+    values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(held.law)))]
+    if isinstance(used, Membrane):
+        where += " (membrane)"
+        values.append(("thickness", f"{used.thickness / mm:g} mm"))
+    else:
+        kappa = "infinite: fully incompressible" if isinf(held.bulk_modulus) else _modulus(held.bulk_modulus)
+        values += [("shear modulus", _modulus(held.law.shear_modulus)), ("bulk modulus", kappa)]
+    if held.density is not None:
+        values.append(("density", f"{held.density:g} kg/m³"))
+    if held.stretch_range is not None:
+        values.append(("fitted to stretches", f"{held.stretch_range[0]:g} to {held.stretch_range[1]:g}"))
+    formula = (inspect.getdoc(type(held.law)) or type(held.law).__name__).splitlines()[0]
+    return MaterialText(where, held.name, formula, values, str(held.source), held.source.doubts)
+
+
+def coefficients(law: Any) -> Rows:
+    """Coefficients of a law with the units that its documentation states.
+
+    Examples
+    --------
+    >>> from turgor.materials.laws import Hooke
+    >>> coefficients(Hooke(E=6.5e9, nu=0.2))
+    [('E', '6.5 GPa'), ('nu', '0.2')]
+    """
+    stated: dict[str, str] = {}
+    for names, unit in re.findall(r"^\s*(\w+(?:, \w+)*) : float(?: \[(.*?)\])?$", inspect.getdoc(type(law)) or "", re.M):
+        stated |= dict.fromkeys(names.split(", "), unit)
+    rows = []
+    for each in fields(law):
+        value = getattr(law, each.name)
+        rows.append((each.name, _modulus(value) if stated.get(each.name) == "Pa" else f"{value:g}"))
+    return rows
+
+
+def fields_of(value: Any) -> Rows:
+    """Fields of a dataclass as rows, empty ones left out."""
+    rows = []
+    for each in fields(value):
+        content = getattr(value, each.name)
+        if content not in ((), None, ""):
+            rows.append((each.name.replace("_", " "), f"{content:g}" if isinstance(content, float) else str(content)))
+    return rows
+
+
+def _modulus(value: float) -> str:
+    if abs(value) >= GPa:
+        return f"{value / GPa:g} GPa"
+    return f"{value / MPa:g} MPa" if abs(value) >= 0.01 * MPa or value == 0 else f"{value / kPa:g} kPa"

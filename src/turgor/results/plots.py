@@ -1,0 +1,106 @@
+"""Plots of a response: a function takes axes and returns them; no global state of matplotlib is touched."""
+
+from io import StringIO
+from pathlib import Path
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from turgor.errors import TurgorError
+from turgor.response import Response
+
+BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
+
+#: Columns that the plot of a response shows where it has them, a panel each.
+PANELS = ("bending_angle", "cavity_volume", "maximum_principal_stretch", "maximum_von_mises")
+
+
+def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str = BLUE, label: str = "") -> Axes:
+    """Plot one column of a response against another, in their units, with a dot for every state.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Where to draw; several responses may share it.
+    response : Response
+        What to draw.
+    x, y : str
+        Names of columns.
+    color : str
+        Color of the line.
+    label : str
+        Name of the line in a legend, if one is made.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes that were given.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from turgor.response import Column
+    >>> from turgor.source import Source
+    >>> columns = (Column("pressure", "kPa", [0, 50e3]), Column("bending_angle", "deg", [0, 1.5]))
+    >>> response = Response(columns=columns, source=Source(text="a ruler"))
+    >>> plot_response(Figure().add_subplot(), response, "pressure", "bending_angle").get_xlabel()
+    'pressure [kPa]'
+    """
+    across, upward = response.find(x), response.find(y)
+    axes.plot(across.in_unit, upward.in_unit, "-o", color=color, lw=1.8, ms=3.5, label=label or None, clip_on=False)
+    axes.set_xlabel(across.label, color=INK)
+    axes.set_ylabel(upward.label, color=INK)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.spines[["left", "bottom"]].set_color(QUIET)
+    axes.tick_params(colors=INK, color=QUIET)
+    axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
+    axes.set_axisbelow(True)
+    return axes
+
+
+def response_figure(response: Response, title: str = "") -> Figure:
+    """Draw the response against its drive: bending angle, cavity volume, largest stretch and von Mises stress.
+
+    Panels whose column is missing are left out; if none is there, every measured column gets one.
+
+    Parameters
+    ----------
+    response : Response
+        At least one column besides the drive.
+    title : str
+        Line above the panels.
+    """
+    drive = "pressure" if "pressure" in response.names else response.names[0]
+    measured = [name for name in response.names if name not in ("load_factor", "pressure", drive)]
+    panels = [name for name in PANELS if name in measured] or measured
+    if not panels:
+        raise TurgorError(f"the response holds {', '.join(response.names)} only; there is nothing to plot against it.")
+    columns = min(2, len(panels))
+    rows = -(-len(panels) // columns)
+    figure = Figure(figsize=(5.2 * columns, 3.3 * rows + (0.4 if title else 0)), layout="constrained", facecolor="white")
+    FigureCanvasAgg(figure)
+    for number, name in enumerate(panels):
+        plot_response(figure.add_subplot(rows, columns, number + 1), response, drive, name)
+    if title:
+        figure.suptitle(title, x=0.01, ha="left", color=INK, fontsize=13)
+    return figure
+
+
+def write_plot(path: str | Path, response: Response, title: str = "") -> None:
+    """Write `response_figure` as PNG or SVG, by the ending of the path."""
+    ending = Path(path).suffix.lower()
+    if ending not in (".png", ".svg"):
+        raise TurgorError(f"plot '{path}' ends in '{ending}'; allowed is .png or .svg.")
+    fixed = {"Date": None} if ending == ".svg" else {"Software": None}
+    response_figure(response, title).savefig(path, dpi=160, metadata=fixed)
+
+
+def response_svg(response: Response) -> str:
+    """Return `response_figure` as SVG text that can stand inside a web page; equal responses give equal text."""
+    stream = StringIO()
+    with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
+        response_figure(response).savefig(stream, format="svg", metadata={"Date": None})
+    text = stream.getvalue()
+    return text[text.index("<svg") :]

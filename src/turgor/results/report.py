@@ -1,0 +1,181 @@
+"""Report: one self-contained HTML page that says what was asked, what came out, and how far to trust it."""
+
+from base64 import b64encode
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib.resources import files
+from pathlib import Path
+
+from jinja2 import Environment, StrictUndefined
+
+from turgor.finding import Finding
+from turgor.meshing.quality import MeshQuality
+from turgor.response import Column, Response
+from turgor.results import describe
+from turgor.results.measures import MEASURES
+from turgor.results.plots import response_svg
+from turgor.solvers.solution import Solution, Timing
+
+#: Rows of the response that the page shows; the file has all.
+ROWS = 13
+
+#: Columns whose last value is shown large at the top, with the drive before them.
+HEADLINE = ("bending_angle", "tip_displacement", "cavity_volume", "maximum_principal_stretch", "maximum_von_mises")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Picture:
+    """A PNG picture and what it shows."""
+
+    caption: str
+    png: bytes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Report:
+    """What a report tells.
+
+    Parameters
+    ----------
+    title : str
+        Headline.
+    solution : Solution
+        The question and the path.
+    response : Response
+        What was measured along it.
+    findings : tuple of Finding
+        What all checks noticed, before, during and after the solve.
+    dimensions : mapping of str to str
+        Dimensions of the actuator with their units, as text.
+    quality : MeshQuality or None
+        Counts, sizes and shapes of the cells.
+    pictures : tuple of Picture
+        Pictures of the actuator.
+    versions : mapping
+        Programs, machine and linear solver.
+    repeat : str
+        Commands that repeat the run.
+    files : mapping of str to str
+        Files beside the report and what each holds.
+    created : str
+        When it was made; nothing is said if it is empty.
+    """
+
+    title: str
+    solution: Solution
+    response: Response
+    findings: tuple[Finding, ...] = ()
+    dimensions: Mapping[str, str] = field(default_factory=dict)
+    quality: MeshQuality | None = None
+    pictures: tuple[Picture, ...] = ()
+    versions: Mapping[str, str | int] = field(default_factory=dict)
+    repeat: str = ""
+    files: Mapping[str, str] = field(default_factory=dict)
+    created: str = ""
+
+
+def write_report(path: str | Path, report: Report) -> None:
+    """Write a report as one HTML file that needs no other: pictures, plot and style are inside.
+
+    Parameters
+    ----------
+    path : str or Path
+        File to write.
+    report : Report
+        What it tells.
+    """
+    source = files("turgor.results").joinpath("templates/report.html").read_text(encoding="utf-8")
+    template = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True).from_string(source)
+    Path(path).write_text(template.render(_context(report)), encoding="utf-8")
+
+
+def _context(report: Report) -> dict[str, object]:
+    """Everything the template names, as text, lists and pairs."""
+    solution, model = report.solution, report.solution.model
+    response = report.response
+    dimensions = list(report.dimensions.items())
+    return {
+        "title": report.title,
+        "status": str(solution.status).replace("_", " "),
+        "converged": solution.converged,
+        "message": solution.message,
+        "advice": solution.advice,
+        "findings": list(report.findings),
+        "numbers": _numbers(response),
+        "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
+        "plot": response_svg(response) if len(response) > 1 else "",
+        "response": _table(response),
+        "definitions": [(_words(column), MEASURES[column.name].definition) for column in _measured(response)],
+        "loads": describe.loads(model),
+        "supports": describe.supports(model),
+        "mesh": describe.mesh(model.mesh, report.quality),
+        "dimensions": dimensions,
+        "half": -(-len(dimensions) // 2),
+        "materials": describe.materials(model),
+        "steps": list(solution.steps),
+        "path_summary": _path_summary(solution),
+        "procedure": describe.fields_of(solution.procedure),
+        "versions": [(name, str(value)) for name, value in report.versions.items()],
+        "repeat": report.repeat,
+        "files": list(report.files.items()),
+        "created": report.created,
+    }
+
+
+def _numbers(response: Response) -> list[tuple[str, str]]:
+    """Values of the last state with their names: the drive, then what a reader looks for first."""
+    drive = "pressure" if "pressure" in response.names else response.names[0]
+    shown = [drive, *(name for name in HEADLINE if name in response.names and name != drive)]
+    numbers = []
+    for name in shown:
+        column = response.find(name)
+        value = f"{column.in_unit[-1]:.4g} {column.unit}".strip().replace(" deg", "°")
+        numbers.append((value, _words(column)))
+    return numbers
+
+
+def _measured(response: Response) -> list[Column]:
+    return [column for column in response.columns if column.name in MEASURES]
+
+
+def _words(column: Column) -> str:
+    """Name of a column without its unit."""
+    return column.label.split(" [")[0]
+
+
+def _table(response: Response) -> dict[str, object]:
+    """Labels and rows of the response as text, thinned out evenly where there are many."""
+    count = len(response)
+    step = max(1, -(-(count - 1) // (ROWS - 1)))
+    rows = [*range(0, count - 1, step), count - 1]
+    columns = [_written(column) for column in response.columns]
+    return {
+        "labels": [column.label for column in response.columns],
+        "rows": [[column[row] for column in columns] for row in rows],
+        "left_out": count - len(rows),
+        "count": count,
+    }
+
+
+def _written(column: Column) -> list[str]:
+    """Values of a column in its unit, with as many decimals as give the largest five digits, four at most."""
+    largest = max((abs(v) for v in column.in_unit.tolist() if abs(v) < float("inf")), default=0.0)
+    before = len(str(int(largest)))
+    decimals = min(4, max(0, 5 - before))
+    return [f"{value:.{decimals}f}" for value in column.in_unit.tolist()]
+
+
+def _path_summary(solution: Solution) -> str:
+    accepted = sum(step.accepted for step in solution.steps)
+    parts = [f"{accepted} steps accepted, {len(solution.steps) - accepted} cut back, {solution.iterations} iterations."]
+    timing: Timing = solution.timing
+    if timing.total > 0:
+        spent = {
+            "compilation": timing.compile, "setup": timing.setup, "assembly": timing.assembly,
+            "factorization": timing.factorization, "solution": timing.solve,
+        }  # fmt: skip
+        listed = ", ".join(f"{name} {seconds:.1f} s" for name, seconds in spent.items())
+        parts.append(f"Wall time {timing.total:.1f} s: {listed}.")
+    if timing.linear_solver:
+        parts.append(f"Linear solver {timing.linear_solver}.")
+    return " ".join(parts)

@@ -1,0 +1,271 @@
+"""Command line: exit codes, one sentence for each mistake and no traceback, and one small job from end to end."""
+
+import csv
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import turgor.job.run
+from turgor.cli import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, main
+from turgor.solvers.driver import solve
+
+JOB = """\
+[actuator]
+type = "fast_pneunet"
+chambers = 2
+length = "20 mm"
+gap = "2 mm"
+
+[mesh]
+size = "4 mm"
+
+[materials]
+body = { library = "elastosil-m4601", record = "yeoh-mosadegh-2014" }
+base = { library = "elastosil-m4601", record = "yeoh-mosadegh-2014" }
+strain_limiting_layer = { library = "paper", record = "hooke-polygerinos-2020", thickness = "0.1 mm" }
+
+[loads]
+pressure = "2 kPa"
+
+[procedure]
+type = "static"
+first_step = 0.5
+max_step = 0.5
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Work in an empty folder that holds the job file ``finger.toml``."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "finger.toml").write_text(JOB, encoding="utf-8")
+    return tmp_path
+
+
+MISTAKES = [
+    # (in the file, changed to, the one line that answers it)
+    ("gap =", "gab =", "finger.toml:5: actuator.gab: unknown key 'gab'; did you mean 'gap'? Known keys: type, chamber"),
+    ('"2 kPa"', '"60 kP"', "finger.toml:16: loads.pressure: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known p"),
+    ('"2 kPa"', '"1.5"', "finger.toml:16: loads.pressure: '1.5' needs a unit, for example '60 kPa'. Known pressure un"),
+    ('"2 mm"', '"-1 mm"', "finger.toml:5: actuator.gap: -1 mm; allowed is 0.01 mm to 19.94 mm, so that 2 chambers fit"),
+    ('gap = "2 mm"', 'side_wall = "11 mm"', "finger.toml:5: actuator.side_wall: 11 mm; allowed is 0.01 mm to 9.995 mm, "
+     "less than half the width of 20 mm."),
+    ('body = { library = "elastosil-m4601"', 'body = { library = "elastosil-m4600"', "finger.toml:11: materials."
+     "body.library: unknown library material 'elastosil-m4600'; did you mean 'elastosil-m4601'? Known: elastosil-m46"),
+    ('"4 mm"', '"0 mm"', "finger.toml:8: mesh.size: 0 mm; allowed is 0.2"),
+    ('"4 mm"', '"-4 mm"', "finger.toml:8: mesh.size: -4 mm; allowed is 0.2"),
+    ('"4 mm"', '"5 mm"', "finger.toml:8: mesh.size: 5 mm, too coarse for the wall of 1 mm; allowed is 0.2"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("command", ["run", "check"])
+@pytest.mark.parametrize(("old", "new", "line"), MISTAKES, ids=[new for _, new, _ in MISTAKES])
+def test_bad_input_is_one_sentence(
+    folder: Path, capsys: pytest.CaptureFixture[str], command: str, old: str, new: str, line: str
+) -> None:
+    assert old in JOB
+    (folder / "finger.toml").write_text(JOB.replace(old, new))
+    assert main([command, "finger.toml"]) == BAD_INPUT
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.count("\n") == 1
+    assert err.startswith(line)
+    assert "Traceback" not in err
+    assert [file.name for file in folder.iterdir()] == ["finger.toml"], "nothing was written"
+
+
+def test_debug_shows_the_traceback(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "finger.toml").write_text(JOB.replace("gap =", "gab ="))
+    assert main(["run", "finger.toml", "--debug"]) == BAD_INPUT
+    err = capsys.readouterr().err
+    assert "Traceback" in err
+    assert "JobError" in err
+    assert "did you mean 'gap'?" in err.splitlines()[-1]
+
+
+def test_a_folder_that_holds_something_is_not_touched(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    results = folder / "finger-results"
+    results.mkdir()
+    (results / "thesis.tex").write_text("mine")
+    assert main(["run", "finger.toml"]) == BAD_INPUT
+    out, err = capsys.readouterr()
+    assert err == (
+        f"the output folder '{results}' exists and is not empty; name another with --output OTHER, or replace the "
+        "results in it with --force.\n"
+    )
+    assert "meshing" not in out, "it is refused before anything is computed"
+    assert [file.name for file in results.iterdir()] == ["thesis.tex"]
+    assert main(["run", "finger.toml", "--output", "finger.toml"]) == BAD_INPUT
+    assert "the output folder 'finger.toml' is a file" in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_made_is_named(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "file").write_text("")
+    assert main(["run", "finger.toml", "--output", "file/results"]) == BAD_INPUT
+    assert capsys.readouterr().err.startswith("the output folder 'file/results' cannot be written: Not a directory.")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["run"], "turgor: Missing argument 'JOB'. See 'turgor --help'."),
+        (["rum", "finger.toml"], "turgor: No such command 'rum'."),
+        (["run", "finger.toml", "--thread", "2"], "turgor: No such option: --thread"),
+        (["run", "finger.toml", "--threads", "0"], "turgor: Invalid value for '--threads':"),
+        (
+            ["run", "fingr.toml"],
+            "there is no job file 'fingr.toml'; did you mean 'finger'? TOML files there: finger.toml.",
+        ),
+        (["run", "."], "'.' is a folder; name a job file"),
+    ],
+)
+def test_usage_errors_exit_with_1(
+    folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], sentence: str
+) -> None:
+    assert main(arguments) == BAD_INPUT
+    err = capsys.readouterr().err
+    assert err.startswith(sentence)
+    assert err.count("\n") == 1
+
+
+def test_what_nobody_expected_is_a_sentence_too(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("by zero")
+
+    monkeypatch.setattr(turgor.job.run, "mesh", broken)
+    assert main(["run", "finger.toml", "--quiet"]) == BAD_INPUT
+    err = capsys.readouterr().err
+    assert err.startswith("turgor failed unexpectedly, ZeroDivisionError: by zero. Please report it")
+    assert err.count("\n") == 1
+    assert not (folder / "finger-results").exists(), "no empty folder is left behind"
+
+
+def test_version_actuators_and_materials(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--version"]) == DONE
+    assert re.match(r"turgor \d+\.\d+", capsys.readouterr().out)
+    assert main(["actuators"]) == DONE
+    out = capsys.readouterr().out
+    assert "fast_pneunet: " in out
+    assert "  wall = '1 mm'\n" in out
+    assert "  symmetric = true\n" in out
+    assert main(["materials"]) == DONE
+    out = capsys.readouterr().out
+    assert "  yeoh-mosadegh-2014: yeoh, C1 = 0.11 MPa, C2 = 0.02 MPa; B. Mosadegh" in out
+    assert main([]) == BAD_INPUT
+    assert "Exit codes:" in capsys.readouterr().out
+
+
+def test_help_and_usage_errors_import_nothing_heavy() -> None:
+    """They must answer at once: measured by what is imported, because a loaded machine tells no times."""
+    script = "import sys; from turgor.cli import main; main(['--help']); main(['rum']); print(*sys.modules)"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    modules = set(run.stdout.splitlines()[-1].split())
+    assert "typer" in modules
+    assert modules & {"numpy", "numba", "scipy", "netgen", "matplotlib", "rich"} == set()
+
+
+def test_the_program_itself_answers_a_mistake(folder: Path) -> None:
+    """Once as a process of its own: exit code, stderr and stdout as a shell sees them."""
+    (folder / "finger.toml").write_text(JOB.replace('"2 kPa"', '"60 kP"'))
+    run = subprocess.run([sys.executable, "-m", "turgor.cli", "run", "finger.toml"], capture_output=True, text=True)
+    assert run.returncode == BAD_INPUT
+    assert run.stdout == ""
+    assert run.stderr.startswith("finger.toml:16: loads.pressure: unknown unit 'kP' in '60 kP'; did you mean 'kPa'?")
+    assert run.stderr.count("\n") == 1
+
+
+def test_check_reads_and_meshes_without_solving(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "finger.toml"]) == DONE
+    out, err = capsys.readouterr()
+    assert re.match(r"finger.toml is a valid job: fast PneuNet, 2 chambers, half; \d+ cells, \d+ unknowns\.\n", out)
+    assert err.startswith("G01 warning: ")
+    assert [file.name for file in folder.iterdir()] == ["finger.toml"]
+
+
+# --- one small job from end to end ---------------------------------------------------------------------------------
+
+
+def rows(file: Path) -> list[dict[str, float]]:
+    with file.open(newline="") as stream:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(stream)]
+
+
+def test_a_job_runs_and_its_lock_file_repeats_it(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "finger.toml", "--threads", "1"]) == DONE
+    out = capsys.readouterr().out
+    results = folder / "finger-results"
+    response = rows(results / "response.csv")
+    assert [row["pressure_kPa"] for row in response] == [0, 1, 2]
+    assert response[-1]["bending_angle_deg"] > response[1]["bending_angle_deg"] > 0
+    assert response[-1]["cavity_volume_mL"] > response[0]["cavity_volume_mL"]
+
+    assert re.search(r"mesh: \d+ cells, \d+ unknowns", out)
+    assert re.search(
+        r"step 2: load factor 1\.0000, 2 kPa, \d+ iterations, residual .*, bending \d+\.\d\d deg, 0:00", out
+    )
+    assert "Reached 2 kPa (load factor 1) in 2 steps" in out
+    assert f"At 2 kPa: bending angle {response[-1]['bending_angle_deg']:.4g} deg" in out
+    assert f"Results in {results}: " in out
+    assert len(re.findall(r"\.vtu$", "\n".join(str(file) for file in (results / "vtu").iterdir()), re.MULTILINE)) == 3
+
+    lock = tomllib.loads((results / "job.lock.toml").read_text())
+    assert lock["engine"]["threads"] == 1
+    assert lock["written_by"]["numpy"]
+    assert lock["written_by"]["linear_solver"]
+    assert "converged: Reached 2 kPa" in (results / "run.log").read_text()
+    assert len((results / "steps.csv").read_text().splitlines()) == 3
+
+    assert main(["run", str(results / "job.lock.toml"), "--output", "again", "--quiet"]) == DONE
+    assert capsys.readouterr().out == ""
+    assert (folder / "again" / "response.csv").read_bytes() == (results / "response.csv").read_bytes()
+    assert (folder / "again" / "job.lock.toml").read_bytes() == (results / "job.lock.toml").read_bytes()
+
+
+def test_a_run_that_stops_early_writes_the_path_so_far(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One step allowed where two are needed; --force replaces the results of an earlier run and keeps other files."""
+    results = folder / "finger-results"
+    (results / "vtu").mkdir(parents=True)
+    for stale in ("response.csv", "undeformed.png", "vtu/state_0099.vtu", "notes.txt"):
+        (results / stale).write_text("old")
+    (folder / "finger.toml").write_text(JOB + "max_steps = 1\n[output]\nmeasures = ['reaction']\nfields = false\n")
+    assert main(["run", "finger.toml", "--force"]) == NOT_CONVERGED
+    err = capsys.readouterr().err
+    assert "Stopped at 1 kPa (load factor 0.5) after 1 steps. Raise procedure.max_steps to go on." in err
+    assert [row["load_factor"] for row in rows(results / "response.csv")] == [0, 0.5]
+    assert "step_limit" in (results / "run.log").read_text()
+    assert (results / "notes.txt").read_text() == "old"
+    assert not list((results / "vtu").iterdir())
+
+
+def test_an_interrupted_run_writes_the_path_so_far(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*arguments: object, progress: object, **rest: object) -> object:
+        def press_ctrl_c(iteration: object, state: object) -> None:
+            if state is not None:
+                raise KeyboardInterrupt
+
+        return solve(*arguments, progress=press_ctrl_c, **rest)
+
+    monkeypatch.setattr(turgor.job.run, "solve", interrupted)
+    (folder / "finger.toml").write_text(JOB + "[output]\nfields = false\npictures = false\nreport = false\n")
+    assert main(["run", "finger.toml", "--quiet"]) == NOT_CONVERGED
+    assert "Interrupted at 1 kPa (load factor 0.5); the path so far is kept." in capsys.readouterr().err
+    assert [row["load_factor"] for row in rows(folder / "finger-results" / "response.csv")] == [0, 0.5]
+
+
+def test_walls_that_meet_are_an_error_after_everything_is_written(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    job = JOB.replace('gap = "2 mm"', 'gap = "0.1 mm"') + "[output]\nfields = false\npictures = false\nreport = false\n"
+    (folder / "finger.toml").write_text(job)
+    assert main(["run", "finger.toml", "--quiet"]) == FOUND_ERROR
+    err = capsys.readouterr().err
+    assert re.search(r"B02 error: Outer walls met at [\d.]+ kPa; beyond it they pass through each other", err)
+    assert rows(folder / "finger-results" / "response.csv")[-1]["load_factor"] == 1

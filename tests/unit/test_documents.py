@@ -1,0 +1,63 @@
+"""What documents say is so: findings, functions, examples, jobs and links that they name exist and work."""
+
+import ast
+import re
+from importlib import import_module
+from pathlib import Path
+
+import turgor as tg
+
+ROOT = Path(__file__).parents[2]
+SOURCES = sorted((ROOT / "src").rglob("*.py"))
+FINDING = re.compile(r"\b([GBMNL]\d\d)\b")
+
+
+def read(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def blocks(name, language):
+    """The code blocks of a page in a language."""
+    return re.findall(rf"```{language}\n(.*?)```", read(name), re.DOTALL)
+
+
+def test_every_finding_has_its_section():
+    used = {code for path in SOURCES for code in FINDING.findall(path.read_text(encoding="utf-8"))}
+    assert set(re.findall(r"^## (\w+)$", read("docs/findings.md"), re.MULTILINE)) == used
+    assert used >= {"G01", "B01", "B02"}
+
+
+def test_functions_named_on_the_page_on_theory_exist():
+    names = set(re.findall(r"`(turgor\.[\w.]+)`", read("docs/theory.md")))
+    assert len(names) > 15
+    for name in names:
+        module, attribute = name.rsplit(".", 1)
+        assert hasattr(import_module(module), attribute), name
+
+
+def test_example_of_the_readme_is_the_example():
+    (block,) = blocks("README.md", "python")
+    statements = [ast.dump(node) for node in ast.parse(block).body]
+    example = [ast.dump(node) for node in ast.parse(read("examples/fast_pneunet.py")).body]
+    assert [statement for statement in statements if statement not in example] == []
+
+
+def test_links_between_documents_lead_somewhere():
+    pages = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
+    broken = []
+    for page in pages:
+        for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+            if not (page.parent / target).exists():
+                broken.append(f"{page.name}: {target}")
+    assert broken == []
+
+
+def test_job_of_the_guide_on_materials_is_read(tmp_path):
+    file = tmp_path / "job.toml"
+    file.write_text("\n".join(blocks("docs/howto/own-material.md", "toml")), encoding="utf-8")
+    materials = tg.read_job(file).materials
+    assert materials["body"].law == tg.Yeoh(C10=48e3, C20=1.5e3)
+    assert materials["strain_limiting_layer"].thickness == 0.2e-3
+    names = {}
+    exec("\n".join(blocks("docs/howto/own-material.md", "python")), names)
+    assert names["rubber"] == materials["body"]

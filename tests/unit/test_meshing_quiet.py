@@ -1,0 +1,30 @@
+"""Output of compiled code is caught while it lasts and the terminal is given back afterwards."""
+
+import os
+
+import pytest
+
+from turgor.meshing.quiet import captured_output
+
+
+def test_output_is_caught_and_the_terminal_given_back(capfd: pytest.CaptureFixture[str]) -> None:
+    os.write(1, b"before ")
+    with captured_output() as text:
+        os.write(1, b"one ")
+        os.write(2, b"two")
+        assert text() == "one two"
+    os.write(1, b"after")
+    os.write(2, b"and here")
+    assert capfd.readouterr() == ("before after", "and here")
+
+
+def test_an_error_inside_gives_the_terminal_back_too(capfd: pytest.CaptureFixture[str]) -> None:
+    def fail() -> None:
+        with captured_output():
+            os.write(1, b"noise")
+            raise KeyError
+
+    with pytest.raises(KeyError):
+        fail()
+    os.write(1, b"after")
+    assert capfd.readouterr().out == "after"
