@@ -10,7 +10,6 @@ from rich.progress import BarColumn, Progress, ProgressColumn, SpinnerColumn, Ta
 from rich.text import Text
 
 from turgor.errors import TurgorError
-from turgor.job.run import SOLVING
 from turgor.results.measures import bending_angle
 from turgor.solvers.solution import Iteration, State
 from turgor.units import deg, kPa
@@ -27,12 +26,12 @@ class Course:
         self.load_factor = 0.0
         self._accepted: deque[tuple[float, float]] = deque(maxlen=RECENT_STEPS + 1)
 
-    def start(self) -> None:
-        """Start the clock of the solve."""
-        self._accepted.append((0.0, perf_counter()))
-
-    def accept(self, state: State) -> None:
-        """Take note of an accepted step."""
+    def follow(self, state: State | None) -> None:
+        """Take note of an iteration, and of the state where it ended an accepted step."""
+        if not self._accepted:  # the clock starts with the first iteration: compiling says nothing about the rest
+            self._accepted.append((0.0, perf_counter()))
+        if state is None:
+            return
         self.load_factor = state.load_factor
         self._accepted.append((state.load_factor, perf_counter()))
         try:
@@ -84,14 +83,12 @@ class PlainDisplay:
     def notify(self, text: str) -> None:
         """Say what is being done."""
         self._line(text)
-        if text == SOLVING:
-            self._course.start()
 
     def progress(self, iteration: Iteration, state: State | None) -> None:
         """Write a line for an accepted step."""
+        self._course.follow(state)
         if state is None:
             return
-        self._course.accept(state)
         left = clock(self._course.seconds_left)
         self._line(f"{describe(iteration, state)}{bending(self._course.angle)}, {left} left")
 
@@ -135,17 +132,14 @@ class LiveDisplay:
 
     def notify(self, text: str) -> None:
         """Say what is being done; facts stay on the screen, activities do not."""
-        if text == SOLVING:
-            self._course.start()
         if ":" in text:
             self._console.print(text, highlight=False, markup=False)
         else:
-            self._bar.update(self._task, description=text)
+            self._bar.update(self._task, description=text, state="", left="")
 
     def progress(self, iteration: Iteration, state: State | None) -> None:
         """Move the bar."""
-        if state is not None:
-            self._course.accept(state)
+        self._course.follow(state)
         self._bar.update(
             self._task,
             completed=self._course.load_factor,

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from netgen.occ import Box, Cylinder, Glue, Pnt, X, Z
 
 from turgor.engine.surfaces import area, enclosed_volume, vector_area
@@ -11,7 +13,7 @@ from turgor.meshing import generate
 from turgor.meshing.generate import mesh, size_range
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
 from turgor.meshing.quality import cell_volumes
-from turgor.meshing.surface import cell_sides, corner_keys, outer_triangles
+from turgor.meshing.surface import cell_sides, check_surface, corner_keys, outer_triangles
 from turgor.units import mm
 
 FINGER = FastPneuNet(chambers=3, length=30 * mm)
@@ -143,6 +145,32 @@ def test_a_curved_mesh_has_the_volume_of_the_curved_part(curved: Mesh) -> None:
     assert volume == pytest.approx(half_cylinder().solid_volume, rel=1e-3)  # quadratic edges; straight ones: 2 %
     assert enclosed_volume(curved.points, outer_triangles(curved)) == pytest.approx(volume, rel=1e-9)
     assert area(curved.points, curved.face("fixed")) == pytest.approx(np.pi * 32 * mm**2, rel=1e-3)
+
+
+@settings(max_examples=5, deadline=None)
+@given(
+    wall=st.floats(0.8, 2.5),
+    gap=st.floats(0.4, 3.0),
+    side_wall=st.floats(0.8, 4.0),
+    channel_width=st.floats(1.0, 5.0),
+    symmetric=st.booleans(),
+)
+def test_any_finger_is_filled_and_its_cavity_closed(
+    wall: float, gap: float, side_wall: float, channel_width: float, symmetric: bool
+) -> None:
+    geometry = FastPneuNet(
+        chambers=2,
+        length=25 * mm,
+        wall=wall * mm,
+        gap=gap * mm,
+        side_wall=side_wall * mm,
+        channel_width=channel_width * mm,
+        symmetric=symmetric,
+    ).build()
+    body = mesh(geometry, size=3 * mm)
+    assert enclosed_volume(body.points, outer_triangles(body)) == pytest.approx(geometry.solid_volume, rel=1e-9)
+    assert -enclosed_volume(body.points, body.face("cavity")) == pytest.approx(geometry.cavity_volume, rel=1e-9)
+    assert check_surface(body) == ()
 
 
 @pytest.mark.parametrize(

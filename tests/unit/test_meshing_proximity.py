@@ -183,6 +183,16 @@ def test_a_node_beyond_the_rim_of_a_wall_is_not_opposite_to_it() -> None:
         assert smallest_gap(walls) == pytest.approx(expected)
 
 
+def test_a_foot_point_that_was_not_reached_does_not_count(monkeypatch: pytest.MonkeyPatch) -> None:
+    below = triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
+    above = triangle([(0.2, 0.2, 0.3), (0.3, 0.3, 0.3), (0.3, 0.2, 0.3)])  # between the nodes of the one below
+    pair = np.arange(6)[None], np.arange(6, 12)[None]
+    walls = FacingWalls(points=np.vstack([below, above]), walls=pair, pairs=np.array([[0, 1]]))
+    assert smallest_gap(walls) == pytest.approx(0.3)
+    monkeypatch.setattr("turgor.meshing.proximity.STEPS", 0)
+    assert smallest_gap(walls) == inf
+
+
 def test_nodes_that_look_nearest_but_are_not_opposite_do_not_hide_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
     below = triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
     above = triangle([(0.1, 0.1, 0.5), (0.2, 0.2, 0.5), (0.2, 0.1, 0.5)])

@@ -42,11 +42,12 @@ def test_bending_angle_continues_past_half_a_turn():
 
 
 def test_tip_displacement_is_the_mean_over_the_area():
-    """The tip moves by a field that is linear in z: its mean is the value at mid height, whatever the mesh."""
-    state = cases.state(cases.model(cases.body()), lambda X: X + np.outer(X[:, 2], [0.3, 0.0, -0.4]))
-    assert measures.tip_displacement(state) == pytest.approx(0.5 * cases.HEIGHT / 2)
-    assert measures.tip_displacement_x(state) == pytest.approx(0.3 * cases.HEIGHT / 2)
-    assert measures.tip_displacement_z(state) == pytest.approx(-0.4 * cases.HEIGHT / 2)
+    """The tip moves in proportion to z²: over a height h the mean of z² is h²/3, whatever the nodes."""
+    state = cases.state(cases.model(cases.body()), lambda X: X + np.outer(X[:, 2] ** 2, [30.0, 0.0, -40.0]))
+    mean = cases.HEIGHT**2 / 3
+    assert measures.tip_displacement(state) == pytest.approx(50 * mean)
+    assert measures.tip_displacement_x(state) == pytest.approx(30 * mean)
+    assert measures.tip_displacement_z(state) == pytest.approx(-40 * mean)
 
 
 def test_tip_displacement_of_a_half_leaves_out_what_its_mirror_image_cancels():

@@ -51,6 +51,7 @@ def test_reads_what_the_constants_give() -> None:
             "unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, MPa, GPa, bar, psi.",
         ),
         ("60 kpa", "pressure", "unknown unit 'kpa' in '60 kpa'; did you mean 'kPa'?"),
+        ("60 MM", "length", "unknown unit 'MM' in '60 MM'; did you mean 'mm'?"),
         ("2 m m", "length", "unknown unit 'm m' in '2 m m'; did you mean 'mm'? Known length units: m, cm, mm"),
         ("5 xyz", "length", "unknown unit 'xyz' in '5 xyz'. Known length units"),
         ("1.5", "length", "'1.5' needs a unit, for example '1.5 mm'. Known length units"),

@@ -99,3 +99,10 @@ def polar_stress(state: tg.State, axes: Sequence[int], shift: Sequence[float] = 
     n = x / r[..., None]
     radial = np.einsum("cqi,cqij,cqj->cq", n, stress, n)
     return r, radial, (np.trace(stress, axis1=-2, axis2=-1) - radial) / (len(axes) - 1)
+
+
+def rotation(axis, angle):
+    """Rotation matrix about an axis (Rodrigues)."""
+    x, y, z = np.array(axis) / np.linalg.norm(axis)
+    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K

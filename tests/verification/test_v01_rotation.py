@@ -14,13 +14,6 @@ import turgor as tg
 from turgor.engine.system import System
 
 
-def rotation(axis, angle):
-    """Rotation matrix about an axis (Rodrigues)."""
-    x, y, z = np.array(axis) / np.linalg.norm(axis)
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
-
-
 def test_rotation_turns_forces_and_keeps_energy(record_verification):
     mesh = meshes.box((0.02, 0.01, 0.01), (2, 1, 1))
     paper = tg.Material(name="paper", law=tg.Hooke(E=6.5e9, nu=0.2))
@@ -34,7 +27,7 @@ def test_rotation_turns_forces_and_keeps_energy(record_verification):
     X = mesh.points
     u = 0.3 * np.column_stack([X[:, 1], X[:, 0] * X[:, 2] / 0.02, X[:, 0] ** 2 / 0.02]) + rng.normal(0, 2e-4, X.shape)
     p = rng.normal(0, 5e4, mesh.vertex_count)
-    Q = rotation((1, 2, 3), np.radians(37))
+    Q = problems.rotation((1, 2, 3), np.radians(37))
     turned = (X + u) @ Q.T - X
 
     system = System(model)

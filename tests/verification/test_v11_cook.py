@@ -9,9 +9,9 @@ Source: de Souza Neto et al. 1996; table V11.
 Tolerance: 0.5 % with 16 × 16 cells, and from below, monotonically, as the mesh is refined (the table's demands).
 The upper clamped corner, 108° wide, is singular and governs the error: where the diagonals of the cells start in
 it, two cells share it and 16 × 16 is 0.2 % low; with the other diagonals one cell fills it and the same count is
-0.8 % low, which is tested to 1 %. The mean stress must be free of checkerboard: its jump along cell edges, relative
-to its spread, falls with the cell size where the field is smooth and stays where it alternates from vertex to
-vertex.
+0.8 % low, which is tested to 1 %. The mean stress must be free of checkerboard: its jump along cell edges over its
+spread halves with the cell size where the field is smooth (0.65 is allowed); signs that alternate at random by 30 %
+of the spread make it 0.75, more of them 1.
 """
 
 import numpy as np
@@ -72,14 +72,14 @@ def test_corner_displacement_and_smooth_mean_stress(record_verification):
     record_verification(
         claim="Cook's membrane: jump of the mean stress along edges over its spread, 8 to 16 over 4 to 8",
         source="V11, no checkerboard",
-        expected="below 0.8",
+        expected="0.5 to 0.65",
         got=[roughness[1] / roughness[0], roughness[2] / roughness[1]],
-        tolerance="0.8",
+        tolerance="0.65",
     )
     other = _corner(_membrane(16, shared_corner=False))
     assert vertical[0] < vertical[1] < vertical[2] < 6.937
     assert _corner(states[-1]) == pytest.approx([-5.836, 6.935], rel=5e-3)
     assert other[1] == pytest.approx(6.935, rel=1e-2)
     assert other[1] < vertical[2]
-    assert roughness[1] < 0.8 * roughness[0]
-    assert roughness[2] < 0.8 * roughness[1]
+    assert roughness[1] < 0.65 * roughness[0]
+    assert roughness[2] < 0.65 * roughness[1]

@@ -22,7 +22,7 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
     if not isinstance(values, Mapping):
         problems.add(key, f"{shown(values)} is not a table; write [materials] and one material per region below it.")
         return {}
-    found = {}
+    found: dict[str, Material | Membrane] = {}
     for name, entry in values.items():
         if geometry is not None and name not in (*geometry.regions, *geometry.faces):
             known = (*geometry.regions, *(face for face in geometry.faces if not face.startswith("symmetry_")))
@@ -30,7 +30,8 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
             continue
         made = _read_material(entry, (*key, name), geometry, problems)
         if made is not None:
-            found[name] = made
+            # parts of the same material share one object, so that a report describes it once
+            found[name] = next((other for other in found.values() if other == made), made)
     if geometry is not None:
         missing = [region for region in geometry.regions if region not in values]
         if missing:

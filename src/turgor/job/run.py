@@ -20,9 +20,6 @@ from turgor.solvers.driver import Progress, solve
 
 Notify = Callable[[str], None]
 
-#: What `run_job` says when the solve begins.
-SOLVING = "solving"
-
 
 def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Finding, ...]]:
     """Build, mesh and check a job without solving it.
@@ -107,7 +104,7 @@ def run_job(
         options = replace(options, threads=wanted)
     with claimed(Path(output) if output is not None else default_folder(job.name), force) as folder:
         model, findings = prepare(job, say)
-        say(SOLVING)
+        say("solving")
         solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
         say("measuring")
         response = measure(solution, *(find_measure(name) for name in job.output.measures))

@@ -1,17 +1,32 @@
 """write_results: what a run leaves in its folder."""
 
 import csv
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from datetime import datetime
 from pathlib import Path
 
-from turgor.job.folder import DEFORMED, FIELDS, LOCK, LOG, PLOT, RESPONSE, STEPS, UNDEFORMED, clear
-from turgor.job.lock import lock_text
+from turgor.job.folder import DEFORMED, FIELDS, LOCK, LOG, PLOT, REPORT, RESPONSE, STEPS, UNDEFORMED, clear
+from turgor.job.lock import dimensions, lock_text
 from turgor.job.outcome import RunOutcome
+from turgor.meshing.quality import quality
 from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.pictures import picture_title, shared_view, write_picture
 from turgor.results.plots import write_plot
+from turgor.results.report import Picture, Report, write_report
 from turgor.results.vtu import write_series
 from turgor.solvers.solution import Solution
+
+#: What each file holds, for the report.
+CONTENTS: Mapping[str, str] = {
+    RESPONSE: "the measures at every state, with units in the header",
+    LOCK: "every value that was used, from which the run can be repeated",
+    STEPS: "every attempted step of the solve",
+    LOG: "how the run went",
+    f"{FIELDS}/state.pvd": "the fields of every state, for ParaView",
+    PLOT: "the response as a plot",
+    UNDEFORMED: "the actuator at rest",
+    DEFORMED: "the actuator at the last state",
+}
 
 STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
 
@@ -39,7 +54,34 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[P
     files.append(folder / PLOT)
     if output.pictures:
         files += write_pictures(outcome)
+    if output.report:
+        notify("writing the report")
+        write_report(folder / REPORT, report_of(outcome, files))
+        files.insert(0, folder / REPORT)
     return tuple(files)
+
+
+def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
+    """Gather what the report tells about a run and the files beside it."""
+    job, solution = outcome.job, outcome.solution
+    beside = {str(file.relative_to(outcome.folder)): file for file in files}
+    return Report(
+        title=solution.model.mesh.name,
+        solution=solution,
+        response=outcome.response,
+        findings=outcome.findings,
+        dimensions={name: str(value) for name, value in dimensions(job.actuator).items()},
+        quality=quality(solution.model.mesh),
+        pictures=tuple(
+            Picture(caption=caption, png=beside[name].read_bytes())
+            for name, caption in ((UNDEFORMED, "Undeformed"), (DEFORMED, "At the last state"))
+            if name in beside
+        ),
+        versions={**outcome.written_by, "threads": job.threads or ""},
+        repeat=f"turgor run {LOCK} --output {job.name}-again",
+        files={name: CONTENTS[name] for name in beside},
+        created=datetime.now().astimezone().strftime("%Y-%m-%d %H:%M %Z"),
+    )
 
 
 def write_pictures(outcome: RunOutcome) -> list[Path]:

@@ -20,10 +20,10 @@ Ints = NDArray[np.int64]
 REACH = 0.25
 
 #: How many nodes are measured exactly: those that look nearest by the distance to the nearest nodes.
-MEASURED = 300
+MEASURED = 100
 
 #: The triangles around this many nearest nodes are tried for the foot point.
-NEAREST = 3
+NEAREST = 2
 
 #: Newton steps to the foot point; each gains a factor of distance times curvature, small where walls nearly touch.
 STEPS = 6

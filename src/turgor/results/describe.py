@@ -71,7 +71,10 @@ def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
     ]
     if quality is not None:
         rows += [
-            ("edges", f"{quality.min_edge / mm:.2g} to {quality.max_edge / mm:.2g} mm, mean {quality.mean_edge / mm:.2g} mm"),
+            (
+                "edges",
+                f"{quality.min_edge / mm:.2g} to {quality.max_edge / mm:.2g} mm, mean {quality.mean_edge / mm:.2g} mm",
+            ),
             ("shape", f"mean {quality.mean_shape:.2f}, worst {quality.min_shape:.2f} (1 is regular, 0 is flat)"),
             ("curvature", f"worst Jacobian ratio {quality.min_jacobian_ratio:.2f} (1 is straight, 0 is folded)"),
         ]
@@ -80,10 +83,14 @@ def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
 
 def materials(model: Model) -> list[MaterialText]:
     """Put the materials of a model into words; regions of the same material share one text."""
-    users: dict[int, list[str]] = {}
+    shared: list[tuple[Material | Membrane, list[str]]] = []
     for name, used in model.materials.items():
-        users.setdefault(id(used), []).append(name)
-    return [_material(names, model.materials[names[0]]) for names in users.values()]
+        names = next((names for known, names in shared if known == used), None)
+        if names is None:
+            shared.append((used, [name]))
+        else:
+            names.append(name)
+    return [_material(names, used) for used, names in shared]
 
 
 def _material(names: list[str], used: Material | Membrane) -> MaterialText:
@@ -114,7 +121,9 @@ def coefficients(law: Any) -> Rows:
     [('E', '6.5 GPa'), ('nu', '0.2')]
     """
     stated: dict[str, str] = {}
-    for names, unit in re.findall(r"^\s*(\w+(?:, \w+)*) : float(?: \[(.*?)\])?$", inspect.getdoc(type(law)) or "", re.M):
+    for names, unit in re.findall(
+        r"^\s*(\w+(?:, \w+)*) : float(?: \[(.*?)\])?$", inspect.getdoc(type(law)) or "", re.M
+    ):
         stated |= dict.fromkeys(names.split(", "), unit)
     rows = []
     for each in fields(law):
@@ -134,6 +143,8 @@ def fields_of(value: Any) -> Rows:
 
 
 def _modulus(value: float) -> str:
+    if value == 0:
+        return "0"
     if abs(value) >= GPa:
         return f"{value / GPa:g} GPa"
-    return f"{value / MPa:g} MPa" if abs(value) >= 0.01 * MPa or value == 0 else f"{value / kPa:g} kPa"
+    return f"{value / MPa:g} MPa" if abs(value) >= 0.01 * MPa else f"{value / kPa:g} kPa"

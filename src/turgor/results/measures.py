@@ -184,8 +184,9 @@ def _reaction(at: StateFields) -> float:
     held = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
         if isinstance(support, Fixed):
-            axes = ["xyz".index(direction) for direction in support.directions]
-            held[np.ix_(at.mesh.face_nodes(support.face), axes)] = True
+            nodes = at.mesh.face_nodes(support.face)
+            for direction in support.directions:
+                held[nodes, "xyz".index(direction)] = True
     if not held.any():
         raise TurgorError("the model has no support Fixed whose force could be summed.")
     force = np.where(held, at.state.nodal_force, 0.0).sum(axis=0)

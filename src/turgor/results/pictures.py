@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import matplotlib
 import numpy as np
@@ -11,6 +10,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize, to_rgba
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.transforms import IdentityTransform
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
@@ -34,7 +35,7 @@ SAMPLES = 2
 BAND = 96
 
 #: Pixels around the actuator, above it for the title, below it for the colors.
-MARGIN, HEAD, FOOT = 50, 90, 130
+MARGIN, HEAD, FOOT = 50, 90, 140
 
 #: Points hide each other's sky within this share of the size of the actuator.
 SKY_REACH = 0.12
@@ -219,7 +220,7 @@ def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
     bar = figure.add_axes((MARGIN / width, 62 / height, 0.42, 22 / height))
     colors = ScalarMappable(Normalize(0, view.limit / kPa), _color_map())
     colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
-    colorbar.outline.set_visible(False)  # type: ignore[operator]
+    colorbar.outline.set_visible(False)
     bar.tick_params(labelsize=16, colors=_hex(INK), length=5)
     note = f"von Mises stress [kPa]; {PERCENTILE:g} % of the surface lie within the bar"
     figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=_hex(INK))
@@ -230,15 +231,16 @@ def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
 def _draw_axes(figure: Figure, view: View) -> None:
     """Draw x, y and z as they are seen, each as long as a round length at the scale of the picture."""
     width, height = figure.get_size_inches() * 100
-    length = _round_length(100 * view.pixel)
+    length = _round_length(72 * view.pixel)
     corner = np.array([width - MARGIN - 1.35 * length / view.pixel, 46.0])
     directions = view.eye.project(np.eye(3))[:, :2]
-    style: dict[str, Any] = {"transform": None, "color": _hex(INK), "lw": 2, "solid_capstyle": "round"}
     for name, direction in zip("xyz", directions, strict=True):
         end = corner + direction * length / view.pixel
-        figure.add_artist(matplotlib.lines.Line2D(*zip(corner, end, strict=True), **style))
-        at = end + direction / np.linalg.norm(direction) * 14
-        figure.text(*(at / [width, height]), name, fontsize=15, ha="center", va="center", color=_hex(INK))
+        line = Line2D([corner[0], end[0]], [corner[1], end[1]], color=_hex(INK), lw=2, solid_capstyle="round")
+        line.set_transform(IdentityTransform())
+        figure.add_artist(line)
+        x, y = (end + direction / np.linalg.norm(direction) * 14) / [width, height]
+        figure.text(x, y, name, fontsize=15, ha="center", va="center", color=_hex(INK))
     label = f"each axis {length / mm:g} mm"
     figure.text(corner[0] / width, 12 / height, label, fontsize=14, va="center", ha="center", color=_hex(INK))
 

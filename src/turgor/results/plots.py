@@ -79,7 +79,9 @@ def response_figure(response: Response, title: str = "") -> Figure:
         raise TurgorError(f"the response holds {', '.join(response.names)} only; there is nothing to plot against it.")
     columns = min(2, len(panels))
     rows = -(-len(panels) // columns)
-    figure = Figure(figsize=(5.2 * columns, 3.3 * rows + (0.4 if title else 0)), layout="constrained", facecolor="white")
+    figure = Figure(
+        figsize=(5.2 * columns, 3.3 * rows + (0.4 if title else 0)), layout="constrained", facecolor="white"
+    )
     FigureCanvasAgg(figure)
     for number, name in enumerate(panels):
         plot_response(figure.add_subplot(rows, columns, number + 1), response, drive, name)

@@ -42,7 +42,7 @@ class Camera:
 
 
 def camera(azimuth: float, elevation: float) -> Camera:
-    """Camera that looks along +y, turned by ``azimuth`` to the right of the actuator and raised by ``elevation`` [rad]."""
+    """Camera that looks along +y, walked around by ``azimuth`` to see the tip, raised by ``elevation`` [rad]."""
     ca, sa, ce, se = np.cos(azimuth), np.sin(azimuth), np.cos(elevation), np.sin(elevation)
     right = np.array([ca, sa, 0.0])
     forward = np.array([-sa * ce, ca * ce, -se])

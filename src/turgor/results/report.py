@@ -1,5 +1,6 @@
 """Report: one self-contained HTML page that says what was asked, what came out, and how far to trust it."""
 
+import struct
 from base64 import b64encode
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -8,6 +9,7 @@ from pathlib import Path
 
 from jinja2 import Environment, StrictUndefined
 
+from turgor.errors import TurgorError
 from turgor.finding import Finding
 from turgor.meshing.quality import MeshQuality
 from turgor.response import Column, Response
@@ -15,6 +17,10 @@ from turgor.results import describe
 from turgor.results.measures import MEASURES
 from turgor.results.plots import response_svg
 from turgor.solvers.solution import Solution, Timing
+
+#: Largest width and height of a picture on the page, in its pixels.
+PAGE_WIDTH, PICTURE_HEIGHT = 984, 760
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 #: Rows of the response that the page shows; the file has all.
 ROWS = 13
@@ -103,6 +109,7 @@ def _context(report: Report) -> dict[str, object]:
         "findings": list(report.findings),
         "numbers": _numbers(response),
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
+        "picture_width": _picture_width(report.pictures),
         "plot": response_svg(response) if len(response) > 1 else "",
         "response": _table(response),
         "definitions": [(_words(column), MEASURES[column.name].definition) for column in _measured(response)],
@@ -120,6 +127,17 @@ def _context(report: Report) -> dict[str, object]:
         "files": list(report.files.items()),
         "created": report.created,
     }
+
+
+def _picture_width(pictures: tuple[Picture, ...]) -> int:
+    """Width at which none of the pictures is too tall, in pixels of the page; one for all keeps their scale equal."""
+    widths = [float(PAGE_WIDTH)]
+    for picture in pictures:
+        if picture.png[:8] != PNG_SIGNATURE:
+            raise TurgorError(f"picture '{picture.caption}' is no PNG.")
+        width, height = struct.unpack(">II", picture.png[16:24])
+        widths.append(PICTURE_HEIGHT * width / height)
+    return int(min(widths))
 
 
 def _numbers(response: Response) -> list[tuple[str, str]]:

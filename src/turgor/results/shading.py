@@ -1,6 +1,7 @@
 """Shading: colors, light and lines of what the samples of a picture see."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.colors import Colormap
@@ -72,7 +73,7 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
     return image
 
 
-def _unit(vector: NDArray[np.float64]) -> NDArray[np.float32]:
+def _unit(vector: NDArray[Any]) -> NDArray[np.float32]:
     return np.asarray(vector / np.linalg.norm(vector), dtype=np.float32)
 
 

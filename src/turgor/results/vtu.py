@@ -70,7 +70,7 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
     for number, cells in enumerate(mesh.regions.values()):
         region[cells] = number
     count = len(mesh.cells)
-    cells = [
+    connectivity = [
         _Array("connectivity", mesh.cells.astype("i4")),
         _Array("offsets", np.arange(10, 10 * count + 1, 10, dtype="i4")),
         _Array("types", np.full(count, QUADRATIC_TETRA, dtype="u1")),
@@ -83,7 +83,7 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
         *_section("PointData", point_data),
         *_section("CellData", [_Array("region", region)]),
         *_section("Points", [_Array("points", mesh.points.astype("f8"), "m", ("X", "Y", "Z"))]),
-        *_section("Cells", cells),
+        *_section("Cells", connectivity),
         "</Piece>",
         "</UnstructuredGrid>",
         "</VTKFile>",

@@ -12,7 +12,7 @@ from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.tangent import Tangent
 from turgor.model.model import Model
 from turgor.solvers.checks import check_supports, meeting_walls
-from turgor.solvers.newton import NewtonResult, NewtonSettings, Start, newton, relative_residual
+from turgor.solvers.newton import NewtonResult, NewtonSettings, Start, evaluate, newton, relative_residual
 from turgor.solvers.outcome import Outcome, converged, interrupted, stopped_by, stuck, too_many_steps
 from turgor.solvers.predictor import HISTORY, lagrange_weights
 from turgor.solvers.procedures import Static
@@ -150,7 +150,7 @@ def _advance(
             hooks.progress(_iteration(number, load, iteration, residual, correction, length), None)
 
     settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
-    result = newton(system, tangent, _predict(system, path, load), load, settings, report)
+    result = newton(system, tangent, _predict(system, tangent, path, load), load, settings, report)
     path.steps.append(
         Step(
             load_factor=load,
@@ -191,7 +191,7 @@ def _accept(
     return control.accepted(increment, result.iterations)
 
 
-def _predict(system: System, path: _Path, load: float) -> Start:
+def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Start:
     """Extrapolate with the highest order whose residual a lower order does not improve."""
     _, unknowns, stresses = path.history[-1]
     best, smallest = Start(unknowns, stresses), np.inf
@@ -199,7 +199,7 @@ def _predict(system: System, path: _Path, load: float) -> Start:
         used = path.history[-count:]
         weights = lagrange_weights([factor for factor, _, _ in used], load)
         trial = np.asarray(sum(w * x for w, (_, x, _) in zip(weights, used, strict=True)))
-        at = system.evaluate(trial, load)
+        at = evaluate(system, tangent, trial, load)
         residual = np.inf if at is None else relative_residual(system, at)
         if np.isfinite(smallest) and residual >= smallest:
             break

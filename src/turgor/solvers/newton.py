@@ -92,7 +92,7 @@ def newton(
     system: System, tangent: Tangent, start: Start, load_factor: float, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
     """Find equilibrium at a load factor from a start; the start need not satisfy the supports."""
-    at = _evaluate(system, tangent, start.unknowns, load_factor)
+    at = evaluate(system, tangent, start.unknowns, load_factor)
     if at is None:
         return _failure(None, 0, np.inf, None, "the start turns a cell inside out")
     residual = best = relative_residual(system, at)
@@ -137,7 +137,8 @@ def _failure(at: Evaluation | None, iterations: int, residual: float, modes: int
     )
 
 
-def _evaluate(system: System, tangent: Tangent, unknowns: Array, load_factor: float) -> Evaluation | None:
+def evaluate(system: System, tangent: Tangent, unknowns: Array, load_factor: float) -> Evaluation | None:
+    """Evaluate the residual on the clock."""
     start = perf_counter()
     out = system.evaluate(unknowns, load_factor)
     tangent.clock.assembly += perf_counter() - start
@@ -155,7 +156,7 @@ def _line_search(system: System, tangent: Tangent, at: Evaluation, update: Array
     """Shorten the update until no cell is turned inside out."""
     length = 1.0
     while length >= SHORTEST_STEP:
-        new = _evaluate(system, tangent, at.unknowns + length * update, at.load_factor)
+        new = evaluate(system, tangent, at.unknowns + length * update, at.load_factor)
         if new is not None:
             return new, length
         length *= 0.5

@@ -13,6 +13,9 @@ CUT = 0.35
 #: The last stretch to a target is taken whole if it is no longer than this many steps.
 STRETCH = 1.25
 
+#: Load factors between targets are rounded to this many digits, so that tables read well.
+LOAD_DIGITS = 6
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StepControl:
@@ -59,7 +62,8 @@ class StepControl:
         target = next(t for t in self.targets if t > load_factor)
         if load_factor + STRETCH * self.length >= target:
             return target
-        return load_factor + self.length
+        tidy = round(load_factor + self.length, LOAD_DIGITS)
+        return tidy if load_factor < tidy < target else load_factor + self.length
 
     def accepted(self, increment: float, iterations: int) -> "StepControl":
         """Grow after an easy step, shrink after a hard one; a step shortened by a target does not shrink the next."""
