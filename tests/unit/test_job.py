@@ -1,6 +1,7 @@
 """Job files: what they become, everything wrong with them in one go, and the lock file that repeats them."""
 
 import re
+import runpy
 import tomllib
 from dataclasses import dataclass, field, fields
 from math import inf
@@ -12,9 +13,10 @@ import tomlkit
 from hypothesis import given
 from hypothesis import strategies as st
 
+import turgor
 import turgor.job.job
 from turgor.errors import TurgorError
-from turgor.geometry import FastPneuNet
+from turgor.geometry import FastPneuNet, Geometry
 from turgor.job.job import Job
 from turgor.job.lines import key_lines
 from turgor.job.lock import lock_text
@@ -24,9 +26,11 @@ from turgor.job.tables import dataclass_table
 from turgor.materials.laws import Hooke, NeoHooke, Yeoh
 from turgor.materials.material import Material
 from turgor.materials.records import from_library
+from turgor.meshing.generate import mesh
+from turgor.meshing.mesh import Mesh
 from turgor.model.loads import Gravity, Pressure
-from turgor.model.model import Membrane
-from turgor.model.supports import Fixed
+from turgor.model.model import Membrane, Model
+from turgor.model.supports import Fixed, Symmetry
 from turgor.solvers.procedures import Static
 from turgor.source import Source
 from turgor.units import deg, kPa, mm
@@ -75,13 +79,36 @@ def test_the_example_is_the_published_design() -> None:
     job = read_job(EXAMPLE)
     assert job.name == "fast_pneunet"
     assert job.actuator == FastPneuNet()
-    assert job.mesh_size == 3 * mm
     assert job.materials["body"] == from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
     assert job.materials["strain_limiting_layer"] == Membrane(
         from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm
     )
     assert job.supports == (Fixed("fixed"),)
     assert job.procedure == Static()
+
+
+def test_the_example_script_asks_the_same_question(monkeypatch: pytest.MonkeyPatch) -> None:
+    """``fast_pneunet.py`` says in Python what ``fast_pneunet.toml`` says: compared where the solve would begin."""
+    job, asked = read_job(EXAMPLE), {}
+
+    def mesh_coarsely(geometry: Geometry, *, size: float) -> Mesh:
+        asked["size"] = size
+        return mesh(geometry, size=4 * mm)
+
+    def stop_at_solve(model: Model, procedure: Static) -> None:
+        asked.update(model=model, procedure=procedure)
+        raise InterruptedError
+
+    monkeypatch.setattr(turgor, "mesh", mesh_coarsely)
+    monkeypatch.setattr(turgor, "solve", stop_at_solve)
+    with pytest.raises(InterruptedError):
+        runpy.run_path(str(EXAMPLE.with_suffix(".py")))
+    assert asked["size"] == job.mesh_size
+    assert asked["procedure"] == job.procedure
+    assert asked["model"].materials == job.materials
+    assert asked["model"].loads == job.loads
+    assert asked["model"].supports == (*job.supports, Symmetry("symmetry_y"))
+    assert asked["model"].mesh.name == job.actuator.build().name
 
 
 def test_every_section_reaches_the_job(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from turgor.materials.material import Material
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TETRAHEDRON_FACES, Mesh
 from turgor.model.loads import Pressure, Traction
 from turgor.model.model import Membrane, Model
-from turgor.model.supports import Fixed
+from turgor.model.supports import Displacement, Fixed
 from turgor.solvers.driver import solve
 from turgor.solvers.procedures import Static
 from turgor.solvers.solution import SolveError, Status
@@ -91,6 +91,14 @@ def test_free_body_is_refused():
     free = Model(bar(), {"body": RUBBER}, [Fixed("fixed", "x")], [Pressure("top", 1.0)])
     with pytest.raises(TurgorError, match="leave 3 of 6 rigid motions free"):
         solve(free)
+
+
+def test_undetermined_mean_stress_is_refused():
+    still = Displacement("*", lambda points, load_factor: np.zeros_like(points))
+    with pytest.raises(TurgorError, match="leaves its mean stress undetermined"):
+        solve(Model(bar(), {"body": RUBBER}, [still], []))
+    soft = Material(name="soft", law=NeoHooke(C10=0.1e6), bulk_modulus=1e8)
+    assert solve(Model(bar(), {"body": soft}, [still], [])).converged
 
 
 def test_linear_solvers_agree():

@@ -8,12 +8,13 @@ from turgor.engine.boundary import held_components
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.proximity import find_facing_walls, smallest_gap
+from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
 from turgor.solvers.solution import State
 
 
 def check_supports(model: Model) -> None:
-    """Refuse a model whose supports leave a rigid motion free (B01)."""
+    """Refuse a model whose supports leave a rigid motion or the mean stress free (B01)."""
     mask = held_components(model).mask
     points = model.mesh.points - model.mesh.points.mean(axis=0)
     size = float(np.abs(points).max())
@@ -27,6 +28,12 @@ def check_supports(model: Model) -> None:
     if held < 6:
         raise TurgorError(
             f"the supports leave {6 - held} of 6 rigid motions free (B01); hold a face, for example Fixed('fixed')."
+        )
+    surface = np.unique(outer_triangles(model.mesh))
+    if mask[surface].all() and all(material.incompressible for material in model.region_materials.values()):
+        raise TurgorError(
+            "the supports prescribe the whole surface of an incompressible body (B01), which leaves its mean stress "
+            "undetermined; leave a direction of one face free or give the material a bulk_modulus."
         )
 
 

@@ -19,6 +19,9 @@ from turgor.solvers.procedures import Static
 from turgor.solvers.solution import Iteration, Solution, SolveError, State, Step, Timing
 from turgor.solvers.stepping import StepControl
 
+#: Below this size threads wait for each other longer than they work.
+FEW_UNKNOWNS = 10_000
+
 Array = NDArray[np.float64]
 Progress = Callable[[Iteration, State | None], None]
 Stop = Callable[[State], str | None]
@@ -74,18 +77,19 @@ def solve(
     Raises
     ------
     TurgorError
-        If the supports leave a rigid motion free.
+        If the supports leave a rigid motion free, or prescribe the whole surface of an incompressible body.
     SolveError
         If the full load was not reached and ``throw`` is set.
     """
     procedure, options, hooks = procedure or Static(), options or EngineOptions(), _Hooks(progress, stop)
     start = perf_counter()
     check_supports(model)
-    with use_threads(options.threads):
+    threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
+    with use_threads(threads):
         compiling = compile_kernels(options.notify)
         setup = perf_counter()
         system = System(model)
-        tangent = Tangent(system, options.linear_solver, options.threads)
+        tangent = Tangent(system, options.linear_solver, threads)
         setup = perf_counter() - setup
         path = _Path()
         outcome = _follow(system, tangent, procedure, hooks, path)
