@@ -176,6 +176,8 @@ def _errors_as_sentences(debug: bool) -> Iterator[None]:
         raise
     except TurgorError as error:
         _complain(str(error), debug)
+    except OSError as error:
+        _complain(f"'{error.filename or 'a file'}' cannot be read or written: {error.strerror}.", debug)
     except KeyboardInterrupt:
         _complain("interrupted before the results were written.", debug, NOT_CONVERGED)
     except Exception as error:

@@ -79,7 +79,7 @@ def model(mesh: Mesh, pressure: float = 50e3) -> Model:
     return Model(mesh, {"body": RUBBER, "base": RUBBER}, [Fixed("fixed")], loads)
 
 
-def state(question: Model, place: Callable[[Array], Array] | None = None, load_factor: float = 1.0) -> State:
+def state(question: Model, place: Callable[[Array], Array] | None = None, load_factor: float = 1) -> State:
     """The state in which every node X has moved to ``place(X)``, without mean stress and nodal forces."""
     points = question.mesh.points
     moved = points if place is None else np.asarray(place(points))

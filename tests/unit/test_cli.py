@@ -96,7 +96,7 @@ def test_a_folder_that_holds_something_is_not_touched(folder: Path, capsys: pyte
     assert main(["run", "finger.toml"]) == BAD_INPUT
     out, err = capsys.readouterr()
     assert err == (
-        f"the output folder '{results}' exists and is not empty; name another with --output OTHER, or replace the "
+        "the output folder 'finger-results' exists and is not empty; name another with --output OTHER, or replace the "
         "results in it with --force.\n"
     )
     assert "meshing" not in out, "it is refused before anything is computed"
@@ -146,6 +146,17 @@ def test_what_nobody_expected_is_a_sentence_too(
     assert err.startswith("turgor failed unexpectedly, ZeroDivisionError: by zero. Please report it")
     assert err.count("\n") == 1
     assert not (folder / "finger-results").exists(), "no empty folder is left behind"
+
+
+def test_a_full_disk_is_a_sentence(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device", "response.csv")
+
+    monkeypatch.setattr(turgor.job.run, "prepare", full)
+    assert main(["run", "finger.toml", "--quiet"]) == BAD_INPUT
+    assert capsys.readouterr().err == "'response.csv' cannot be read or written: No space left on device.\n"
 
 
 def test_version_actuators_and_materials(capsys: pytest.CaptureFixture[str]) -> None:
@@ -217,7 +228,7 @@ def test_a_job_runs_and_its_lock_file_repeats_it(folder: Path, capsys: pytest.Ca
     )
     assert "Reached 2 kPa (load factor 1) in 2 steps" in out
     assert f"At 2 kPa: bending angle {response[-1]['bending_angle_deg']:.4g} deg" in out
-    assert f"Results in {results}: " in out
+    assert "Results in finger-results: " in out
     assert {file.name for file in results.iterdir()} == {
         "report.html", "response.csv", "job.lock.toml", "steps.csv", "run.log", "vtu",
         "response.png", "undeformed.png", "deformed.png",

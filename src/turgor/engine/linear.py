@@ -18,6 +18,10 @@ from turgor.errors import TurgorError, unknown
 
 Array = NDArray[np.float64]
 
+#: Refinements of a solution from single precision factors, and the relative residual that must be left.
+REFINEMENTS = 2
+REFINED = 1e-4
+
 
 class SingularTangentError(RuntimeError):
     """The tangent could not be factored."""
@@ -34,36 +38,65 @@ class LinearSolver(Protocol):
     def solve(self, right: Array) -> Array:
         """Solve with the last factors."""
 
-    def negative_pivots(self) -> int | None:
-        """Negative pivots of the last factors, None where the solver does not count them."""
+    def negative_pivots(self, expected: int) -> int | None:
+        """Negative pivots of the last factors, None where the solver does not count them; ``expected`` if stable."""
 
 
 class RslabSolver:
-    """LDLᵀ by rslab (pure Rust, MIT, wheels for all systems)."""
+    """LDLᵀ by rslab (pure Rust, MIT, wheels for all systems).
+
+    Factors are single precision, a third faster and half as large, and the solution is refined against the matrix; what
+    that does not settle (a nearly singular tangent, a doubtful count of pivots) is factored again in double precision.
+    """
 
     name = "rslab"
 
     def __init__(self, pattern: Pattern, threads: int) -> None:
+        self._pattern = pattern
         lower = pattern.matrix(np.ones(len(pattern.indices)))
         self._settings = {"threads": threads, "scaling": "identity"}
         self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads)
+        self._data = np.empty(0)
         self._factor: rslab.Ldlt | None = None
+        self._single = True
 
     def factor(self, data: Array) -> None:
         """Factor new values on the analyzed pattern."""
+        self._data = data
         self._factor = None  # frees the old factors before the new ones are made
+        self._single = True
         try:
-            self._factor = self._symbolic.factor(data, **self._settings)
+            self._factor = self._symbolic.factor(data, factor_dtype="float32", **self._settings)
+        except RuntimeError:
+            self._factor_in_double()
+
+    def _factor_in_double(self) -> None:
+        self._factor, self._single = None, False
+        try:
+            self._factor = self._symbolic.factor(self._data, **self._settings)
         except RuntimeError as error:
             raise SingularTangentError(str(error)) from error
 
     def solve(self, right: Array) -> Array:
-        """Solve; Newton's next residual corrects what round-off leaves."""
+        """Solve; Newton's next residual corrects the rest."""
         assert self._factor is not None
+        if self._single:
+            solution = np.asarray(self._factor.solve(right, refine=REFINEMENTS))
+            left_over = right - self._pattern.product(self._data, solution)
+            if float(np.linalg.norm(left_over)) <= REFINED * float(np.linalg.norm(right)):
+                return solution
+            self._factor_in_double()
         return np.asarray(self._factor.solve(right))
 
-    def negative_pivots(self) -> int | None:
-        """Negative pivots from the inertia of D."""
+    def negative_pivots(self, expected: int) -> int | None:
+        """Negative pivots from the inertia of D; an unexpected number is counted again in double precision."""
+        negative = self._count()
+        if negative != expected and self._single:
+            self._factor_in_double()
+            negative = self._count()
+        return negative
+
+    def _count(self) -> int:
         assert self._factor is not None
         _positive, negative, _zero = self._factor.diagnostics()["numeric"]["inertia"]
         return int(negative)
@@ -116,7 +149,7 @@ class PardisoSolver:
         """Solve; Newton's next residual corrects what round-off leaves."""
         return _call_pardiso(self._mkl, self._arrays, 33, right)
 
-    def negative_pivots(self) -> int | None:
+    def negative_pivots(self, expected: int) -> int | None:
         """Negative pivots, iparm(23)."""
         return int(self._arrays.settings[22])
 
@@ -191,7 +224,7 @@ class UnsymmetricSolver:
         assert self._factor is not None
         return np.asarray(self._factor.solve(right, refine=1))
 
-    def negative_pivots(self) -> int | None:
+    def negative_pivots(self, expected: int) -> int | None:
         """LU does not tell."""
         return None
 

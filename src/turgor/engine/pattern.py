@@ -34,6 +34,11 @@ class Pattern:
         """The lower triangle as a SciPy matrix."""
         return sp.csc_matrix((data, self.indices, self.indptr), shape=(self.size, self.size))
 
+    def product(self, data: NDArray[np.float64], vector: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Product of the full symmetric matrix with a vector."""
+        lower = self.matrix(data)
+        return np.asarray(lower @ vector + lower.T @ vector - data[self.diagonal] * vector)
+
     def full(self, data: NDArray[np.float64]) -> sp.csc_matrix:
         """The full symmetric matrix."""
         lower = self.matrix(data)

@@ -65,8 +65,7 @@ class Tangent:
         if jump is not None and jump.any():
             moved = np.zeros(system.size)
             moved[system.held] = jump
-            lower = system.pattern.matrix(data)
-            coupling = lower @ moved + lower.T @ moved - data[system.pattern.diagonal] * moved
+            coupling = system.pattern.product(data, moved)
             if skew is not None:
                 coupling += skew @ moved
         system.apply_supports(data)
@@ -91,5 +90,6 @@ class Tangent:
 
     def unstable_modes(self) -> int | None:
         """Negative pivots beyond one for each mean stress; None where the solver does not count them."""
-        negative = self._active.negative_pivots()
-        return None if negative is None else negative - self._system.model.mesh.vertex_count
+        expected = self._system.model.mesh.vertex_count
+        negative = self._active.negative_pivots(expected)
+        return None if negative is None else negative - expected

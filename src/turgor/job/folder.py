@@ -26,10 +26,10 @@ def default_folder(name: str) -> Path:
 
     Examples
     --------
-    >>> default_folder("fast_pneunet").name
+    >>> str(default_folder("fast_pneunet"))
     'fast_pneunet-results'
     """
-    return Path.cwd() / f"{name}-results"
+    return Path(f"{name}-results")
 
 
 @contextmanager

@@ -126,7 +126,7 @@ def _text(path: Path) -> str:
         listed = f" TOML files there: {', '.join(f'{stem}.toml' for stem in known)}." if known else ""
         raise TurgorError(f"there is no job file '{path}'{hint}{listed}")
     try:
-        return path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+        return path.read_bytes().decode("utf-8-sig")
     except OSError as error:
         raise TurgorError(f"'{path}' cannot be read: {error.strerror}.") from error
     except UnicodeDecodeError as error:

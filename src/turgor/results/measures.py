@@ -220,7 +220,8 @@ maximum_principal_stretch = Measure(
 )  # fmt: skip
 maximum_von_mises = Measure(
     name="maximum_von_mises", unit="kPa", function=lambda at: float(at.cells.von_mises.max()),
-    definition="largest von Mises stress at any quadrature point of the solid (membranes left out)",
+    definition="largest von Mises stress at any quadrature point of the solid, membranes left out; at sharp inner "
+    "corners it depends on the mesh",
 )  # fmt: skip
 reaction = Measure(
     name="reaction", unit="N", function=_reaction,

@@ -93,13 +93,15 @@ def shared_view(states: Sequence[State | StateFields], width: int = 1600) -> Vie
     if not states:
         raise TurgorError("a view needs at least one state to show.")
     plain = View(left=0.0, right=1.0, limit=1.0)
-    left, right, limit = np.inf, -np.inf, 0.0
+    left, right, height, limit = np.inf, -np.inf, 0.0, 0.0
     for state in states:
         at = _fields(state)
         skin = visible_skin(at, at.von_mises)
-        across = plain.eye.project(skin.points)[:, 0]
+        across, upward, _ = plain.eye.project(skin.points).T
         left, right = min(left, float(across.min())), max(right, float(across.max()))
+        height = max(height, float(np.ptp(upward)))
         limit = max(limit, _surface_percentile(skin, PERCENTILE))
+    right = max(right, left + height)  # no picture gets taller than it is wide
     return View(left=left, right=right, limit=limit if limit > 0 else 1 * kPa, width=width)
 
 
@@ -170,7 +172,7 @@ def _surface_percentile(skin: Skin, percent: float) -> float:
 def _color_map() -> Colormap:
     """Matplotlib's perceptual ``magma``, light to dark without its ends; it begins with the gray of rubber at rest."""
     place = np.linspace(0, 1, 256)
-    colors = matplotlib.colormaps["magma_r"](0.02 + 0.80 * place)
+    colors = matplotlib.colormaps["magma_r"](0.02 + 0.75 * place)
     share = np.clip(place / 0.3, 0, 1)[:, None]
     return LinearSegmentedColormap.from_list("stress", (1 - share) * to_rgba(RUBBER) + share * colors)
 

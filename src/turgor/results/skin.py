@@ -25,7 +25,7 @@ EDGE_ANGLE = 30 * deg
 PARTS = 4
 
 #: Beyond this many flat triangles the sides are cut in two instead: the mesh is fine enough by itself.
-MANY = 400_000
+MANY = 150_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -208,7 +208,8 @@ def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Star
         if np.isfinite(smallest) and residual >= smallest:
             break
         if residual < smallest:
-            best = Start(trial, Stresses.combine([(w, s) for w, (_, _, s) in zip(weights, used, strict=True)]))
+            stresses = Stresses.combine([(w, s) for w, (_, _, s) in zip(weights, used, strict=True)])
+            best = Start(trial, stresses, at)
             smallest = residual
     return best
 

@@ -64,10 +64,20 @@ class NewtonResult:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Start:
-    """Where Newton's method starts: unknowns, and stresses for the geometric stiffness of the first update."""
+    """Where Newton's method starts.
+
+    Parameters
+    ----------
+    unknowns : (size,) array
+    stresses : Stresses
+        For the geometric stiffness of the first update.
+    evaluation : Evaluation or None
+        The equations there, where they were evaluated already.
+    """
 
     unknowns: Array
-    stresses: Stresses | None
+    stresses: Stresses
+    evaluation: Evaluation | None = None
 
 
 Report = Callable[[int, float, float, float], None]  # iteration, residual, correction, step length
@@ -92,7 +102,7 @@ def newton(
     system: System, tangent: Tangent, start: Start, load_factor: float, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
     """Find equilibrium at a load factor from a start; the start need not satisfy the supports."""
-    at = evaluate(system, tangent, start.unknowns, load_factor)
+    at = start.evaluation or evaluate(system, tangent, start.unknowns, load_factor)
     if at is None:
         return _failure(None, 0, np.inf, None, "the start turns a cell inside out")
     residual = best = relative_residual(system, at)
