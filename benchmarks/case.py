@@ -88,10 +88,10 @@ def bender(*, solver: str, threads: int) -> dict[str, Any]:
     return facts(solution) | {"deviation": float(off.max())}
 
 
-def demo(*, solver: str, threads: int, size: float) -> dict[str, Any]:
-    """The demo of `examples/fast_pneunet.toml` at another mesh size [m], as far as its top pressure."""
+def demo(*, solver: str, threads: int) -> dict[str, Any]:
+    """The whole ramp of `examples/fast_pneunet.toml`."""
     job = tg.read_job(ROOT / "examples" / "fast_pneunet.toml")
-    mesh = tg.mesh(job.actuator.build(), size=size)
+    mesh = tg.mesh(job.actuator.build(), size=job.mesh_size, grading=job.mesh_grading)
     model = tg.Model(mesh, materials=job.materials, supports=job.supports, loads=job.loads)
     return facts(tg.solve(model, job.procedure, options=EngineOptions(linear_solver=solver, threads=threads)))
 

@@ -45,8 +45,3 @@ def installed(name: str) -> str:
         return version(name)
     except PackageNotFoundError:
         return "not installed"
-
-
-def has_mkl() -> bool:
-    """Whether MKL can be measured."""
-    return installed("mkl") != "not installed"

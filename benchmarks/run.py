@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from machine import has_mkl, machine
+from machine import machine
+from turgor.engine.linear import available_solvers
 
 HERE = Path(__file__).parent
 TWO = min(2, os.cpu_count() or 1)
 
-DEMO_SIZE = 2.15e-3  # about 60,000 unknowns
 GROWTH_SIZES = (4.0e-3, 2.4e-3, 1.6e-3, 1.15e-3, 0.85e-3, 0.625e-3)  # 15,000 to 500,000 unknowns
 
 #: CPU seconds of other codes for the reference bender: whole process, per iteration, and the number of iterations. Same
@@ -53,11 +53,6 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return "\n".join([lines[0], "|" + "|".join("-" * (w + 2) for w in widths) + "|", *lines[1:]])
 
 
-def solvers() -> tuple[str, ...]:
-    """The linear solvers that are here."""
-    return ("rslab", "mkl-pardiso") if has_mkl() else ("rslab",)
-
-
 def memory(facts: Facts) -> str:
     """Peak memory in MiB."""
     return "unknown" if facts["memory"] is None else f"{facts['memory'] / 2**20:.0f}"
@@ -71,7 +66,7 @@ def rest(facts: Facts) -> float:
 def bender() -> str:
     """The reference bender on one thread."""
     rows = []
-    for solver in solvers():
+    for solver in available_solvers():
         facts = measure({"case": "bender", "solver": solver, "threads": 1})
         each = (facts["assembly"] + facts["factorization"] + facts["solve"]) / facts["iterations"]
         cells = (f"{facts['cpu']:.1f}", f"{each:.3f}", str(facts["iterations"]), f"{facts['deviation']:.1e}")
@@ -85,8 +80,8 @@ def bender() -> str:
 def demo() -> str:
     """The demo at about 60,000 unknowns, first use and later ones."""
     rows = []
-    for solver in solvers():
-        request = {"case": "demo", "solver": solver, "threads": TWO, "size": DEMO_SIZE}
+    for solver in available_solvers():
+        request = {"case": "demo", "solver": solver, "threads": TWO}
         with tempfile.TemporaryDirectory() as empty:
             rows.append(demo_row(f"{solver}, first use", measure(request, cache=empty)))
         rows.append(demo_row(solver, facts := measure(request)))
@@ -113,7 +108,7 @@ def growth() -> str:
     text = "Six-chamber fast PneuNet, first load step of 1 kPa, wall seconds."
     parts = [f"## Growth\n\n{text}\n"]
     keys = ("setup", "assembly", "factorization", "solve")
-    for solver in solvers():
+    for solver in available_solvers():
         runs = [measure({"case": "growth", "solver": solver, "threads": TWO, "size": s}) for s in GROWTH_SIZES]
         columns = {key: [run[key] / (1 if key == "setup" else run["iterations"]) for run in runs] for key in keys}
         columns["memory"] = [(run["memory"] or np.nan) / 2**20 for run in runs]

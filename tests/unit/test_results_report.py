@@ -111,6 +111,21 @@ def test_page_without_extras(tmp_path, solution):
     assert "How to repeat" not in shown.text
 
 
+@pytest.mark.parametrize(
+    ("status", "severity", "good"),
+    [
+        (Status.CONVERGED, Severity.WARNING, True),
+        (Status.CONVERGED, Severity.ERROR, False),
+        (Status.STOPPED, Severity.NOTE, False),
+    ],
+)
+def test_status_is_green_only_if_nothing_invalidates_the_result(tmp_path, solution, status, severity, good):
+    ended = cases.solution(list(solution.states), status)
+    finding = Finding(code="B02", severity=severity, message="m", advice="a")
+    page(tmp_path, title="T", solution=ended, response=measure(ended), findings=(finding,))
+    assert ('class="status good"' in (tmp_path / "r.html").read_text()) is good
+
+
 def test_texts_are_escaped(tmp_path, solution):
     shown = page(tmp_path, title="<b>& bold", solution=solution, response=measure(solution), repeat="a < b && c")
     assert "<b>& bold" in shown.text

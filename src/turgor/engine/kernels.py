@@ -3,7 +3,8 @@
 The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) dV with quadratic displacement and linear mean stress p.
 Stress and tangent are formed once per point in the reference configuration (second Piola–Kirchhoff S and 4 ∂²W/∂C²),
 pushed to ∂P/∂F and contracted with the shape function gradients; node loops run over contiguous arrays so that the
-compiler vectorizes them. All of it is one file because numba keys its cache by the file of the calling loop. Symbols follow the review's section 3.1.
+compiler vectorizes them. All of it is one file because numba keys its cache by the file of the calling loop. Symbols
+follow the review's section 3.1.
 """
 
 import numpy as np

@@ -11,7 +11,6 @@ from turgor.materials.material import Material
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.supports import Fixed
-from turgor.results.measures import STANDARD_MEASURES
 from turgor.solvers.procedures import Static
 
 
@@ -40,6 +39,19 @@ def actuator_type(actuator: Actuator) -> str:
     raise unknown("actuator type", type(actuator).__name__, ACTUATORS)
 
 
+def standard_measures() -> tuple[str, ...]:
+    """Return the names of the measures that a run writes unless it is told otherwise.
+
+    Examples
+    --------
+    >>> standard_measures()[0]
+    'bending_angle'
+    """
+    from turgor.results.measures import STANDARD_MEASURES  # here, because it loads the engine
+
+    return tuple(measure.name for measure in STANDARD_MEASURES)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Output:
     """What a run writes besides the response, the path and the lock file.
@@ -56,7 +68,7 @@ class Output:
         Whether to write the HTML report.
     """
 
-    measures: tuple[str, ...] = tuple(measure.name for measure in STANDARD_MEASURES)
+    measures: tuple[str, ...] = field(default_factory=standard_measures)
     fields: bool = True
     pictures: bool = True
     report: bool = True

@@ -4,10 +4,9 @@ from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
-from turgor.engine.runtime import EngineOptions
 from turgor.errors import unknown
 from turgor.geometry import Geometry
-from turgor.job.job import ACTUATORS, Actuator, Output
+from turgor.job.job import ACTUATORS, Actuator, Output, standard_measures
 from turgor.job.lines import Key
 from turgor.job.problems import Problems
 from turgor.job.tables import (
@@ -26,7 +25,6 @@ from turgor.meshing.generate import mesh, size_range
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.supports import Fixed
-from turgor.results.measures import STANDARD_MEASURES
 from turgor.solvers.procedures import Static
 from turgor.units import format_quantity
 
@@ -164,6 +162,8 @@ def read_engine(values: Any, problems: Problems) -> int | None:
     table = read_table(EngineTable, values, ("engine",), problems)
     if table is None or table.threads is None:
         return None
+    from turgor.engine.runtime import EngineOptions  # here, because it loads the engine
+
     options = problems.attempt(("engine",), lambda: EngineOptions(threads=table.threads), fields=("threads",))
     return None if options is None else options.threads
 
@@ -176,9 +176,10 @@ def read_output(values: Any, problems: Problems) -> Output | None:
         return None
     if len(set(table.measures)) < len(table.measures):
         problems.add((*key, "measures"), "a measure is listed twice.")
-    standard = tuple(measure.name for measure in STANDARD_MEASURES)
+    if problems.found:
+        return None  # the job is refused: the standard measures, which load the engine, are not needed
     return Output(
-        measures=tuple(table.measures) or standard,
+        measures=tuple(table.measures) or standard_measures(),
         fields=table.fields,
         pictures=table.pictures,
         report=table.report,

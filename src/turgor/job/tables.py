@@ -15,7 +15,6 @@ from turgor.errors import TurgorError, near_match, unknown
 from turgor.job.lines import Key
 from turgor.job.problems import Problems
 from turgor.materials.records import DIMENSIONLESS
-from turgor.results.measures import find_measure
 from turgor.units import parse_quantity
 
 CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
@@ -64,6 +63,8 @@ def _direction(text: str) -> str:
 
 
 def _measure(name: str) -> str:
+    from turgor.results.measures import find_measure  # here, because it loads the engine
+
     return find_measure(name).name
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from jinja2 import Environment, StrictUndefined
 
 from turgor.errors import TurgorError
-from turgor.finding import Finding
+from turgor.finding import Finding, Severity
 from turgor.meshing.quality import MeshQuality
 from turgor.response import Column, Response
 from turgor.results import describe
@@ -103,7 +103,7 @@ def _context(report: Report) -> dict[str, object]:
     return {
         "title": report.title,
         "status": str(solution.status).replace("_", " "),
-        "converged": solution.converged,
+        "good": solution.converged and all(finding.severity is not Severity.ERROR for finding in report.findings),
         "message": solution.message,
         "advice": solution.advice,
         "findings": list(report.findings),

@@ -78,7 +78,9 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
     lines = [
         *_opening("UnstructuredGrid"),
         "<UnstructuredGrid>",
-        *_section("FieldData", [_Array("load_factor", np.array([at.state.load_factor], dtype="f8"))], _region_names(at)),
+        *_section(
+            "FieldData", [_Array("load_factor", np.array([at.state.load_factor], dtype="f8"))], _region_names(at)
+        ),
         f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfCells="{count}">',
         *_section("PointData", point_data),
         *_section("CellData", [_Array("region", region)]),

@@ -104,10 +104,9 @@ def newton(
     """Find equilibrium at a load factor from a start; the start need not satisfy the supports."""
     at = start.evaluation or evaluate(system, tangent, start.unknowns, load_factor)
     if at is None:
-        return _failure(None, 0, np.inf, None, "the start turns a cell inside out")
-    residual = best = relative_residual(system, at)
+        return _failure(None, 0, np.inf, "the start turns a cell inside out")
+    residual = relative_residual(system, at)
     geometric = start.stresses if settings.mixed_points else None
-    modes: int | None = None
     jump = system.prescribed(load_factor) - start.unknowns[system.held]
     fresh = True
     for iteration in range(1, settings.max_iterations + 1):
@@ -116,32 +115,43 @@ def newton(
             try:
                 coupling = tangent.factor(at, geometric, jump)
             except SingularTangentError as error:
-                return _failure(at, iteration, residual, modes, str(error))
-            modes = tangent.unstable_modes()
+                return _failure(at, iteration, residual, str(error))
         right = -at.residual - coupling
         right[system.held] = jump
         jump = np.zeros_like(jump)  # the supports are satisfied after the first update
         update = tangent.solve(right)
         new, length = _line_search(system, tangent, at, update)
         if new is None:
-            return _failure(at, iteration, residual, modes, "every update turns a cell inside out")
+            return _failure(at, iteration, residual, "every update turns a cell inside out", tangent)
         previous, residual = residual, relative_residual(system, new)
-        best = min(best, residual)
         correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
         report(iteration, residual, correction, length)
         if residual <= settings.tolerance:
-            return NewtonResult(
-                evaluation=new, iterations=iteration, residual=residual, converged=True, unstable_modes=modes
-            )
+            return _success(tangent, new, iteration, residual)
         contracting = residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
         fresh = not (settings.keep_factors and contracting and length == 1)
         if settings.mixed_points and fresh:
             geometric = _linearized(system, tangent, at, length * update)
         at = new
-    return _failure(at, iteration, residual, modes, f"no convergence in {settings.max_iterations} iterations")
+    return _failure(at, iteration, residual, f"no convergence in {settings.max_iterations} iterations", tangent)
 
 
-def _failure(at: Evaluation | None, iterations: int, residual: float, modes: int | None, reason: str) -> NewtonResult:
+def _success(tangent: Tangent, at: Evaluation, iterations: int, residual: float) -> NewtonResult:
+    """Count the unstable modes from the last factors, and where these find any, at the state itself."""
+    modes = tangent.unstable_modes()
+    if modes:
+        try:
+            tangent.factor(at)
+            modes = tangent.unstable_modes()
+        except SingularTangentError:
+            pass  # a singular tangent at the state: the count of the last iterate stands
+    return NewtonResult(evaluation=at, iterations=iterations, residual=residual, converged=True, unstable_modes=modes)
+
+
+def _failure(
+    at: Evaluation | None, iterations: int, residual: float, reason: str, tangent: Tangent | None = None
+) -> NewtonResult:
+    modes = None if tangent is None else tangent.unstable_modes()
     return NewtonResult(
         evaluation=at, iterations=iterations, residual=residual, converged=False, unstable_modes=modes, reason=reason
     )
