@@ -45,8 +45,9 @@ class LinearSolver(Protocol):
 class RslabSolver:
     """LDLᵀ by rslab (pure Rust, MIT, wheels for all systems).
 
-    Factors are single precision, a third faster and half as large, and the solution is refined against the matrix; what
-    that does not settle (a nearly singular tangent, a doubtful count of pivots) is factored again in double precision.
+    Factors are single precision, a third faster and half as large, and the solution is refined against the matrix. A
+    doubtful count of pivots is settled in double precision, and from the first solution on that refinement does not
+    settle (a nearly singular tangent, a very stiff membrane) all factors are double.
     """
 
     name = "rslab"
@@ -58,13 +59,15 @@ class RslabSolver:
         self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads)
         self._data = np.empty(0)
         self._factor: rslab.Ldlt | None = None
-        self._single = True
+        self._single = self._single_will_do = True
 
     def factor(self, data: Array) -> None:
         """Factor new values on the analyzed pattern."""
         self._data = data
         self._factor = None  # frees the old factors before the new ones are made
-        self._single = True
+        self._single = self._single_will_do
+        if not self._single:
+            return self._factor_in_double()
         try:
             self._factor = self._symbolic.factor(data, factor_dtype="float32", **self._settings)
         except RuntimeError:
@@ -85,6 +88,7 @@ class RslabSolver:
             left_over = right - self._pattern.product(self._data, solution)
             if float(np.linalg.norm(left_over)) <= REFINED * float(np.linalg.norm(right)):
                 return solution
+            self._single_will_do = False
             self._factor_in_double()
         return np.asarray(self._factor.solve(right))
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.interpolate import PchipInterpolator
 
 from turgor.engine.boundary import held_components
 from turgor.errors import TurgorError
@@ -40,16 +41,15 @@ def check_supports(model: Model) -> None:
 def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
     """Find the load at which outer walls first met (B02); results beyond it are not physical without contact."""
     walls = find_facing_walls(model.mesh)
-    before, open_gap = states[0], smallest_gap(walls, states[0].displacement)
-    if not np.isfinite(open_gap):
-        return ()
-    for state in states[1:]:
-        gap = smallest_gap(walls, state.displacement)
-        if gap <= 0:
-            share = open_gap / (open_gap - gap)
-            factor = before.load_factor + share * (state.load_factor - before.load_factor)
-            return (_met(model, factor),)
-        before, open_gap = state, gap
+    gaps: list[float] = []
+    for state in states:
+        gaps.append(smallest_gap(walls, state.displacement))
+        if not np.isfinite(gaps[0]):
+            return ()
+        if gaps[-1] <= 0:
+            factors = [s.load_factor for s in states[: len(gaps)]]
+            first = PchipInterpolator(factors, gaps).roots(extrapolate=False).min() if len(gaps) > 1 else 0.0
+            return (_met(model, float(first)),)
     return ()
 
 
