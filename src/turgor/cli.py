@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor import __version__
+from turgor.cli_materials import materials_app
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -123,15 +124,7 @@ def _actuators() -> None:
             typer.echo(f"  {item.name} = {shown(values[item.name])}")
 
 
-@app.command("materials")
-def _materials() -> None:
-    """List the library materials and their records."""
-    from turgor.materials.records import library, records
-
-    for name in library():
-        typer.echo(name)
-        for record in records(name):
-            typer.echo(f"  {record.name}: {record.law}, {record.printed}; {record.material.source.text}")
+app.add_typer(materials_app, name="materials")
 
 
 def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: int | None) -> "RunOutcome":

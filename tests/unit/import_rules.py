@@ -13,7 +13,7 @@ ROOMS = ("foundation", "materials", "geometry", "meshing", "model", "engine", "s
 FOUNDATION = ("units", "errors", "source", "finding", "response")
 
 #: The modules of the command line, which is a client of the public names.
-COMMAND_LINE = ("cli", "console", "__main__")
+COMMAND_LINE = ("cli", "cli_fit", "cli_materials", "console", "__main__")
 
 #: Where a heavy part, or a part with one purpose, may be imported.
 HOME = {

@@ -12,8 +12,27 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.homogeneous import cauchy_stress, equibiaxial, nominal_stress, planar, simple_shear, uniaxial
-from turgor.materials.laws import Hooke, Law, MooneyRivlin, NeoHooke, Yeoh
+from turgor.materials.homogeneous import (
+    biaxial,
+    cauchy_stress,
+    equibiaxial,
+    nominal_stress,
+    planar,
+    simple_shear,
+    uniaxial,
+)
+from turgor.materials.laws import (
+    ArrudaBoyce,
+    GeneralizedRivlin,
+    Gent,
+    Hooke,
+    Law,
+    MooneyRivlin,
+    NeoHooke,
+    Ogden,
+    StretchLaw,
+    Yeoh,
+)
 
 TABLE_DIGITS = 5e-6
 STRETCHES = np.array([0.7, 1.2, 1.5, 2.0, 3.0])
@@ -40,6 +59,10 @@ B = Yeoh(C10=0.11e6, C20=0.02e6)
 C = MooneyRivlin(C10=1.190e3, C01=23.028e3)
 D = Yeoh(C10=12.7e3, C20=423.0, C30=-1.46)
 E = Polynomial(C10=279.3e3, C01=10.5e3, C20=59.1e3)
+F = GeneralizedRivlin.of(C10=-7.48e3, C01=19.6e3, C20=-198.0, C02=-539.0, C11=3.21e3)
+G_PRINTED = {"mu": (24361.0, 66.703, 453.81), "alpha": (1.7138, 7.0679, -3.3659)}
+G_ABAQUS, G_CANONICAL = Ogden.from_abaqus(**G_PRINTED), Ogden(**G_PRINTED)
+EVERY = [A, B, C, D, E, F, G_ABAQUS, G_CANONICAL, Gent(mu=8e4, Jm=60.0), ArrudaBoyce(mu=8e4, locking_stretch=3.0)]
 
 NOMINAL = [  # law, deformation, nominal stress [MPa] at STRETCHES
     (A, uniaxial, [-0.321796, 0.121333, 0.253333, 0.420000, 0.693333]),
@@ -57,6 +80,12 @@ NOMINAL = [  # law, deformation, nominal stress [MPa] at STRETCHES
     (E, uniaxial, [-0.899238, 0.303999, 0.749972, 1.82333, 6.18684]),
     (E, equibiaxial, [-5.64864, 0.538315, 1.37809, 3.62127, 12.8719]),
     (E, planar, [-1.56208, 0.379850, 0.895275, 2.08406, 6.69827]),
+    (F, uniaxial, [-0.0609015, 0.00941825, 0.0162793, 0.0282686, 0.0717335]),
+    (F, planar, [-0.0653355, 0.0158865, 0.0374466, 0.0871819, 0.280246]),
+    (G_ABAQUS, uniaxial, [-0.0342539, 0.0123488, 0.0251093, 0.0404641, 0.0739755]),
+    (G_ABAQUS, equibiaxial, [-0.121291, 0.0203997, 0.0361799, 0.0608894, 0.223290]),
+    (G_CANONICAL, uniaxial, [-0.0268876, 0.0102456, 0.0213130, 0.0369949, 0.101633]),
+    (G_CANONICAL, equibiaxial, [-0.111938, 0.0159916, 0.0247134, 0.0192029, -0.140824]),
 ]
 
 SHEAR = [  # law, amount of shear, Cauchy stress 12, 11, 22 [MPa]
@@ -83,20 +112,23 @@ def test_shear_stress_matches_the_table(law: Law, amount: float, expected: tuple
     assert (stress[0, 1], stress[0, 0], stress[1, 1]) == pytest.approx(expected, rel=1e-12, abs=1e-15)
 
 
-@pytest.mark.parametrize("law", [A, B, C, D, E])
+@pytest.mark.parametrize("law", EVERY)
 def test_universal_relation_of_simple_shear(law: Law) -> None:
     amount = np.linspace(-2, 2, 9)
     stress = cauchy_stress(law, simple_shear(amount))
     assert stress[:, 0, 0] - stress[:, 1, 1] == pytest.approx(amount * stress[:, 0, 1], rel=1e-12, abs=1e-9)
 
 
-@pytest.mark.parametrize("law", [A, B, C, D, E])
+@pytest.mark.parametrize("law", EVERY)
 @pytest.mark.parametrize("deformation", [uniaxial, equibiaxial, planar])
 def test_work_of_the_stress_is_the_energy(law: Law, deformation: Any) -> None:
     """P : dF/dλ = dW/dλ, by a central difference of the energy itself."""
 
     def energy(stretch: float) -> float:
-        squares = deformation(stretch).diagonal() ** 2
+        stretches = deformation(stretch).diagonal()
+        if isinstance(law, StretchLaw):
+            return float(law.energy_of_stretches(*stretches))
+        squares = stretches**2
         return float(law.energy(squares.sum(), (1 / squares).sum()))
 
     for stretch in STRETCHES:
@@ -132,6 +164,31 @@ def test_change_of_volume_is_refused() -> None:
         cauchy_stress(A, np.diag([1.1, 1.0, 1.0]))
 
 
-def test_law_without_invariants_is_refused() -> None:
+def test_laws_in_stretches_and_in_invariants_that_are_the_same_law_agree() -> None:
+    """Ogden with α = 2 is neo-Hookean, with 2 and −2 Mooney–Rivlin, in any deformation, equal stretches included."""
+    rng = np.random.default_rng(5)
+    F = rng.uniform(-0.5, 0.5, (50, 3, 3)) + np.eye(3)
+    F[:2] = np.eye(3)
+    F[1, 0, 1] = 1e-9
+    F = F[np.linalg.det(F) > 0]
+    F /= np.cbrt(np.linalg.det(F))[:, None, None]
+    pairs = [
+        (Ogden(mu=(4e4,), alpha=(2.0,)), NeoHooke(C10=2e4)),
+        (Ogden(mu=(4e4, -1e4), alpha=(2.0, -2.0)), MooneyRivlin(C10=2e4, C01=5e3)),
+    ]
+    for stretches, invariants in pairs:
+        expected = cauchy_stress(invariants, F)
+        assert np.abs(cauchy_stress(stretches, F) - expected).max() < 1e-11 * np.abs(expected).max()
+
+
+def test_stress_turns_with_the_solid() -> None:
+    """About the free direction, so that σ₃₃ = 0 stays what it says."""
+    c, s = np.cos(0.7), np.sin(0.7)
+    Q = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    before = cauchy_stress(G_ABAQUS, biaxial(1.7, 1.2))
+    assert cauchy_stress(G_ABAQUS, Q @ biaxial(1.7, 1.2)) == pytest.approx(Q @ before @ Q.T, rel=1e-12, abs=1e-9)
+
+
+def test_law_of_no_rubber_is_refused() -> None:
     with pytest.raises(TurgorError, match="Hooke"):
         cauchy_stress(Hooke(E=1e9, nu=0.2), uniaxial(1.1))  # type: ignore[arg-type]

@@ -171,7 +171,7 @@ CHANGES = [
     ('size = "3 mm"', "", "small.toml:7: mesh.size: 'size' is missing, and it has no default."),
     ('size = "3 mm"', 'size = "3 mm"\ngrading = 7.0', "small.toml:9: mesh.grading: 7.0; allowed is 0.1 to 1."),
     ('body = { library = "elastosil-m4601"', 'body = { library = "elastosil"', "small.toml:11: materials.body.library: "
-     "unknown library material 'elastosil'; did you mean 'elastosil-m4601'? Known: elastosil-m4601, paper."),
+     "unknown library material 'elastosil'; did you mean 'elastosil-m4601'? Known: dragon-skin-10, dragon-"),
     ("hooke-polygerinos-2020", "hooke-2020", "small.toml:13: materials.strain_limiting_layer.record: unknown record "
      "'hooke-2020' of 'paper'; did you mean 'hooke-yang-2020'? Known: hooke-polygerinos-2020, hooke-yang-2020."),
     (', record = "hooke-polygerinos-2020"', "", "small.toml:13: materials.strain_limiting_layer.record: 'paper' has 2"),

@@ -1,12 +1,13 @@
 """V01.2: a rotation on top of any deformation turns the internal forces and leaves the energy alone.
 
-Problem: a twisted, sheared, pressurized block, incompressible Yeoh with a membrane on one side; every position is
-then turned by 37° about (1, 2, 3).
+Problem: a twisted, sheared, pressurized block, incompressible, Yeoh or Ogden, with a membrane on one side; every
+position is then turned by 37° about (1, 2, 3).
 Exact: force vectors turn with it, their norms, the volume constraints and the energy do not change (objectivity).
 Source: verification case V01. Tolerance: 1e-12 relative, round-off of sums over about a thousand terms.
 """
 
 import numpy as np
+import pytest
 
 import meshes
 import problems
@@ -14,12 +15,13 @@ import turgor as tg
 from turgor.engine.system import System
 
 
-def test_rotation_turns_forces_and_keeps_energy(record_verification):
+@pytest.mark.parametrize(("name", "law"), [("Yeoh", problems.YEOH), ("Ogden", problems.OGDEN)])
+def test_rotation_turns_forces_and_keeps_energy(name, law, record_verification):
     mesh = meshes.box((0.02, 0.01, 0.01), (2, 1, 1))
     paper = tg.Material(name="paper", law=tg.Hooke(E=6.5e9, nu=0.2))
     model = tg.Model(
         mesh,
-        materials={"body": problems.rubber(problems.YEOH), "z0": tg.Membrane(paper, 1e-5)},
+        materials={"body": problems.rubber(law), "z0": tg.Membrane(paper, 1e-5)},
         supports=[tg.Fixed("x0")],
         loads=[tg.Pressure("z1", 2e4)],
     )
@@ -42,7 +44,7 @@ def test_rotation_turns_forces_and_keeps_energy(record_verification):
 
     scale = np.abs(forces[0]).max()
     record_verification(
-        claim="energy of a deformed block after a rotation by 37° [J]",
+        claim=f"energy of a deformed block of {name} after a rotation by 37° [J]",
         source="V01, objectivity",
         expected=energies[0],
         got=energies[1],

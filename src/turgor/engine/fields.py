@@ -65,13 +65,19 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFi
     I1 = np.trace(B, axis1=-2, axis2=-1)
     I2 = 0.5 * (I1**2 - np.einsum("cqij,cqij->cq", B, B))
     j = J ** (-2 / 3)
-    W1, W2 = CellMaterials(model, 1.0).derivatives(j * I1, j * j * I2)[:2]
+    materials = CellMaterials(model, 1.0)
+    by_stretches = F[materials.stretch_cells]
+    laws = materials.isochoric(j * I1, j * j * I2, by_stretches)
+    W1, W2 = laws.derivatives[:2]
     identity = np.eye(3)
     mean = np.einsum("qm,cm->cq", r.M, mean_stress[mesh.cells[:, :4]])
     # σ = 2/J [W₁ ∂Ī₁ + W₂ ∂Ī₂] pushed forward, plus the mean stress: the volumetric energy is p (J − 1)
     b1 = B - (I1 / 3)[..., None, None] * identity
     b2 = I1[..., None, None] * B - B @ B - (2 * I2 / 3)[..., None, None] * identity
     deviator = (2 / J)[..., None, None] * ((W1 * j)[..., None, None] * b1 + (W2 * j * j)[..., None, None] * b2)
+    second = laws.stress[..., [[0, 3, 5], [3, 1, 4], [5, 4, 2]]]
+    pushed = by_stretches @ second @ by_stretches.swapaxes(-1, -2)
+    deviator[materials.stretch_cells] = pushed / J[materials.stretch_cells, :, None, None]
     von_mises = np.sqrt(1.5 * np.einsum("cqij,cqij->cq", deviator, deviator))
     return CellFields(
         cauchy=deviator + mean[..., None, None] * identity,
@@ -126,7 +132,9 @@ def strain_energy(model: Model, displacement: Array, mean_stress: Array) -> floa
     I1, I2, _ = kernels.kinematics(mesh.cells, displacement, r.dN, Jinv)
     materials = CellMaterials(model, 1.0)
     mean = np.einsum("qm,cm->cq", r.M, mean_stress[mesh.cells[:, :4]])
-    density = materials.energy(I1, I2) + 0.5 * mean**2 * materials.compliance[:, None]
+    chosen = materials.stretch_cells
+    F = kernels.deformation_gradients(mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
+    density = materials.energy(I1, I2, F) + 0.5 * mean**2 * materials.compliance[:, None]
     held = np.zeros((len(mesh.points), 3), dtype=bool)
     sheets = FaceTerms(model, mesh.points, held, 1.0, 1.0)
     return float((weight * density).sum()) + sheets.membrane_energy(mesh.points + displacement)

@@ -3,8 +3,9 @@
 The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) dV with quadratic displacement and linear mean stress p.
 Stress and tangent are formed once per point in the reference configuration (second Piola–Kirchhoff S and 4 ∂²W/∂C²),
 pushed to ∂P/∂F and contracted with the shape function gradients; node loops run over contiguous arrays so that the
-compiler vectorizes them. All of it is one file because numba keys its cache by the file of the calling loop. Symbols
-follow the review's section 3.1.
+compiler vectorizes them. Laws in stretches bring the isochoric S and 4 ∂²W/∂C² along (`turgor.engine.spectral`): cell c
+adds row ``rows[c]`` of them, none where that is negative. All of it is one file because numba keys its cache by the
+file of the calling loop. Symbols follow the review's section 3.1.
 """
 
 import numpy as np
@@ -196,6 +197,25 @@ def _material_tangent(Ci, T, s1, s2, W, scalars, p, D):
 
 
 @njit(cache=True, fastmath=_FAST)
+def _add_stress(more, S):
+    for v in range(6):
+        S[v] += more[v]
+
+
+@njit(cache=True, fastmath=_FAST)
+def _add_tangent(more, D):
+    """Add a lower triangle, stored row by row, to the symmetric D."""
+    at = 0
+    for v in range(6):
+        for w in range(v):
+            D[v, w] += more[at]
+            D[w, v] += more[at]
+            at += 1
+        D[v, v] += more[at]
+        at += 1
+
+
+@njit(cache=True, fastmath=_FAST)
 def _push(F, D, S, A):
     """∂P/∂F (9 × 9, rows iJ) = F D Fᵀ + δ S."""
     index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
@@ -219,7 +239,7 @@ def _push(F, D, S, A):
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def residual(cells, u, p, dN, M, Jinv, dV, W1, W2, compliance):
+def residual(cells, u, p, dN, M, Jinv, dV, W1, W2, rows, stress, compliance):
     """Gradient of the energy by cell, (c, 34): internal forces (node by node), then volume constraints."""
     count, q_count = len(cells), len(dN)
     out = np.empty((count, UNKNOWNS))
@@ -247,6 +267,8 @@ def residual(cells, u, p, dN, M, Jinv, dV, W1, W2, compliance):
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             _stress(C, Ci, J, W1[c, q], W2[c, q], pq, s1, s2, T, S)
+            if rows[c] >= 0:
+                _add_stress(stress[rows[c], q], S)
             w = dV[c, q]
             for i in range(3):
                 P[i, 0] = w * (F[i, 0] * S[0] + F[i, 1] * S[3] + F[i, 2] * S[5])
@@ -262,7 +284,7 @@ def residual(cells, u, p, dN, M, Jinv, dV, W1, W2, compliance):
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def extrapolated_stress(cells, u, p, du, dp, dN, M, Jinv, W, compliance):
+def extrapolated_stress(cells, u, p, du, dp, dN, M, Jinv, W, rows, stress, material):
     """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 6).
 
     It enters the geometric stiffness of the next iteration in place of the stress itself: the mixed integration
@@ -304,6 +326,9 @@ def extrapolated_stress(cells, u, p, du, dp, dN, M, Jinv, W, compliance):
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
             _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, D)
+            if rows[c] >= 0:
+                _add_stress(stress[rows[c], q], S)
+                _add_tangent(material[rows[c], q], D)
             pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
             for v in range(6):
                 a, b = pairs[v]
@@ -360,10 +385,11 @@ def _pack(K, Kup, Kpp, out):
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def tangent(cells, u, p, dN, M, Jinv, dV, W, compliance, geometric, use_geometric):
+def tangent(cells, u, p, dN, M, Jinv, dV, W, rows, stress, material, compliance, geometric, use_geometric):
     """Hessian of the energy by cell, packed lower triangles (c, PACKED).
 
-    ``geometric`` (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set.
+    ``stress`` (s, q, 6) and ``material`` (s, q, 21), lower triangles, are those of laws in stretches; ``geometric``
+    (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set.
     """
     count, q_count = len(cells), len(dN)
     out = np.empty((count, PACKED))
@@ -397,6 +423,9 @@ def tangent(cells, u, p, dN, M, Jinv, dV, W, compliance, geometric, use_geometri
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
             _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, D)
+            if rows[c] >= 0:
+                _add_stress(stress[rows[c], q], S)
+                _add_tangent(material[rows[c], q], D)
             if use_geometric:
                 for v in range(6):
                     S[v] = geometric[c, q, v]

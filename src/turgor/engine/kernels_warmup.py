@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.engine import kernels, membranes, surfaces
+from turgor.engine import kernels, membranes, spectral, surfaces
 from turgor.engine.pattern import build_pattern, locate, scatter_add
 from turgor.engine.reference import (
     CELL_QUADRATURE_DEGREE,
@@ -20,12 +20,18 @@ def touch_kernels() -> None:
     Jinv, dV = kernels.reference_geometry(points, cells, r.dN, r.weights)
     u, p = np.zeros((10, 3)), np.zeros(4)
     kernels.kinematics(cells, u, r.dN, Jinv)
-    kernels.deformation_gradients(cells, u, r.dN, Jinv)
+    F = kernels.deformation_gradients(cells, u, r.dN, Jinv)
+    bar, directions, scale = spectral.principal_stretches(F)
+    one = np.ones((6, *dV.shape))
+    more, material = spectral.spectral_response(bar, directions, scale, one[:3].copy(), one)
+    rows = np.zeros(1, dtype=np.int64)
     W = np.ones((5, *dV.shape))
     compliance = np.zeros(1)
-    kernels.residual(cells, u, p, r.dN, r.M, Jinv, dV, W[0], W[1], compliance)
-    kernels.extrapolated_stress(cells, u, p, u, p, r.dN, r.M, Jinv, W, compliance)
-    packed = kernels.tangent(cells, u, p, r.dN, r.M, Jinv, dV, W, compliance, np.zeros((1, 1, 6)), False)
+    kernels.residual(cells, u, p, r.dN, r.M, Jinv, dV, W[0], W[1], rows, more, compliance)
+    kernels.extrapolated_stress(cells, u, p, u, p, r.dN, r.M, Jinv, W, rows, more, material)
+    packed = kernels.tangent(
+        cells, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, compliance, np.zeros((1, 1, 6)), False
+    )
     rows, columns = np.tril_indices(kernels.UNKNOWNS)
     pattern = build_pattern(np.arange(kernels.UNKNOWNS)[None], kernels.UNKNOWNS)
     positions = locate(pattern.indptr, pattern.indices, rows, columns)

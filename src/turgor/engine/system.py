@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from turgor.engine import kernels
 from turgor.engine.boundary import held_components
-from turgor.engine.cell_materials import CellMaterials
+from turgor.engine.cell_materials import CellMaterials, Isochoric
 from turgor.engine.dead_loads import dead_forces
 from turgor.engine.faces import FaceTerms
 from turgor.engine.pattern import build_pattern, locate, scatter_add
@@ -65,15 +65,15 @@ class Evaluation:
         Internal minus external force; then the violation of the volume constraint.
     external : (size,) array
         External force alone.
-    derivatives : (5, c, q) array
-        Scaled first and second derivatives of the energy by the invariants.
+    isochoric : Isochoric
+        What the laws say at all points, scaled.
     """
 
     unknowns: Array
     load_factor: float
     residual: Array
     external: Array
-    derivatives: Array
+    isochoric: Isochoric
 
 
 class System:
@@ -116,6 +116,8 @@ class System:
             self.cells[:, :4].ravel(), (self.dV @ self.reference.M).ravel(), minlength=mesh.vertex_count
         )
         self.materials = CellMaterials(model, self.stress)
+        stretch_cells = self.materials.stretch_cells
+        self._stretch_Jinv = self.Jinv if len(stretch_cells) == len(self.cells) else self.Jinv[stretch_cells]
         supports = held_components(model)
         self._supports = supports
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(mesh.vertex_count, dtype=bool)])
@@ -166,9 +168,22 @@ class System:
         I1, I2, _ = kernels.kinematics(self.cells, u, r.dN, self.Jinv)
         if not np.isfinite(I1).all():
             return None
-        W = self.materials.derivatives(I1, I2)
+        rubber = self.materials
+        F = kernels.deformation_gradients(self.cells[rubber.stretch_cells], u, r.dN, self._stretch_Jinv)
+        laws = rubber.isochoric(I1, I2, F)
         by_cell = kernels.residual(
-            self.cells, u, p, r.dN, r.M, self.Jinv, self.dV, W[0], W[1], self.materials.compliance
+            self.cells,
+            u,
+            p,
+            r.dN,
+            r.M,
+            self.Jinv,
+            self.dV,
+            laws.derivatives[0],
+            laws.derivatives[1],
+            rubber.rows,
+            laws.stress,
+            rubber.compliance,
         )
         internal: Array = np.bincount(self._cell_unknowns.ravel(), by_cell.ravel(), minlength=self.size).astype(float)
         position = self.points + u
@@ -179,7 +194,7 @@ class System:
         total = internal - outer
         if not np.isfinite(total).all():
             return None
-        return Evaluation(unknowns, load_factor, total, outer, W)
+        return Evaluation(unknowns, load_factor, total, outer, laws)
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
@@ -198,7 +213,10 @@ class System:
                 r.M,
                 self.Jinv[chunk],
                 self.dV[chunk],
-                np.ascontiguousarray(at.derivatives[:, chunk]),
+                np.ascontiguousarray(at.isochoric.derivatives[:, chunk]),
+                self.materials.rows[chunk],
+                at.isochoric.stress,
+                at.isochoric.tangent,
                 compliance[chunk],
                 nothing if geometric is None else geometric.cells[chunk],
                 geometric is not None,
@@ -223,8 +241,20 @@ class System:
         u, p = self.split(at.unknowns)
         du, dp = self.split(np.zeros(self.size) if update is None else update)
         r = self.reference
+        laws = at.isochoric
         cells = kernels.extrapolated_stress(
-            self.cells, u, p, du, dp, r.dN, r.M, self.Jinv, at.derivatives, self.materials.compliance
+            self.cells,
+            u,
+            p,
+            du,
+            dp,
+            r.dN,
+            r.M,
+            self.Jinv,
+            laws.derivatives,
+            self.materials.rows,
+            laws.stress,
+            laws.tangent,
         )
         return Stresses(cells, self.faces.membrane_stresses(self.points + u, du))
 

@@ -69,7 +69,7 @@ def _material(entry: Material | Membrane) -> dict[str, Any]:
     values: dict[str, Any] = {"name": material.name, "law": law}
     for item in fields(material.law):  # type: ignore[arg-type]
         value = getattr(material.law, item.name)
-        values[item.name] = value if item.name in DIMENSIONLESS else format_quantity(value, unit)
+        values[item.name] = _constants(value, None if item.name in DIMENSIONLESS else unit)
     if law != "hooke":
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
@@ -81,6 +81,15 @@ def _material(entry: Material | Membrane) -> dict[str, Any]:
         values["thickness"] = format_quantity(entry.thickness, "mm")
     source = material.source
     return values | {"source": {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}}
+
+
+def _constants(value: Any, unit: str | None) -> Any:
+    """A constant, those of all terms, or coefficients by their exponents, as `law_table` reads them."""
+    if not isinstance(value, tuple):
+        return value if unit is None else format_quantity(value, unit)
+    if isinstance(value[0], tuple):
+        return {f"C{i}{j}": _constants(number, unit) for i, j, number in value}
+    return [_constants(number, unit) for number in value]
 
 
 def _loads(job: Job) -> dict[str, str]:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import fields, replace
 from math import inf
+from pathlib import Path
 from typing import Any
 
 from turgor.errors import unknown
@@ -10,6 +11,7 @@ from turgor.geometry import Geometry
 from turgor.job.lines import Key
 from turgor.job.problems import Problems
 from turgor.job.tables import LibraryTable, StatedTable, law_table, read_table, shown
+from turgor.materials.laws import GeneralizedRivlin, Hooke
 from turgor.materials.material import Material
 from turgor.materials.records import LAWS, from_library, library
 from turgor.model.model import Membrane
@@ -62,7 +64,10 @@ def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: P
 
 def _from_library(table: LibraryTable, key: Key, problems: Problems) -> Material | None:
     wrong = "record" if table.library in library() else "library"
-    material = problems.attempt((*key, wrong), lambda: from_library(table.library, record=table.record))
+    name = table.library
+    if name.endswith(".toml"):
+        name = str(Path(problems.file).parent / name)  # beside the job
+    material = problems.attempt((*key, wrong), lambda: from_library(name, record=table.record))
     if material is None or table.density is None:
         return material
     return problems.attempt(key, lambda: replace(material, density=table.density), fields=("density",))
@@ -81,7 +86,7 @@ def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
     def make() -> Material:
         return Material(
             name=table.name or key[-1],
-            law=kind(**{item.name: getattr(table, item.name) for item in fields(kind)}),
+            law=_law(kind, {item.name: getattr(table, item.name) for item in fields(kind)}),
             bulk_modulus=getattr(table, "bulk_modulus", inf),
             density=table.density,
             stretch_range=(stretch_range[0], stretch_range[1]) if stretch_range else None,
@@ -91,11 +96,17 @@ def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
     return problems.attempt(key, make, fields=(*(item.name for item in fields(kind)), "bulk_modulus", "density"))
 
 
+def _law(kind: Any, constants: Mapping[str, Any]) -> Any:
+    if kind is GeneralizedRivlin:
+        return GeneralizedRivlin.from_names(constants["coefficients"])
+    return kind(**constants)
+
+
 def _suits(
     material: Material, thickness: float | None, key: Key, geometry: Geometry | None, problems: Problems
 ) -> bool:
     """Whether regions get rubbers, and faces sheets with a thickness."""
-    name, elastic = key[-1], not hasattr(material.law, "energy")
+    name, elastic = key[-1], isinstance(material.law, Hooke)
     if geometry is None:
         return True
     if name in geometry.regions and thickness is not None:

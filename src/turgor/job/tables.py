@@ -14,6 +14,7 @@ from pydantic import AfterValidator, AllowInfNan, BaseModel, BeforeValidator, Co
 from turgor.errors import TurgorError, near_match, unknown
 from turgor.job.lines import Key
 from turgor.job.problems import Problems
+from turgor.materials.laws import Hooke
 from turgor.materials.records import DIMENSIONLESS
 from turgor.units import parse_quantity
 
@@ -156,12 +157,18 @@ def procedure_table(value: type) -> type[Table]:
 @cache
 def law_table(law: type) -> type[Table]:
     """Make the table of a material stated by its law: the coefficients are the fields of the law."""
-    keys: dict[str, Any] = {
-        item.name: (float if item.name in DIMENSIONLESS else Pressure, _default_of(item)) for item in fields(law)
-    }
-    if hasattr(law, "energy"):
+    keys: dict[str, Any] = {item.name: (_constant_type(item), _default_of(item)) for item in fields(law)}
+    if law is not Hooke:
         keys["bulk_modulus"] = (Annotated[float, AllowInfNan(True), BeforeValidator(_bulk_modulus)], inf)
     return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
+
+
+def _constant_type(item: Field[Any]) -> Any:
+    """One constant, a list with one for each term, or a table of coefficients by name."""
+    one = float if item.name in DIMENSIONLESS else Pressure
+    if item.type is float:
+        return one
+    return dict[str, one] if item.name == "coefficients" else list[one]  # type: ignore[valid-type]
 
 
 def read_table(table: type[Table], values: object, key: Key, problems: Problems) -> Any | None:

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from turgor.errors import TurgorError
-from turgor.materials.derivatives import energy_derivatives
-from turgor.materials.laws import Law
+from turgor.materials.derivatives import energy_derivatives, stretch_derivatives
+from turgor.materials.laws import InvariantLaw, Law, StretchLaw
 
 Array = NDArray[np.float64]
 
@@ -80,6 +80,27 @@ def planar(stretch: ArrayLike) -> Array:
     return _diagonal(stretch, np.ones_like(stretch), 1.0 / stretch)
 
 
+def biaxial(first: ArrayLike, second: ArrayLike) -> Array:
+    """Deformation gradient of general biaxial tension along the first and second axis, the third free.
+
+    Parameters
+    ----------
+    first, second : (n,) array or float [-]
+        Length over initial length along the two axes, positive.
+
+    Returns
+    -------
+    (n, 3, 3) array, or (3, 3) for single stretches
+
+    Examples
+    --------
+    >>> biaxial(2.0, 1.25).diagonal()
+    array([2.  , 1.25, 0.4 ])
+    """
+    first, second = _positive(first), _positive(second)
+    return _diagonal(first, second, 1.0 / (first * second))
+
+
 def simple_shear(amount: ArrayLike) -> Array:
     """Deformation gradient of simple shear x = X + γ Y.
 
@@ -108,12 +129,13 @@ def simple_shear(amount: ArrayLike) -> Array:
 def cauchy_stress(law: Law, F: Array) -> Array:
     """Cauchy stress of an incompressible solid whose third direction is free of traction.
 
-    From W(I₁, I₂): σ = 2 W₁ B + 2 W₂ (I₁ B − B²) − p 1 with B = F Fᵀ, and p such that σ₃₃ = 0.
+    From W(I₁, I₂): σ = 2 W₁ B + 2 W₂ (I₁ B − B²) − p 1 with B = F Fᵀ, and p such that σ₃₃ = 0. From W(λ₁, λ₂, λ₃):
+    σ = Σ λᵢ ∂W/∂λᵢ nᵢ⊗nᵢ − p 1 in the principal frame of B, which any frame is where stretches are equal.
 
     Parameters
     ----------
     law : Law
-        Any law with an ``energy(I1, I2)``.
+        Any law, in invariants or in stretches.
     F : (..., 3, 3) array [-]
         Deformation gradients of determinant 1, as from `uniaxial` or `simple_shear`.
 
@@ -124,7 +146,7 @@ def cauchy_stress(law: Law, F: Array) -> Array:
     Raises
     ------
     TurgorError
-        If a deformation changes the volume, or the law has no energy in invariants.
+        If a deformation changes the volume, or the law is none of a rubber.
 
     Examples
     --------
@@ -134,7 +156,9 @@ def cauchy_stress(law: Law, F: Array) -> Array:
     [240000.0, 240000.0, 0.0]
     """
     if not isinstance(law, Law):
-        raise TurgorError(f"{type(law).__name__} has no energy in invariants; give a law such as NeoHooke or Yeoh.")
+        raise TurgorError(
+            f"{type(law).__name__} has no energy in invariants or stretches; give a law such as NeoHooke or Ogden."
+        )
     F = np.asarray(F, dtype=np.float64)
     determinant = np.linalg.det(F)
     worst = float(np.abs(determinant - 1.0).max(initial=0.0))
@@ -143,10 +167,7 @@ def cauchy_stress(law: Law, F: Array) -> Array:
             f"det F differs from 1 by {worst:.3g}; these stresses are for volume-preserving deformations."
         )
     B = F @ F.swapaxes(-1, -2)
-    I1 = np.trace(B, axis1=-2, axis2=-1)
-    I2 = 0.5 * (I1**2 - np.trace(B @ B, axis1=-2, axis2=-1))
-    W1, W2, *_ = (w[..., None, None] for w in energy_derivatives(law, I1, I2))
-    extra = 2.0 * W1 * B + 2.0 * W2 * (I1[..., None, None] * B - B @ B)
+    extra = _from_stretches(law, B) if isinstance(law, StretchLaw) else _from_invariants(law, B)
     return np.asarray(extra - extra[..., 2, 2][..., None, None] * np.eye(3))
 
 
@@ -158,7 +179,7 @@ def nominal_stress(law: Law, F: Array) -> Array:
     Parameters
     ----------
     law : Law
-        Any law with an ``energy(I1, I2)``.
+        Any law, in invariants or in stretches.
     F : (..., 3, 3) array [-]
         Deformation gradients of determinant 1.
 
@@ -174,6 +195,23 @@ def nominal_stress(law: Law, F: Array) -> Array:
     array([281481.5, 665000. ])
     """
     return np.asarray(cauchy_stress(law, F) @ np.linalg.inv(F).swapaxes(-1, -2))
+
+
+def _from_invariants(law: InvariantLaw, B: Array) -> Array:
+    """Cauchy stress but for its mean, of a law in invariants."""
+    I1 = np.trace(B, axis1=-2, axis2=-1)
+    I2 = 0.5 * (I1**2 - np.trace(B @ B, axis1=-2, axis2=-1))
+    W1, W2, *_ = (w[..., None, None] for w in energy_derivatives(law, I1, I2))
+    return np.asarray(2.0 * W1 * B + 2.0 * W2 * (I1[..., None, None] * B - B @ B))
+
+
+def _from_stretches(law: StretchLaw, B: Array) -> Array:
+    """Cauchy stress but for its mean, of a law in stretches."""
+    squares, directions = np.linalg.eigh(B)
+    stretches = np.sqrt(squares)
+    slopes = stretch_derivatives(law, stretches[..., 0], stretches[..., 1], stretches[..., 2])[1:4]
+    principal = stretches * np.stack(slopes, axis=-1)
+    return np.asarray((directions * principal[..., None, :]) @ directions.swapaxes(-1, -2))
 
 
 def _diagonal(*stretches: Array) -> Array:

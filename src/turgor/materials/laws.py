@@ -1,33 +1,23 @@
 """Laws: each is its strain energy, written once; every stress and tangent is derived from it.
 
-Energies are per reference volume, in the isochoric invariants Ī₁, Ī₂, which equal I₁, I₂ for an
-incompressible solid. They use only arithmetic, so NumPy arrays and SymPy symbols go through them alike.
+Energies are per reference volume, in the isochoric invariants Ī₁, Ī₂ or the isochoric principal stretches, which equal
+I₁, I₂ and the stretches of an incompressible solid. They use only arithmetic and a logarithm that is passed in, so
+NumPy arrays and SymPy symbols go through them alike. All laws may be imported from here.
 """
 
 from dataclasses import dataclass
-from typing import Any, Protocol, runtime_checkable
+from typing import Any
 
 from turgor.errors import TurgorError
-
-
-@runtime_checkable
-class Law(Protocol):
-    """What every law of an isotropic rubber offers."""
-
-    def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density W(Ī₁, Ī₂) [Pa]."""
-
-    @property
-    def shear_modulus(self) -> float:
-        """Initial shear modulus μ [Pa]."""
-
-
-def _require_positive_shear_modulus(law: Law) -> None:
-    if not law.shear_modulus > 0:
-        raise TurgorError(
-            f"{type(law).__name__} has an initial shear modulus of {law.shear_modulus:g} Pa; it must be positive. "
-            "Check the sign and the unit of the first coefficients."
-        )
+from turgor.materials.laws_common import InvariantLaw as InvariantLaw
+from turgor.materials.laws_common import Law as Law
+from turgor.materials.laws_common import StretchLaw as StretchLaw
+from turgor.materials.laws_common import require_finite, require_positive_shear_modulus
+from turgor.materials.laws_locking import ArrudaBoyce as ArrudaBoyce
+from turgor.materials.laws_locking import Gent as Gent
+from turgor.materials.laws_polynomial import GeneralizedRivlin as GeneralizedRivlin
+from turgor.materials.laws_polynomial import YeohN as YeohN
+from turgor.materials.laws_stretch import Ogden as Ogden
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,7 +38,8 @@ class NeoHooke:
     C10: float
 
     def __post_init__(self) -> None:
-        _require_positive_shear_modulus(self)
+        require_positive_shear_modulus(self)
+        require_finite(self, (("C10", self.C10),))
 
     def energy(self, I1: Any, I2: Any) -> Any:
         """Strain energy density [Pa], review Eq. 15."""
@@ -79,7 +70,8 @@ class MooneyRivlin:
     C01: float
 
     def __post_init__(self) -> None:
-        _require_positive_shear_modulus(self)
+        require_positive_shear_modulus(self)
+        require_finite(self, (("C10", self.C10), ("C01", self.C01)))
 
     def energy(self, I1: Any, I2: Any) -> Any:
         """Strain energy density [Pa], review Eq. 12."""
@@ -111,7 +103,8 @@ class Yeoh:
     C30: float = 0.0
 
     def __post_init__(self) -> None:
-        _require_positive_shear_modulus(self)
+        require_positive_shear_modulus(self)
+        require_finite(self, (("C10", self.C10), ("C20", self.C20), ("C30", self.C30)))
 
     def energy(self, I1: Any, I2: Any) -> Any:
         """Strain energy density [Pa], review Eq. 14."""

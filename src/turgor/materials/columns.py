@@ -1,0 +1,153 @@
+"""What the columns of a testing machine's table are: their role, their unit, and the stress measure they state."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from turgor.errors import TurgorError, unknown
+from turgor.units import UNITS
+
+#: Units by dimension as testing machines write them, in SI.
+FACTORS: Mapping[str, Mapping[str, float]] = {
+    "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3, "kgf": 9.80665, "gf": 9.80665e-3, "lbf": 4.4482216152605},
+    "length": UNITS["length"],
+    "stress": {
+        **UNITS["pressure"],
+        "N/mm²": 1e6,
+        "N/mm2": 1e6,
+        "N/mm^2": 1e6,
+        "N/m2": 1.0,
+        "N/m²": 1.0,
+        "kgf/cm²": 98066.5,
+        "kgf/cm2": 98066.5,
+    },
+    "ratio": {"-": 1.0, "": 1.0, "1": 1.0, "%": 0.01, "mm/mm": 1.0, "m/m": 1.0},
+}
+
+#: What a role is measured in.
+DIMENSIONS: Mapping[str, str] = {
+    "stretch": "ratio",
+    "stretch_2": "ratio",
+    "nominal_strain": "ratio",
+    "true_strain": "ratio",
+    "shear": "ratio",
+    "length": "length",
+    "extension": "length",
+    "force": "force",
+    "nominal_stress": "stress",
+    "nominal_stress_2": "stress",
+    "cauchy_stress": "stress",
+    "cauchy_difference": "stress",
+    "stress": "stress",
+}
+
+#: The first pattern that a name matches, in lower case and without its unit, tells its role.
+_PATTERNS: tuple[tuple[str, str], ...] = (
+    (r"time|cycle|resistance|temperature|width|thickness|area|speed|load factor", ""),
+    (r"specimen|sample|replicate|^id$|probe", "specimen"),
+    (r"cauchy.*difference|difference.*cauchy|stress difference", "cauchy_difference"),
+    (r"(engineering|nominal|eng\.?|piola).*stress.*\b2$", "nominal_stress_2"),
+    (r"(engineering|nominal|^eng\.?|piola|pk1).*stress", "nominal_stress"),
+    (r"(true|cauchy).*stress", "cauchy_stress"),
+    (r"stress|spannung|sigma|σ", "stress"),
+    (r"(true|log\w*|hencky).*strain", "true_strain"),
+    (r"shear.*(strain|amount)|amount.*shear|gamma|γ", "shear"),
+    (r"strain|dehnung|elongation at", "nominal_strain"),
+    (r"(stretch|lambda|λ).*\b2$", "stretch_2"),
+    (r"stretch|lambda|λ", "stretch"),
+    (r"extension|displacement|elongation|crosshead|travel|weg", "extension"),
+    (r"length|grip|distance", "length"),
+    (r"force|load|kraft", "force"),
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """A column of a table and what it holds.
+
+    Parameters
+    ----------
+    index : int
+        Place in the table, from 0.
+    name : str
+        As written.
+    role : str
+        A key of `DIMENSIONS`, or ``specimen``.
+    factor : float
+        What its numbers are multiplied by to become SI.
+    """
+
+    index: int
+    name: str
+    role: str
+    factor: float
+
+
+def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> tuple[Column, ...]:
+    """Tell the role and unit of every column that matters.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Names of the columns with their units, such as ``"Force (N)"`` or ``"grip_length_mm"``.
+    roles : mapping of str to str
+        Roles that the user stated, with the name of their column; these are believed.
+    file : str
+        Name of the file, for messages.
+
+    Examples
+    --------
+    >>> [(c.role, c.factor) for c in find_columns(["Time (s)", "True Strain", "grip_length_mm"], {}, "a.csv")]
+    [('true_strain', 1.0), ('length', 0.001)]
+    """
+    stated = {}
+    for role, name in roles.items():
+        if role not in DIMENSIONS:
+            raise unknown("role of a column", role, DIMENSIONS)
+        if name not in names:
+            raise TurgorError(f"'{file}': {unknown('column', name, [each for each in names if each])}")
+        stated[names.index(name)] = role
+    found = []
+    for index, name in enumerate(names):
+        text, unit = split_unit(name)
+        role = stated.get(index, _role(text))
+        if role == "specimen":
+            found.append(Column(index=index, name=name, role=role, factor=1.0))
+        elif role:
+            found.append(Column(index=index, name=name, role=role, factor=_factor(name, unit, DIMENSIONS[role], file)))
+    return tuple(found)
+
+
+def split_unit(name: str) -> tuple[str, str | None]:
+    """Split the name of a column into its words and its unit, None where it states none.
+
+    Examples
+    --------
+    >>> split_unit("Engineering Stress (MPa)"), split_unit("force_N"), split_unit("stretch_-"), split_unit("Strain")
+    (('Engineering Stress', 'MPa'), ('force', 'N'), ('stretch', '-'), ('Strain', None))
+    """
+    bracket = re.fullmatch(r"(.*?)\s*[(\[]([^)\]]*)[)\]]\s*", name)
+    if bracket:
+        return bracket[1], bracket[2].strip()
+    words = re.fullmatch(r"(.*?)[_ ,]+([^_ ,]+)", name)
+    if words and any(words[2] in units for units in FACTORS.values()) and words[2] != "1":
+        return words[1], words[2]
+    return name, None
+
+
+def _role(text: str) -> str:
+    words = re.sub(r"[_\s]+", " ", text).strip().lower()
+    return next((role for pattern, role in _PATTERNS if re.search(pattern, words)), "")
+
+
+def _factor(name: str, unit: str | None, dimension: str, file: str) -> float:
+    units = FACTORS[dimension]
+    if unit is None and dimension != "ratio":
+        known = ", ".join(each for each in units if each)
+        raise TurgorError(
+            f"'{file}': column '{name}' states no unit; write it into the header, for example "
+            f"'{name} ({'MPa' if dimension == 'stress' else 'N' if dimension == 'force' else 'mm'})'. Known: {known}."
+        )
+    if unit is not None and unit not in units:
+        raise TurgorError(f"'{file}', column '{name}': {unknown(f'unit of a {dimension}', unit, filter(None, units))}")
+    return units[unit or ""]
