@@ -129,6 +129,7 @@ def facts(solution: tg.Solution) -> dict[str, Any]:
         "total": timing.total,
         "cpu": time.process_time(),
         "memory": peak_memory(),
+        "before": BEFORE,
     }
 
 
@@ -141,6 +142,9 @@ def peak_memory() -> float | None:
     unit = 1 if sys.platform == "darwin" else 1024
     return float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit)
 
+
+#: Memory of Python and the packages, before there is a problem.
+BEFORE = peak_memory()
 
 if __name__ == "__main__":
     request = json.loads(sys.argv[1])

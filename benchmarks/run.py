@@ -111,7 +111,7 @@ def growth() -> str:
     for solver in available_solvers():
         runs = [measure({"case": "growth", "solver": solver, "threads": TWO, "size": s}) for s in GROWTH_SIZES]
         columns = {key: [run[key] / (1 if key == "setup" else run["iterations"]) for run in runs] for key in keys}
-        columns["memory"] = [(run["memory"] or np.nan) / 2**20 for run in runs]
+        columns["memory"] = [((run["memory"] or np.nan) - (run["before"] or np.nan)) / 2**20 for run in runs]
         size = [run["unknowns"] for run in runs]
         rows = [
             (f"{n:,}", str(run["iterations"]), *(f"{columns[key][i]:.3g}" for key in columns))
@@ -121,7 +121,7 @@ def growth() -> str:
         upper = slice(len(size) // 2 - 1, None)
         fits = [np.polyfit(np.log(size[upper]), np.log(columns[key][upper]), 1)[0] for key in columns]
         rows.append((f"exponent from {size[upper][0]:,} on", "", *(f"{fit:.2f}" for fit in fits)))
-        head = ("unknowns", "iterations", "set-up", "assembly/it", "factor/it", "solve/it", "peak MiB")
+        head = ("unknowns", "iterations", "set-up", "assembly/it", "factor/it", "solve/it", "MiB above start")
         parts.append(f"### {solver}, {TWO} threads\n\n{table(head, rows)}\n")
     return "\n".join(parts)
 

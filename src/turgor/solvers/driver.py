@@ -62,10 +62,12 @@ def solve(
         The question.
     procedure : Static
         How the path is followed.
-    hooks : _Hooks
-        Progress, an early stop, notices.
+    progress : callable
+        ``progress(iteration, state)``, called after every Newton update (state None) and after every accepted step.
+    stop : callable
+        ``stop(state)`` ends the run early by returning the reason, a few words.
     options : EngineOptions
-        Linear solver and threads.
+        Linear solver, threads, where notices go.
     throw : bool
         Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
 
