@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 #: Refinements of a solution from single precision factors, and the relative residual that must be left.
 REFINEMENTS = 2
-REFINED = 1e-4
+REFINED = 1e-5
 
 
 class SingularTangentError(RuntimeError):
