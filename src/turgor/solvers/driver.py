@@ -19,6 +19,9 @@ from turgor.solvers.procedures import Static
 from turgor.solvers.solution import Iteration, Solution, SolveError, State, Step, Timing
 from turgor.solvers.stepping import StepControl
 
+#: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
+GOOD_PREDICTION = 0.05
+
 #: Below this size threads wait for each other longer than they work.
 FEW_UNKNOWNS = 10_000
 
@@ -213,6 +216,8 @@ def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Star
             stresses = Stresses.combine([(w, s) for w, (_, _, s) in zip(weights, used, strict=True)])
             best = Start(trial, stresses, at)
             smallest = residual
+        if smallest <= GOOD_PREDICTION:
+            break
     return best
 
 
