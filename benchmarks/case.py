@@ -124,6 +124,8 @@ def facts(solution: tg.Solution) -> dict[str, Any]:
         "compile": timing.compile,
         "setup": timing.setup,
         "assembly": timing.assembly,
+        "residual": timing.residual,
+        "factorizations": timing.factorizations,
         "factorization": timing.factorization,
         "solve": timing.solve,
         "total": timing.total,

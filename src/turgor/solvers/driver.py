@@ -103,9 +103,11 @@ def solve(
         compile=compiling,
         setup=setup,
         assembly=clock.assembly,
+        residual=clock.residual,
         factorization=clock.factorization,
         solve=clock.solve,
         total=perf_counter() - start,
+        factorizations=clock.factorizations,
         linear_solver=tangent.name,
     )
     solution = Solution(
