@@ -124,11 +124,14 @@ def facts(solution: tg.Solution) -> dict[str, Any]:
         "compile": timing.compile,
         "setup": timing.setup,
         "assembly": timing.assembly,
+        "residual": timing.residual,
+        "factorizations": timing.factorizations,
         "factorization": timing.factorization,
         "solve": timing.solve,
         "total": timing.total,
         "cpu": time.process_time(),
         "memory": peak_memory(),
+        "before": BEFORE,
     }
 
 
@@ -141,6 +144,9 @@ def peak_memory() -> float | None:
     unit = 1 if sys.platform == "darwin" else 1024
     return float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit)
 
+
+#: Memory of Python and the packages, before there is a problem.
+BEFORE = peak_memory()
 
 if __name__ == "__main__":
     request = json.loads(sys.argv[1])

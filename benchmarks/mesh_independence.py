@@ -18,7 +18,7 @@ ROOT = Path(__file__).parents[1]
 JOB = ROOT / "examples" / "fast_pneunet.toml"
 PAGE = ROOT / "docs" / "mesh-independence.md"
 FIGURE = ROOT / "docs" / "images" / "mesh-independence.svg"
-SIZES = (3.2 * mm, 2.2 * mm, 1.5 * mm)
+SIZES = (4 * mm, 2.2 * mm, 1.3 * mm)
 SAMPLES = 10  # pressures at which the curves are compared
 
 

@@ -60,7 +60,9 @@ def memory(facts: Facts) -> str:
 
 def rest(facts: Facts) -> float:
     """Wall time of the solve that is neither compilation, set-up, assembly, factorization nor solving [s]."""
-    return facts["total"] - sum(facts[key] for key in ("compile", "setup", "assembly", "factorization", "solve"))
+    return facts["total"] - sum(
+        facts[key] for key in ("compile", "setup", "assembly", "residual", "factorization", "solve")
+    )
 
 
 def bender() -> str:
@@ -68,7 +70,7 @@ def bender() -> str:
     rows = []
     for solver in available_solvers():
         facts = measure({"case": "bender", "solver": solver, "threads": 1})
-        each = (facts["assembly"] + facts["factorization"] + facts["solve"]) / facts["iterations"]
+        each = sum(facts[key] for key in ("assembly", "residual", "factorization", "solve")) / facts["iterations"]
         cells = (f"{facts['cpu']:.1f}", f"{each:.3f}", str(facts["iterations"]), f"{facts['deviation']:.1e}")
         rows.append((f"turgor, {solver}", *cells, memory(facts)))
     rows += [(name, str(cpu), f"{each:.2f}", str(count), "", "") for name, cpu, each, count in PEERS]
@@ -85,10 +87,21 @@ def demo() -> str:
         with tempfile.TemporaryDirectory() as empty:
             rows.append(demo_row(f"{solver}, first use", measure(request, cache=empty)))
         rows.append(demo_row(solver, facts := measure(request)))
-    head = ("linear solver", "wall s", "compile s", "set-up s", "steps", "iterations", "assembly s/it", "factor s/it")
+    head = (
+        "linear solver",
+        "wall s",
+        "compile s",
+        "set-up s",
+        "steps",
+        "iterations",
+        "assembly s/it",
+        "residual s/it",
+        "factor s/it",
+    )
     head += ("solve s/it", "rest s/it", "assembly/factor", "peak MiB")
     text = (
-        f"Fast PneuNet of the example, {facts['unknowns']:,} unknowns, whole ramp, {TWO} threads; wall time of solve."
+        f"Fast PneuNet of the example, {facts['unknowns']:,} unknowns, whole ramp, {TWO} threads; wall time of solve. "
+        "Assembly is the forming of tangents; residuals include predictions and linearized stresses."
     )
     return f"## Demo\n\n{text}\n\n{table(head, rows)}\n"
 
@@ -96,7 +109,7 @@ def demo() -> str:
 def demo_row(name: str, facts: Facts) -> tuple[str, ...]:
     """One row: wall time and where each iteration spends it."""
     count = facts["iterations"]
-    parts = (facts["assembly"], facts["factorization"], facts["solve"], rest(facts))
+    parts = (facts["assembly"], facts["residual"], facts["factorization"], facts["solve"], rest(facts))
     each = tuple(f"{part / count:.3f}" for part in parts)
     ratio = f"{facts['assembly'] / facts['factorization']:.2f}"
     seconds = (f"{facts['total']:.1f}", f"{facts['compile']:.1f}", f"{facts['setup']:.1f}")
@@ -107,11 +120,11 @@ def growth() -> str:
     """Time and memory from 15,000 to 500,000 unknowns, with fitted exponents."""
     text = "Six-chamber fast PneuNet, first load step of 1 kPa, wall seconds."
     parts = [f"## Growth\n\n{text}\n"]
-    keys = ("setup", "assembly", "factorization", "solve")
+    keys = ("setup", "assembly", "residual", "factorization", "solve")
     for solver in available_solvers():
         runs = [measure({"case": "growth", "solver": solver, "threads": TWO, "size": s}) for s in GROWTH_SIZES]
         columns = {key: [run[key] / (1 if key == "setup" else run["iterations"]) for run in runs] for key in keys}
-        columns["memory"] = [(run["memory"] or np.nan) / 2**20 for run in runs]
+        columns["memory"] = [((run["memory"] or np.nan) - (run["before"] or np.nan)) / 2**20 for run in runs]
         size = [run["unknowns"] for run in runs]
         rows = [
             (f"{n:,}", str(run["iterations"]), *(f"{columns[key][i]:.3g}" for key in columns))
@@ -121,7 +134,16 @@ def growth() -> str:
         upper = slice(len(size) // 2 - 1, None)
         fits = [np.polyfit(np.log(size[upper]), np.log(columns[key][upper]), 1)[0] for key in columns]
         rows.append((f"exponent from {size[upper][0]:,} on", "", *(f"{fit:.2f}" for fit in fits)))
-        head = ("unknowns", "iterations", "set-up", "assembly/it", "factor/it", "solve/it", "peak MiB")
+        head = (
+            "unknowns",
+            "iterations",
+            "set-up",
+            "assembly/it",
+            "residual/it",
+            "factor/it",
+            "solve/it",
+            "MiB above start",
+        )
         parts.append(f"### {solver}, {TWO} threads\n\n{table(head, rows)}\n")
     return "\n".join(parts)
 

@@ -180,7 +180,7 @@ def test_any_finger_is_filled_and_its_cavity_closed(
         (-2 * mm, "mesh size is -2 mm; allowed is"),
         (4.1 * mm, "mesh size is 4.1 mm, too coarse for the wall of 1 mm; allowed is .* to 4 mm"),
         (50 * mm, "mesh size is 50 mm, larger than the part; allowed is"),
-        (3, "mesh size is 3000 mm, larger than the part; .*did you forget"),
+        (3, "mesh size is 3000 mm, larger than the part; .*is the unit right"),
         (0.05 * mm, "mesh size is 0.05 mm, which makes about 850 million unknowns; allowed is"),
         (float("nan"), "mesh size is nan; a finite length in meters is needed"),
         ("3 mm", "mesh size is '3 mm'; a finite length in meters is needed"),

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from turgor.engine.linear import available_solvers
 from turgor.engine.runtime import EngineOptions
 from turgor.errors import TurgorError

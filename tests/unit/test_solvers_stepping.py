@@ -2,6 +2,7 @@
 
 from hypothesis import given
 from hypothesis import strategies as st
+
 from turgor.solvers.predictor import lagrange_weights
 from turgor.solvers.procedures import Static
 from turgor.solvers.stepping import StepControl

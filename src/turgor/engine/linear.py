@@ -18,9 +18,9 @@ from turgor.errors import TurgorError, unknown
 
 Array = NDArray[np.float64]
 
-#: Refinements of a solution from single precision factors, and the relative residual that must be left.
-REFINEMENTS = 2
-REFINED = 1e-4
+#: Refinements at most of a solution from single precision factors, and the relative residual that may be left.
+REFINEMENTS = 4
+REFINED = 1e-5
 
 
 class SingularTangentError(RuntimeError):
@@ -83,13 +83,16 @@ class RslabSolver:
     def solve(self, right: Array) -> Array:
         """Solve; Newton's next residual corrects the rest."""
         assert self._factor is not None
-        if self._single:
-            solution = np.asarray(self._factor.solve(right, refine=REFINEMENTS))
+        solution = np.asarray(self._factor.solve(right))
+        if not self._single:
+            return solution
+        for _ in range(REFINEMENTS + 1):
             left_over = right - self._pattern.product(self._data, solution)
             if float(np.linalg.norm(left_over)) <= REFINED * float(np.linalg.norm(right)):
                 return solution
-            self._single_will_do = False
-            self._factor_in_double()
+            solution = solution + np.asarray(self._factor.solve(left_over))
+        self._single_will_do = False
+        self._factor_in_double()
         return np.asarray(self._factor.solve(right))
 
     def negative_pivots(self, expected: int) -> int | None:

@@ -15,9 +15,22 @@ Array = NDArray[np.float64]
 
 @dataclass(slots=True)
 class Clock:
-    """Wall time spent [s] and how often."""
+    """Wall time spent [s] and how often.
+
+    Parameters
+    ----------
+    assembly : float
+        Forming tangents.
+    residual : float
+        Evaluating residuals and linearized stresses, predictions included.
+    factorization, solve : float
+        Factoring tangents and solving with the factors.
+    factorizations : int
+        Tangents formed and factored.
+    """
 
     assembly: float = 0.0
+    residual: float = 0.0
     factorization: float = 0.0
     solve: float = 0.0
     factorizations: int = 0

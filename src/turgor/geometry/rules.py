@@ -64,14 +64,14 @@ def check_length(name: str, value: object, *, low: float = SMALLEST_LENGTH, high
     turgor.errors.TurgorError: gap is -1 mm; allowed is 0.01 mm to 5 mm.
     >>> check_length("length", 110.0, low=1e-3, high=2.0)
     Traceback (most recent call last):
-    turgor.errors.TurgorError: length is 110000 mm; allowed is 1 mm to 2000 mm; did you forget *mm?
+    turgor.errors.TurgorError: length is 110000 mm; allowed is 1 mm to 2000 mm; is the unit right?
     """
     length = as_length(name, value)
     if low <= length <= high:
         return
     shown = floor(high / mm * 1000 + 1e-6) / 1000  # rounded down, so that the number shown is itself allowed
     reason = f", {why}" if why else ""
-    end = "; did you forget *mm?" if length >= SUSPICIOUS_LENGTH and low <= length * mm <= high else "."
+    end = "; is the unit right?" if length >= SUSPICIOUS_LENGTH and low <= length * mm <= high else "."
     raise TurgorError(f"{name} is {in_mm(length)}; allowed is {in_mm(low)} to {shown:.10g} mm{reason}{end}")
 
 

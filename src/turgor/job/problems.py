@@ -38,6 +38,8 @@ class Problems:
         Name of the file as the user gave it.
     lines : mapping of key to int
         Where each key stands, from `key_lines`.
+    found : list of (int, str)
+        Line and sentence of each problem noted so far.
     """
 
     file: str

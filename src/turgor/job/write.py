@@ -112,8 +112,7 @@ def log_text(outcome: RunOutcome) -> str:
     made = ", ".join(f"{name} {value}" for name, value in outcome.written_by.items())
     accepted = sum(step.accepted for step in solution.steps)
     cut = len(solution.steps) - accepted
-    spent = {"compilation": timing.compile, "setup": timing.setup, "assembly": timing.assembly,
-             "factorization": timing.factorization, "solution": timing.solve, "total": timing.total}  # fmt: skip
+    spent = timing.parts() | {"total": timing.total}
     return "\n".join(
         [
             f"job {outcome.job.name}",

@@ -107,7 +107,7 @@ def _check_size(geometry: Geometry, size: object) -> None:
         millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / length**3 / 1e6
         raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; {allowed}.")
     what = "larger than the part" if length > geometry.extent else f"too coarse for the wall of {wall / mm:.4g} mm"
-    hint = "; did you forget *mm?" if low <= length * mm <= high else "."
+    hint = "; is the unit right?" if low <= length * mm <= high else "."
     raise TurgorError(f"{given}, {what}; {allowed}{hint}")
 
 

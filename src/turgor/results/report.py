@@ -188,10 +188,7 @@ def _path_summary(solution: Solution) -> str:
     parts = [f"{accepted} steps accepted, {len(solution.steps) - accepted} cut back, {solution.iterations} iterations."]
     timing: Timing = solution.timing
     if timing.total > 0:
-        spent = {
-            "compilation": timing.compile, "setup": timing.setup, "assembly": timing.assembly,
-            "factorization": timing.factorization, "solution": timing.solve,
-        }  # fmt: skip
+        spent = timing.parts()
         listed = ", ".join(f"{name} {seconds:.1f} s" for name, seconds in spent.items())
         parts.append(f"Wall time {timing.total:.1f} s: {listed}.")
     if timing.linear_solver:

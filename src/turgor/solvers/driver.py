@@ -19,6 +19,9 @@ from turgor.solvers.procedures import Static
 from turgor.solvers.solution import Iteration, Solution, SolveError, State, Step, Timing
 from turgor.solvers.stepping import StepControl
 
+#: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
+GOOD_PREDICTION = 0.05
+
 #: Below this size threads wait for each other longer than they work.
 FEW_UNKNOWNS = 10_000
 
@@ -62,10 +65,12 @@ def solve(
         The question.
     procedure : Static
         How the path is followed.
-    hooks : _Hooks
-        Progress, an early stop, notices.
+    progress : callable
+        ``progress(iteration, state)``, called after every Newton update (state None) and after every accepted step.
+    stop : callable
+        ``stop(state)`` ends the run early by returning the reason, a few words.
     options : EngineOptions
-        Linear solver and threads.
+        Linear solver, threads, where notices go.
     throw : bool
         Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
 
@@ -98,9 +103,11 @@ def solve(
         compile=compiling,
         setup=setup,
         assembly=clock.assembly,
+        residual=clock.residual,
         factorization=clock.factorization,
         solve=clock.solve,
         total=perf_counter() - start,
+        factorizations=clock.factorizations,
         linear_solver=tangent.name,
     )
     solution = Solution(
@@ -211,6 +218,8 @@ def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Star
             stresses = Stresses.combine([(w, s) for w, (_, _, s) in zip(weights, used, strict=True)])
             best = Start(trial, stresses, at)
             smallest = residual
+        if smallest <= GOOD_PREDICTION:
+            break
     return best
 
 

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-#: States used at most: a cubic through the last four.
-HISTORY = 4
+#: States used at most: a quartic through the last five.
+HISTORY = 5
 
 
 def lagrange_weights(load_factors: Sequence[float], load_factor: float) -> list[float]:

@@ -79,15 +79,46 @@ class Step:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Timing:
-    """Where the wall time went [s]."""
+    """Where the wall time went [s].
+
+    Parameters
+    ----------
+    compile, setup : float
+        Loading or compiling the kernels; pattern and analysis, once per mesh.
+    assembly : float
+        Forming tangents.
+    residual : float
+        Evaluating residuals, predictions included.
+    factorization, solve : float
+        Factoring tangents, solving with the factors.
+    total : float
+        The whole of `turgor.solve`.
+    factorizations : int
+        Tangents formed and factored; fewer than iterations, because good factors are used again.
+    linear_solver : str
+        Its name.
+    """
 
     compile: float = 0.0
     setup: float = 0.0
     assembly: float = 0.0
+    residual: float = 0.0
     factorization: float = 0.0
     solve: float = 0.0
     total: float = 0.0
+    factorizations: int = 0
     linear_solver: str = ""
+
+    def parts(self) -> dict[str, float]:
+        """Seconds of each part by its name in reports."""
+        return {
+            "compilation": self.compile,
+            "setup": self.setup,
+            "assembly": self.assembly,
+            "residuals": self.residual,
+            "factorization": self.factorization,
+            "solution": self.solve,
+        }
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -55,9 +55,9 @@ class StepControl:
 
         Examples
         --------
-        >>> control = StepControl.of(Static(first_step=0.4, max_step=0.4, at=(0.5,)))
-        >>> control.next_load(0.0), control.next_load(0.4), control.next_load(0.5)
-        (0.5, 0.5, 0.9)
+        >>> control = StepControl.of(Static(first_step=0.3, max_step=0.3, at=(0.5,)))
+        >>> control.next_load(0.0), control.next_load(0.3), control.next_load(0.5)
+        (0.3, 0.5, 0.8)
         """
         target = next(t for t in self.targets if t > load_factor)
         if load_factor + STRETCH * self.length >= target:
