@@ -18,12 +18,44 @@ if TYPE_CHECKING:
     from turgor.job.job import Job as Job
     from turgor.job.read import read_job as read_job
     from turgor.job.run import run_job as run_job
+    from turgor.materials.curves import Curve as Curve
+    from turgor.materials.curves import curve as curve
+    from turgor.materials.doubts import doubts_of as doubts_of
+    from turgor.materials.experiments import MaterialTest as MaterialTest
+    from turgor.materials.experiments import Step as Step
+    from turgor.materials.fit_checks import check_modes as check_modes
+    from turgor.materials.fit_checks import check_order as check_order
+    from turgor.materials.fit_checks import check_stretch_range as check_stretch_range
+    from turgor.materials.fit_record import save_fits as save_fits
+    from turgor.materials.fit_result import Fit as Fit
+    from turgor.materials.fit_result import TestError as TestError
+    from turgor.materials.fitting import fit as fit
+    from turgor.materials.handling import average as average
+    from turgor.materials.handling import crop as crop
+    from turgor.materials.handling import remove_slack as remove_slack
+    from turgor.materials.handling import remove_tail as remove_tail
+    from turgor.materials.handling import select_cycle as select_cycle
+    from turgor.materials.handling import set_zero_length as set_zero_length
+    from turgor.materials.handling import thin as thin
+    from turgor.materials.laws import ArrudaBoyce as ArrudaBoyce
+    from turgor.materials.laws import GeneralizedRivlin as GeneralizedRivlin
+    from turgor.materials.laws import Gent as Gent
     from turgor.materials.laws import Hooke as Hooke
     from turgor.materials.laws import MooneyRivlin as MooneyRivlin
     from turgor.materials.laws import NeoHooke as NeoHooke
+    from turgor.materials.laws import Ogden as Ogden
     from turgor.materials.laws import Yeoh as Yeoh
+    from turgor.materials.laws import YeohN as YeohN
     from turgor.materials.material import Material as Material
+    from turgor.materials.ranking import Ranking as Ranking
+    from turgor.materials.ranking import rank as rank
+    from turgor.materials.read_tests import Specimen as Specimen
+    from turgor.materials.read_tests import read_test as read_test
+    from turgor.materials.read_tests import read_tests as read_tests
     from turgor.materials.records import from_library as from_library
+    from turgor.materials.records import library as library
+    from turgor.materials.records import records as records
+    from turgor.materials.stability import first_instability as first_instability
     from turgor.meshing.generate import mesh as mesh
     from turgor.meshing.mesh import Mesh as Mesh
     from turgor.model.loads import BodyForce as BodyForce
@@ -62,9 +94,62 @@ _ROOMS = {
     "turgor.job.job": ("Job",),
     "turgor.job.read": ("read_job",),
     "turgor.job.run": ("run_job",),
-    "turgor.materials.laws": ("Hooke", "MooneyRivlin", "NeoHooke", "Yeoh"),
+    "turgor.materials.laws": (
+        "ArrudaBoyce",
+        "GeneralizedRivlin",
+        "Gent",
+        "Hooke",
+        "MooneyRivlin",
+        "NeoHooke",
+        "Ogden",
+        "Yeoh",
+        "YeohN",
+    ),
+    "turgor.materials.curves": (
+        "Curve",
+        "curve",
+    ),
+    "turgor.materials.stability": ("first_instability",),
+    "turgor.materials.doubts": ("doubts_of",),
+    "turgor.materials.experiments": (
+        "MaterialTest",
+        "Step",
+    ),
+    "turgor.materials.read_tests": (
+        "Specimen",
+        "read_test",
+        "read_tests",
+    ),
+    "turgor.materials.fitting": ("fit",),
+    "turgor.materials.fit_result": (
+        "Fit",
+        "TestError",
+    ),
+    "turgor.materials.ranking": (
+        "Ranking",
+        "rank",
+    ),
+    "turgor.materials.handling": (
+        "average",
+        "crop",
+        "remove_slack",
+        "remove_tail",
+        "select_cycle",
+        "set_zero_length",
+        "thin",
+    ),
+    "turgor.materials.fit_checks": (
+        "check_modes",
+        "check_order",
+        "check_stretch_range",
+    ),
+    "turgor.materials.fit_record": ("save_fits",),
     "turgor.materials.material": ("Material",),
-    "turgor.materials.records": ("from_library",),
+    "turgor.materials.records": (
+        "from_library",
+        "library",
+        "records",
+    ),
     "turgor.meshing.generate": ("mesh",),
     "turgor.meshing.mesh": ("Mesh",),
     "turgor.model.loads": ("BodyForce", "Gravity", "Pressure", "Traction"),

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor import __version__
+from turgor.cli_fit import fit_command
 from turgor.cli_materials import materials_app
 from turgor.errors import TurgorError
 
@@ -125,6 +126,7 @@ def _actuators() -> None:
 
 
 app.add_typer(materials_app, name="materials")
+app.command("fit")(fit_command)
 
 
 def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: int | None) -> "RunOutcome":

@@ -57,7 +57,7 @@ MISTAKES = [
     ('gap = "2 mm"', 'side_wall = "11 mm"', "finger.toml:5: actuator.side_wall: 11 mm; allowed is 0.01 mm to 9.995 mm, "
      "less than half the width of 20 mm."),
     ('body = { library = "elastosil-m4601"', 'body = { library = "elastosil-m4600"', "finger.toml:11: materials."
-     "body.library: unknown library material 'elastosil-m4600'; did you mean 'elastosil-m4601'? Known: elastosil-m46"),
+     "body.library: unknown library material 'elastosil-m4600'; did you mean 'elastosil-m4601'? Known: "),
     ('"4 mm"', '"0 mm"', "finger.toml:8: mesh.size: 0 mm; allowed is 0.2"),
     ('"4 mm"', '"-4 mm"', "finger.toml:8: mesh.size: -4 mm; allowed is 0.2"),
     ('"4 mm"', '"5 mm"', "finger.toml:8: mesh.size: 5 mm, too coarse for the wall of 1 mm; allowed is 0.2"),

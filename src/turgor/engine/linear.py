@@ -18,6 +18,9 @@ from turgor.errors import TurgorError, unknown
 
 Array = NDArray[np.float64]
 
+#: Unknowns from which single precision factors pay; below, there is nothing to gain.
+SINGLE_FROM = 10_000
+
 #: Refinements at most of a solution from single precision factors, and the relative residual that may be left.
 REFINEMENTS = 4
 REFINED = 1e-5
@@ -59,7 +62,7 @@ class RslabSolver:
         self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads)
         self._data = np.empty(0)
         self._factor: rslab.Ldlt | None = None
-        self._single = self._single_will_do = True
+        self._single = self._single_will_do = pattern.size >= SINGLE_FROM
 
     def factor(self, data: Array) -> None:
         """Factor new values on the analyzed pattern."""

@@ -119,17 +119,34 @@ def coefficients(law: Any) -> Rows:
     >>> from turgor.materials.laws import Hooke
     >>> coefficients(Hooke(E=6.5e9, nu=0.2))
     [('E', '6.5 GPa'), ('nu', '0.2')]
+    >>> from turgor.materials.laws import GeneralizedRivlin, Ogden
+    >>> coefficients(Ogden(mu=(2e5,), alpha=(1.5,)))
+    [('mu_1', '0.2 MPa'), ('alpha_1', '1.5')]
+    >>> coefficients(GeneralizedRivlin(coefficients=((1, 0, 1e5), (0, 1, 2e4))))
+    [('C10', '0.1 MPa'), ('C01', '0.02 MPa')]
     """
     stated: dict[str, str] = {}
     for names, unit in re.findall(
-        r"^\s*(\w+(?:, \w+)*) : float(?: \[(.*?)\])?$", inspect.getdoc(type(law)) or "", re.M
+        r"^\s*(\w+(?:, \w+)*) : (?:tuple of )?float(?: \[(.*?)\])?$", inspect.getdoc(type(law)) or "", re.M
     ):
         stated |= dict.fromkeys(names.split(", "), unit)
     rows = []
     for each in fields(law):
-        value = getattr(law, each.name)
-        rows.append((each.name, _modulus(value) if stated.get(each.name) == "Pa" else f"{value:g}"))
+        for name, value in _terms(each.name, getattr(law, each.name)):
+            pascal = stated.get(each.name) == "Pa" or name.startswith("C")
+            rows.append((name, _modulus(value) if pascal else f"{value:g}"))
     return rows
+
+
+def _terms(name: str, value: Any) -> list[tuple[str, float]]:
+    """Name and number of each term of a coefficient, which may be one number, a series, or terms with exponents."""
+    if not isinstance(value, tuple):
+        return [(name, value)]
+    if name != "coefficients":
+        return [(f"{name}_{n}", each) for n, each in enumerate(value, 1)]
+    if isinstance(value[0], tuple):
+        return [(f"C{i}{j}", each) for i, j, each in value]
+    return [(f"C{n}0", each) for n, each in enumerate(value, 1)]
 
 
 def fields_of(value: Any) -> Rows:
