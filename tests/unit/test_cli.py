@@ -296,3 +296,20 @@ def test_walls_that_meet_are_an_error_after_everything_is_written(
     err = capsys.readouterr().err
     assert re.search(r"B02 error: Outer walls met at [\d.]+ kPa; beyond it they pass through each other", err)
     assert rows(folder / "finger-results" / "response.csv")[-1]["load_factor"] == 1
+
+
+def test_doubtful_constants_and_a_law_beyond_its_tests_are_said(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "mine.toml").write_text(
+        'name = "mine"\nkind = "rubber"\n\n[records.short]\nlaw = "neo_hooke"\nparameters = { C10 = "0.1 MPa" }\n'
+        'convention = "two_index"\nstretch_range = [1.0, 1.001]\nsource = "a short test"\n'
+    )
+    borrowed = 'library = "ecoflex-00-30", record = "yeoh-yan-2016"'
+    job = JOB.replace('library = "elastosil-m4601", record = "yeoh-mosadegh-2014"', borrowed)
+    job = job.replace(f"body = {{ {borrowed}", 'body = { library = "./mine.toml", record = "short"')
+    (folder / "finger.toml").write_text(job + "[output]\n" + QUICK)
+    assert main(["run", "finger.toml", "--quiet"]) == DONE
+    err = capsys.readouterr().err
+    assert err.count("are those of Elastosil M4601") == 1
+    assert re.search(r"M01 warning: The law of 'mine' is used up to stretch 1\.\d+, but its tests end at 1", err)

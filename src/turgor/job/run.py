@@ -8,6 +8,7 @@ from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding
 from turgor.job.folder import claimed, default_folder
 from turgor.job.job import Job
+from turgor.job.material_findings import constants_in_doubt, laws_beyond_their_tests
 from turgor.job.outcome import RunOutcome
 from turgor.job.versions import versions
 from turgor.job.write import write_results
@@ -52,7 +53,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     model = Model(made, materials=job.materials, supports=job.supports, loads=job.loads)
     check_supports(model)
     check_measures(model, [find_measure(name) for name in job.output.measures])
-    return model, check_mesh(made)
+    return model, (*constants_in_doubt(model), *check_mesh(made))
 
 
 def run_job(
@@ -112,7 +113,7 @@ def run_job(
             job=replace(job, threads=options.threads),
             solution=solution,
             response=response,
-            findings=(*findings, *solution.findings),
+            findings=(*findings, *laws_beyond_their_tests(solution), *solution.findings),
             written_by=versions() | {"linear_solver": solution.timing.linear_solver},
             notices=tuple(notices),
             folder=folder,

@@ -1,0 +1,34 @@
+"""What is to be said about the materials of a run: doubts about their constants, laws used beyond their tests."""
+
+from collections.abc import Iterable
+
+from turgor.engine.fields import cell_fields
+from turgor.finding import Finding, Severity
+from turgor.materials.doubts import doubts_of
+from turgor.materials.fit_checks import check_stretch_range
+from turgor.materials.material import Material
+from turgor.model.model import Model
+from turgor.solvers.solution import Solution
+
+
+def constants_in_doubt(model: Model) -> tuple[Finding, ...]:
+    """Warnings about the constants of the model's materials (M04 to M07), each once; notes stay with the material."""
+    materials: list[Material] = [*model.region_materials.values(), *(m.material for m in model.membranes.values())]
+    return _each_once(
+        finding for material in materials for finding in doubts_of(material) if finding.severity is not Severity.NOTE
+    )
+
+
+def laws_beyond_their_tests(solution: Solution) -> tuple[Finding, ...]:
+    """M01 for every region that ends up stretched beyond the tests of its law."""
+    model, last = solution.model, solution.states[-1]
+    stretch = cell_fields(model, last.displacement, last.mean_stress).stretch
+    return _each_once(
+        finding
+        for name, material in model.region_materials.items()
+        for finding in check_stretch_range(material, (1.0, float(stretch[model.mesh.regions[name]].max())))
+    )
+
+
+def _each_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    return tuple(dict.fromkeys(findings))
