@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification docs bench fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators docs bench fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -23,6 +23,7 @@ help:
 	@echo "make lint          ruff and mypy"
 	@echo "make format        let ruff format and tidy the code"
 	@echo "make verification  all verification tests; writes docs/verification.md"
+	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
 	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
@@ -35,7 +36,7 @@ demo: $(RUN)
 	$(BIN)/turgor run examples/fast_pneunet.toml --output runs/demo --force
 
 test: $(DEV)
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n auto
 
 slow: $(DEV)
 	$(BIN)/python -m pytest -m slow
@@ -51,6 +52,9 @@ format: $(DEV)
 
 verification: $(DEV)
 	$(BIN)/python -m pytest tests/verification -m "slow or not slow" --write-verification
+
+actuators: $(DEV)
+	$(BIN)/python docs/actuator_pages.py --pictures
 
 docs: $(DOCS)
 	$(BIN)/python -m sphinx -W --keep-going -b html docs docs/_build/html

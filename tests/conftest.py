@@ -72,3 +72,7 @@ def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
     if OUTCOME in config.stash:
         terminalreporter.write_line(f"verification page {config.stash[OUTCOME]}")
+
+
+#: Scripts that made fixtures, with libraries that the tests do not need.
+collect_ignore_glob = ["unit/data/*"]

@@ -13,8 +13,45 @@ if TYPE_CHECKING:
     from turgor.errors import TurgorError as TurgorError
     from turgor.finding import Finding as Finding
     from turgor.finding import Severity as Severity
-    from turgor.geometry.fast_pneunet import FastPneuNet as FastPneuNet
+    from turgor.geometry.actuators.bellows_of_revolution import BellowsOfRevolution as BellowsOfRevolution
+    from turgor.geometry.actuators.bidirectional_bender import BidirectionalBender as BidirectionalBender
+    from turgor.geometry.actuators.bidirectional_pneunet import BidirectionalPneuNet as BidirectionalPneuNet
+    from turgor.geometry.actuators.contracting_tube import ContractingTube as ContractingTube
+    from turgor.geometry.actuators.eccentric_bender import EccentricBender as EccentricBender
+    from turgor.geometry.actuators.extending_cylinder import ExtendingCylinder as ExtendingCylinder
+    from turgor.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet
+    from turgor.geometry.actuators.fiber_reinforced_bender import FiberReinforcedBender as FiberReinforcedBender
+    from turgor.geometry.actuators.fiber_reinforced_cylinder import FiberReinforcedCylinder as FiberReinforcedCylinder
+    from turgor.geometry.actuators.free_bottom_pneunet import FreeBottomPneuNet as FreeBottomPneuNet
+    from turgor.geometry.actuators.helical_pneunet import HelicalPneuNet as HelicalPneuNet
+    from turgor.geometry.actuators.manta_fin import MantaFin as MantaFin
+    from turgor.geometry.actuators.omnidirectional_actuator import OmnidirectionalActuator as OmnidirectionalActuator
+    from turgor.geometry.actuators.parallel_bellows import ParallelBellows as ParallelBellows
+    from turgor.geometry.actuators.rectangular_bender import RectangularBender as RectangularBender
+    from turgor.geometry.actuators.revolute_joint import RevoluteJoint as RevoluteJoint
+    from turgor.geometry.actuators.semicircular_bender import SemicircularBender as SemicircularBender
+    from turgor.geometry.actuators.slow_pneunet import SlowPneuNet as SlowPneuNet
+    from turgor.geometry.actuators.three_extenders import ThreeExtenders as ThreeExtenders
+    from turgor.geometry.actuators.trapezoidal_pneunet import TrapezoidalPneuNet as TrapezoidalPneuNet
+    from turgor.geometry.actuators.triangular_pneunet import TriangularPneuNet as TriangularPneuNet
+    from turgor.geometry.actuators.twisting_tube import TwistingTube as TwistingTube
+    from turgor.geometry.actuators.two_material_bender import TwoMaterialBender as TwoMaterialBender
+    from turgor.geometry.cad.cad_file import CadFile as CadFile
+    from turgor.geometry.cad.inspection import Inspection as Inspection
+    from turgor.geometry.cad.inspection import inspect_cad as inspect_cad
+    from turgor.geometry.cad.read import read_cad as read_cad
+    from turgor.geometry.cad.selectors import ByColor as ByColor
+    from turgor.geometry.cad.selectors import ByName as ByName
+    from turgor.geometry.cad.selectors import InBox as InBox
+    from turgor.geometry.cad.selectors import NearestTo as NearestTo
+    from turgor.geometry.cad.selectors import WithNormal as WithNormal
+    from turgor.geometry.cad.split import SplitPlane as SplitPlane
     from turgor.geometry.geometry import Geometry as Geometry
+    from turgor.geometry.mold import MoldSettings as MoldSettings
+    from turgor.geometry.mold import casting_mold as casting_mold
+    from turgor.geometry.write_step import write_step as write_step
+    from turgor.job.convergence import convergence as convergence
+    from turgor.job.export import export_job as export_job
     from turgor.job.job import Job as Job
     from turgor.job.read import read_job as read_job
     from turgor.job.run import run_job as run_job
@@ -56,8 +93,13 @@ if TYPE_CHECKING:
     from turgor.materials.records import library as library
     from turgor.materials.records import records as records
     from turgor.materials.stability import first_instability as first_instability
+    from turgor.meshing.exchange import MeshFile as MeshFile
+    from turgor.meshing.exchange import mesh_surfaces as mesh_surfaces
+    from turgor.meshing.exchange import read_mesh as read_mesh
+    from turgor.meshing.exchange import write_stl as write_stl
     from turgor.meshing.generate import mesh as mesh
     from turgor.meshing.mesh import Mesh as Mesh
+    from turgor.meshing.sizes import default_size as default_size
     from turgor.model.loads import BodyForce as BodyForce
     from turgor.model.loads import Gravity as Gravity
     from turgor.model.loads import Pressure as Pressure
@@ -67,8 +109,11 @@ if TYPE_CHECKING:
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
     from turgor.model.supports import Symmetry as Symmetry
+    from turgor.model.write_inp import compressible as compressible
+    from turgor.model.write_inp import write_inp as write_inp
     from turgor.response import Response as Response
     from turgor.response import read_response as read_response
+    from turgor.results.convergence import Convergence as Convergence
     from turgor.results.measures import bending_angle as bending_angle
     from turgor.results.measures import cavity_volume as cavity_volume
     from turgor.results.measures import maximum_principal_stretch as maximum_principal_stretch
@@ -77,6 +122,8 @@ if TYPE_CHECKING:
     from turgor.results.measures import reaction as reaction
     from turgor.results.measures import smallest_gap as smallest_gap
     from turgor.results.measures import tip_displacement as tip_displacement
+    from turgor.results.measures import twist_angle as twist_angle
+    from turgor.results.measures import volume_of as volume_of
     from turgor.solvers.driver import solve as solve
     from turgor.solvers.procedures import Static as Static
     from turgor.solvers.solution import Solution as Solution
@@ -89,8 +136,63 @@ _ROOMS = {
     "turgor.engine.runtime": ("EngineOptions",),
     "turgor.errors": ("TurgorError",),
     "turgor.finding": ("Finding", "Severity"),
-    "turgor.geometry.fast_pneunet": ("FastPneuNet",),
+    "turgor.geometry.actuators.fast_pneunet": ("FastPneuNet",),
+    "turgor.geometry.actuators.bellows_of_revolution": ("BellowsOfRevolution",),
+    "turgor.geometry.actuators.bidirectional_bender": ("BidirectionalBender",),
+    "turgor.geometry.actuators.bidirectional_pneunet": ("BidirectionalPneuNet",),
+    "turgor.geometry.actuators.contracting_tube": ("ContractingTube",),
+    "turgor.geometry.actuators.eccentric_bender": ("EccentricBender",),
+    "turgor.geometry.actuators.extending_cylinder": ("ExtendingCylinder",),
+    "turgor.geometry.actuators.fiber_reinforced_bender": ("FiberReinforcedBender",),
+    "turgor.geometry.actuators.fiber_reinforced_cylinder": ("FiberReinforcedCylinder",),
+    "turgor.geometry.actuators.free_bottom_pneunet": ("FreeBottomPneuNet",),
+    "turgor.geometry.actuators.helical_pneunet": ("HelicalPneuNet",),
+    "turgor.geometry.actuators.manta_fin": ("MantaFin",),
+    "turgor.geometry.actuators.omnidirectional_actuator": ("OmnidirectionalActuator",),
+    "turgor.geometry.actuators.parallel_bellows": ("ParallelBellows",),
+    "turgor.geometry.actuators.rectangular_bender": ("RectangularBender",),
+    "turgor.geometry.actuators.revolute_joint": ("RevoluteJoint",),
+    "turgor.geometry.actuators.semicircular_bender": ("SemicircularBender",),
+    "turgor.geometry.actuators.slow_pneunet": ("SlowPneuNet",),
+    "turgor.geometry.actuators.three_extenders": ("ThreeExtenders",),
+    "turgor.geometry.actuators.trapezoidal_pneunet": ("TrapezoidalPneuNet",),
+    "turgor.geometry.actuators.triangular_pneunet": ("TriangularPneuNet",),
+    "turgor.geometry.actuators.twisting_tube": ("TwistingTube",),
+    "turgor.geometry.actuators.two_material_bender": ("TwoMaterialBender",),
     "turgor.geometry.geometry": ("Geometry",),
+    "turgor.geometry.cad.read": ("read_cad",),
+    "turgor.geometry.cad.inspection": (
+        "Inspection",
+        "inspect_cad",
+    ),
+    "turgor.geometry.cad.cad_file": ("CadFile",),
+    "turgor.geometry.cad.selectors": (
+        "ByColor",
+        "ByName",
+        "InBox",
+        "NearestTo",
+        "WithNormal",
+    ),
+    "turgor.geometry.cad.split": ("SplitPlane",),
+    "turgor.geometry.mold": (
+        "MoldSettings",
+        "casting_mold",
+    ),
+    "turgor.geometry.write_step": ("write_step",),
+    "turgor.meshing.exchange": (
+        "MeshFile",
+        "mesh_surfaces",
+        "read_mesh",
+        "write_stl",
+    ),
+    "turgor.meshing.sizes": ("default_size",),
+    "turgor.model.write_inp": (
+        "compressible",
+        "write_inp",
+    ),
+    "turgor.job.convergence": ("convergence",),
+    "turgor.results.convergence": ("Convergence",),
+    "turgor.job.export": ("export_job",),
     "turgor.job.job": ("Job",),
     "turgor.job.read": ("read_job",),
     "turgor.job.run": ("run_job",),
@@ -165,6 +267,8 @@ _ROOMS = {
         "reaction",
         "smallest_gap",
         "tip_displacement",
+        "twist_angle",
+        "volume_of",
     ),
     "turgor.solvers.driver": ("solve",),
     "turgor.solvers.procedures": ("Static",),

@@ -14,8 +14,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor import __version__
+from turgor.cli_convergence import convergence_command
+from turgor.cli_export import export_command
 from turgor.cli_fit import fit_command
+from turgor.cli_inspect import inspect_command
 from turgor.cli_materials import materials_app
+from turgor.cli_mesh import mesh_command
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -123,10 +127,16 @@ def _actuators() -> None:
         values = dimensions(family())
         for item in fields(family):  # type: ignore[arg-type]
             typer.echo(f"  {item.name} = {shown(values[item.name])}")
+    typer.echo("cad_file: An actuator from a CAD file; `turgor inspect` shows what it holds.")
+    typer.echo("  file, unit, faces, regions, split")
 
 
 app.add_typer(materials_app, name="materials")
+app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
+app.command("export")(export_command)
+app.command("mesh")(mesh_command)
+app.command("convergence")(convergence_command)
 
 
 def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: int | None) -> "RunOutcome":
@@ -145,14 +155,17 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
 
 def _tell(outcome: "RunOutcome") -> None:
     """Say how it ended, the numbers at the end, and where everything is."""
+    from turgor.model.drive import drive_text
+    from turgor.results.drive import with_each_cavity
     from turgor.results.measures import find_measure
 
     solution, response = outcome.solution, outcome.response
     if solution.converged:
         typer.echo(f"{solution.message} {solution.advice}".strip())
-    measures = [find_measure(name) for name in outcome.job.output.measures]
+    wanted = [name for each in outcome.job.output.measures for name in with_each_cavity(response, each)]
+    measures = [find_measure(name) for name in dict.fromkeys(wanted)]
     numbers = [f"{m.name.replace('_', ' ')} {m.text(response.column(m.name)[-1])}" for m in measures]
-    drive = f"{response.column('pressure')[-1] / 1e3:.4g} kPa" if "pressure" in response.names else "the end"
+    drive = drive_text(solution.model, solution.states[-1].load_factor) or "the end"
     typer.echo(f"At {drive}: {', '.join(numbers)}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
 

@@ -10,9 +10,10 @@ from rich.progress import BarColumn, Progress, ProgressColumn, SpinnerColumn, Ta
 from rich.text import Text
 
 from turgor.errors import TurgorError
+from turgor.model.drive import drive_text
 from turgor.results.measures import bending_angle
 from turgor.solvers.solution import Iteration, State
-from turgor.units import deg, kPa
+from turgor.units import deg
 
 #: Accepted steps from which the time left is estimated: the last few, because steps grow along a path.
 RECENT_STEPS = 4
@@ -152,8 +153,8 @@ class LiveDisplay:
 
 def describe(iteration: Iteration, state: State) -> str:
     """Write one accepted step in words."""
-    pressures = state.model.pressures
-    load = f", {pressures[0].pressure * state.load_factor / kPa:.4g} kPa" if pressures else ""
+    pressures = drive_text(state.model, state.load_factor)
+    load = f", {pressures}" if pressures else ""
     work = f"{iteration.iteration} iterations, residual {iteration.residual:.1e}"
     return f"step {iteration.step}: load factor {state.load_factor:.4f}{load}, {work}"
 

@@ -13,12 +13,22 @@ ROOMS = ("foundation", "materials", "geometry", "meshing", "model", "engine", "s
 FOUNDATION = ("units", "errors", "source", "finding", "response")
 
 #: The modules of the command line, which is a client of the public names.
-COMMAND_LINE = ("cli", "cli_fit", "cli_materials", "console", "__main__")
+COMMAND_LINE = (
+    "cli",
+    "cli_convergence",
+    "cli_export",
+    "cli_fit",
+    "cli_inspect",
+    "cli_materials",
+    "cli_mesh",
+    "console",
+    "__main__",
+)
 
 #: Where a heavy part, or a part with one purpose, may be imported.
 HOME = {
     "basix": ("engine",),
-    "ctypes": ("engine", "meshing"),  # MKL; emptying the buffers of the mesh generator
+    "ctypes": ("engine", "geometry"),  # MKL; emptying the buffers of the CAD kernel and the mesh generator
     "mkl": ("engine",),
     "numba": ("engine",),
     "rslab": ("engine",),

@@ -140,7 +140,7 @@ def test_what_nobody_expected_is_a_sentence_too(
     def broken(*_: object, **__: object) -> None:
         raise ZeroDivisionError("by zero")
 
-    monkeypatch.setattr(turgor.job.run, "mesh", broken)
+    monkeypatch.setattr(turgor.job.run, "mesh_of", broken)
     assert main(["run", "finger.toml", "--quiet"]) == BAD_INPUT
     err = capsys.readouterr().err
     assert err.startswith("turgor failed unexpectedly, ZeroDivisionError: by zero. Please report it")

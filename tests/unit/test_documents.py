@@ -9,7 +9,7 @@ import turgor as tg
 
 ROOT = Path(__file__).parents[2]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
-FINDING = re.compile(r"\b([GBMNL]\d\d)\b")
+FINDING = re.compile(r"\b([BDGLMN]\d\d)\b")
 
 
 def read(name):

@@ -1,10 +1,16 @@
 """The CAD shape of a fast PneuNet has the volumes, faces and names that its dimensions say."""
 
+from dataclasses import replace
+from math import pi
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from turgor.engine.surfaces import enclosed_volume
+from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
+from turgor.meshing.generate import mesh
 from turgor.units import mm
 
 FACES = ("cavity", "fixed", "outside", "strain_limiting_layer", "tip")
@@ -105,3 +111,30 @@ def test_any_admissible_dimensions_give_the_shape_that_they_say(finger: FastPneu
     assert found["tip"] == pytest.approx(found["fixed"], rel=1e-9)
     assert found["strain_limiting_layer"] == pytest.approx(across * finger.length / mm, rel=1e-9)
     assert len(geometry._shape.solids) == 2
+
+
+@pytest.mark.parametrize("symmetric", [True, False])
+def test_an_end_block_is_held_all_around_and_an_inlet_opens_the_cavity_at_its_end(symmetric: bool) -> None:
+    plain, share = FastPneuNet(chambers=2, length=20 * mm, symmetric=symmetric), 2 if symmetric else 1
+    finger = replace(plain, clamp_length=8 * mm, inlet_diameter=3 * mm)
+    duct = pi / 4 * 9 / share  # mm²
+    assert (finger.cavity_volume - plain.cavity_volume) * 1e9 == pytest.approx(duct * 10)
+    assert (finger.solid_volume - plain.solid_volume) * 1e9 == pytest.approx(20 * 15 * 8 / share - duct * 10)
+    found, before = areas(finger.build()), areas(plain.build())
+    around = 2 * 20 + 2 * 15
+    assert found["fixed"] == pytest.approx(20 * 15 / share - duct + 8 * around / share, rel=1e-6)
+    assert found["cavity"] == pytest.approx(before["cavity"] - duct + pi * 3 * 10 / share, rel=1e-6)
+    assert found["outside"] == pytest.approx(before["outside"], rel=1e-9)
+    assert found["tip"] == pytest.approx(before["tip"], rel=1e-9)
+    made = mesh(finger.build(), size=4 * mm)
+    open_at_x_0 = -enclosed_volume(made.points, made.face("cavity"))  # the plane x = 0 adds nothing
+    assert open_at_x_0 == pytest.approx(finger.cavity_volume, rel=1e-3)
+
+
+def test_an_inlet_must_fit_into_the_chamber() -> None:
+    with pytest.raises(
+        TurgorError, match=r"inlet_diameter is 10 mm; allowed is 0 mm to 9.99 mm, less than the chamber"
+    ):
+        FastPneuNet(inlet_diameter=10 * mm)
+    with pytest.raises(TurgorError, match=r"clamp_length is 3000 mm; allowed is 0 mm to 2000 mm."):
+        FastPneuNet(clamp_length=3.0)

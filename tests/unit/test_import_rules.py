@@ -45,7 +45,7 @@ def test_the_page_on_the_architecture_shows_the_same_order():
         ("turgor.results.plots", "from turgor import Model", "is a public name"),
         ("turgor.results.vtu", "import numba", "numba may be imported in engine only"),
         ("turgor.results.vtu", "from numba import njit", "numba may be imported in engine only"),
-        ("turgor.solvers.newton", "import ctypes", "ctypes may be imported in engine and meshing only"),
+        ("turgor.solvers.newton", "import ctypes", "ctypes may be imported in engine and geometry only"),
         ("turgor.meshing.generate", "from netgen.occ import Box", "netgen.occ may be imported in geometry only"),
         ("turgor.meshing.generate", "from netgen import occ", "netgen.occ may be imported in geometry only"),
         ("turgor.engine.cells", "import netgen", "netgen may be imported in geometry and meshing only"),
@@ -72,7 +72,7 @@ def test_a_broken_rule_is_noticed(module, text, expected):
     [
         ("turgor.solvers.driver", "from turgor.engine.system import System\nfrom turgor.solvers.newton import newton"),
         ("turgor.engine.kernels", "import numba\nfrom basix import create_element"),
-        ("turgor.geometry.solids", "from netgen.occ import Box"),
+        ("turgor.geometry.shapes.solids", "from netgen.occ import Box"),
         ("turgor.cli", "import turgor as tg\nfrom turgor import solve\nprint(tg)"),
         ("turgor", "from turgor.cli import main"),
         ("turgor.model.model", "def _build(**options): ...\nclass _Model:\n    def make(self, **kw): ..."),

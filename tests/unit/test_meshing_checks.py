@@ -44,7 +44,7 @@ def slab(thickness: float, size: float, bottom: str = "outside") -> Mesh:
     wall = thickness * mm
     volume = 100 * thickness * mm**3
     names = {"regions": ("body",), "faces": tuple({"outside", bottom})}
-    geometry = Geometry(name="slab", smallest_wall=wall, cavity_volume=0.0, solid_volume=volume, _shape=shape, **names)
+    geometry = Geometry(name="slab", smallest_wall=wall, cavity_volumes={}, solid_volume=volume, _shape=shape, **names)
     return mesh(geometry, size=size * mm)
 
 
@@ -67,10 +67,19 @@ def test_a_cavity_with_a_hole_is_found(whole: Mesh) -> None:
     assert "Face 'cavity' is not closed: 3 of its edges" in findings[0].message
 
 
+def test_a_cavity_of_a_half_with_a_hole_is_found(half: Mesh) -> None:
+    cavity = half.face("cavity")
+    away = np.flatnonzero((half.points[cavity][:, :, 1] > 1e-9).all(axis=1))[0]
+    assert codes(changed(half, cavity=np.delete(cavity, away, axis=0))) == ["G02", "G03"]
+
+
 def test_a_cavity_cut_by_a_plane_without_the_name_of_a_mirror_is_open(half: Mesh) -> None:
     renamed = dict(half.faces)
     renamed["cut"] = renamed.pop("symmetry_y")
-    assert codes(replace(half, faces=renamed)) == ["G02"]
+    (finding,) = check_surface(replace(half, faces=renamed))
+    assert finding.code == "D01"
+    assert finding.severity is Severity.WARNING
+    assert "If this is a mirror plane, name it symmetry_*" in finding.advice
 
 
 def test_surface_without_a_name_is_found(whole: Mesh) -> None:

@@ -4,13 +4,15 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from meshing_cases import filleted_pneunet, thin_tube
 from netgen.occ import Box, Cylinder, Glue, Pnt, X, Z
 
 from turgor.engine.surfaces import area, enclosed_volume, vector_area
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
 from turgor.meshing import generate
-from turgor.meshing.generate import mesh, size_range
+from turgor.meshing.assemble import Raw
+from turgor.meshing.generate import default_size, mesh, size_range
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
 from turgor.meshing.quality import cell_volumes
 from turgor.meshing.surface import cell_sides, check_surface, corner_keys, outer_triangles
@@ -31,7 +33,7 @@ def half_cylinder() -> Geometry:
     return Geometry(
         name="half cylinder",
         smallest_wall=4 * mm,
-        cavity_volume=0.0,
+        cavity_volumes={},
         solid_volume=volume,
         regions=("body",),
         faces=("fixed", "outside"),
@@ -212,7 +214,7 @@ def box_with(faces: tuple[str, ...], regions: tuple[str, ...], volume: float) ->
     return Geometry(
         name="box",
         smallest_wall=10 * mm,
-        cavity_volume=0.0,
+        cavity_volumes={},
         solid_volume=volume * mm**3,
         regions=regions,
         faces=faces,
@@ -233,11 +235,11 @@ def test_a_name_or_volume_lost_in_meshing_is_refused() -> None:
 def test_a_part_that_cannot_be_meshed_is_refused_with_the_cause_and_nothing_else(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
-    shape = Cylinder(Pnt(0, 0, 0), X, 10, 30) - Cylinder(Pnt(0, 0, 0), X, 9.5, 30)
+    shape = Cylinder(Pnt(0, 0, 0), X, 10, 30) - Cylinder(Pnt(0, 0, 0), X, 9.95, 30)
     shape.mat("body")
     shape.faces.name = "outside"
     names = {"regions": ("body",), "faces": ("outside",)}
-    tube = Geometry(name="tube", smallest_wall=9 * mm, cavity_volume=0, solid_volume=1e-6, _shape=shape, **names)
+    tube = Geometry(name="tube", smallest_wall=9 * mm, cavity_volumes={}, solid_volume=1e-6, _shape=shape, **names)
     with pytest.raises(
         TurgorError, match=r"'tube' could not be meshed at size 8 mm; use a smaller one\. .*overlapping"
     ):
@@ -247,10 +249,33 @@ def test_a_part_that_cannot_be_meshed_is_refused_with_the_cause_and_nothing_else
     assert captured.err == ""
 
 
+@pytest.mark.parametrize("shape", [filleted_pneunet, thin_tube])
+def test_a_curved_shape_gives_the_same_mesh_again(shape) -> None:
+    geometry = shape()
+    first, second, third = mesh(geometry), mesh(geometry), mesh(shape())
+    for other in (second, third):
+        assert np.array_equal(first.points, other.points)
+        assert np.array_equal(first.cells, other.cells)
+    assert default_size(shape()) == default_size(geometry)
+
+
+def test_arcs_are_meshed_finer_where_the_first_mesh_is_not_sound(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A tube whose wall was said to be thicker than it is, so that the size goes far beyond four times the wall."""
+    shape = Cylinder(Pnt(0, 0, 0), X, 10, 20) - Cylinder(Pnt(0, 0, 0), X, 9.5, 20)
+    shape.mat("body")
+    shape.faces.name = "outside"
+    names = {"regions": ("body",), "faces": ("outside",), "cavity_volumes": {}}
+    tube = Geometry(name="tube", smallest_wall=3 * mm, solid_volume=shape.mass * mm**3, _shape=shape, **names)
+    made = mesh(tube, size=8 * mm)
+    assert cell_volumes(made).sum() == pytest.approx(tube.solid_volume, rel=1e-3)
+    assert [finding.code for finding in made.findings] == ["G08"]
+    assert "at first 'tube' could not be meshed at size 8 mm." in made.findings[0].message
+
+
 def test_a_cell_inside_out_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    def bent(geometry: Geometry, size: float, grading: float) -> generate._Raw:
-        raw = original(geometry, size, grading)
-        raw.points[raw.cells[0, 4]] += 20 * mm
+    def bent(*settings: object) -> Raw:
+        raw = original(*settings)
+        raw.points[raw.cells[0, 0]] = raw.points[raw.cells[0, 1]]  # flat: straight edges do not help
         return raw
 
     original = generate._generate

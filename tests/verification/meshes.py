@@ -1,8 +1,8 @@
-"""Structured meshes of ten-node tetrahedra for the verification tests.
+"""Structured meshes for the verification tests.
 
-A `Block` is a lattice of nx × ny × nz cubes over the parameters 0..1, each cut into six tetrahedra along the same
-body diagonal (Kuhn), and placed in space by a smooth map. Blocks that share a side are glued by position; their
-diagonals match when both count the shared parameters in the same direction.
+A `Block` is a lattice of nx × ny × nz cubes over the parameters 0..1, each one hexahedron or cut into six tetrahedra
+along the same body diagonal (Kuhn), and placed in space by a smooth map. Blocks that share a side are glued by
+position; their diagonals match when both count the shared parameters in the same direction.
 
 Plane strain is a slab of one layer with ``Fixed("z0", "z"), Fixed("z1", "z")``. The nodes half way between stay
 free in z: the exact solution has no displacement there, so they are ordinary unknowns of a three-dimensional
@@ -17,6 +17,8 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.reference import reference_nodes
+from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType, cell_type
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TETRAHEDRON_FACES, Mesh
 
 Array = NDArray[np.float64]
@@ -53,36 +55,49 @@ def _kuhn_cells(counts: tuple[int, int, int]) -> NDArray[np.int64]:
     return np.concatenate(cells)
 
 
-def _lattice_faces(vertices: NDArray[np.int64], block: Block) -> dict[str, NDArray[np.int64]]:
+def _cubes(block: Block, kind: CellType) -> NDArray[np.int64]:
+    """Lattice positions (twice the cube index) of the nodes of one hexahedron a cube, (c, nodes, 3)."""
+    corners = 2 * np.stack(np.meshgrid(*(np.arange(n) for n in block.counts), indexing="ij"), axis=-1).reshape(-1, 3)
+    nodes = np.rint(2 * reference_nodes(HEXAHEDRON.nodes)[: kind.nodes]).astype(np.int64)
+    if block.mirrored:  # count the third parameter backwards, so that the map turns the cell right again
+        nodes[:, 2] = 2 - nodes[:, 2]
+    return corners[:, None, :] + nodes
+
+
+def _tetrahedra(block: Block) -> NDArray[np.int64]:
+    vertices = _kuhn_cells(block.counts)[:, [0, 2, 1, 3] if block.mirrored else [0, 1, 2, 3]]
+    middles = np.stack([(vertices[:, a] + vertices[:, b]) // 2 for a, b in TETRAHEDRON_EDGES], axis=1)
+    return np.concatenate([vertices, middles], axis=1)
+
+
+def _lattice_faces(nodes: NDArray[np.int64], block: Block, kind: CellType) -> dict[str, NDArray[np.int64]]:
     """Which side of which cell lies on each named side of the block: rows (cell, side of the cell)."""
     found: dict[str, NDArray[np.int64]] = {}
     for side, name in block.names.items():
         axis, end = "xyz".index(side[0]), int(side[1])
-        on = vertices[:, :, axis] == 2 * block.counts[axis] * end
-        hits = [(np.flatnonzero(on[:, list(f[:3])].all(axis=1)), k) for k, f in enumerate(TETRAHEDRON_FACES)]
+        on = nodes[:, :, axis] == 2 * block.counts[axis] * end
+        hits = [(np.flatnonzero(on[:, list(f)].all(axis=1)), k) for k, f in enumerate(kind.sides)]
         rows = np.concatenate([np.column_stack([cells, np.full(len(cells), k)]) for cells, k in hits])
         found[name] = np.concatenate([found[name], rows]) if name in found else rows
     return found
 
 
-def glued(blocks: Sequence[Block], *, straight: bool = False) -> Mesh:
+def glued(blocks: Sequence[Block], *, straight: bool = False, kind: CellType = TETRAHEDRON) -> Mesh:
     """Mesh of blocks that touch; ``straight`` puts mid-side nodes half way between their vertices."""
     positions, cells, faces, start = [], [], {}, 0
     for block in blocks:
-        vertices = _kuhn_cells(block.counts)[:, [0, 2, 1, 3] if block.mirrored else [0, 1, 2, 3]]
-        middles = np.stack([(vertices[:, a] + vertices[:, b]) // 2 for a, b in TETRAHEDRON_EDGES], axis=1)
-        nodes = np.concatenate([vertices, middles], axis=1)
+        nodes = _tetrahedra(block) if kind is TETRAHEDRON else _cubes(block, kind)
         positions.append(block.place(nodes.reshape(-1, 3) / (2.0 * np.array(block.counts))))
-        for name, rows in _lattice_faces(vertices, block).items():
+        for name, rows in _lattice_faces(nodes, block, kind).items():
             faces.setdefault(name, []).append(rows + [start, 0])
         start += len(nodes)
         cells.append(nodes)
     points = np.concatenate(positions)
     size = np.ptp(points, axis=0).max()
     _, first, inverse = np.unique(np.round(points / size, 9), axis=0, return_index=True, return_inverse=True)
-    points, connectivity = points[first], inverse.reshape(-1, 10)
+    points, connectivity = points[first], inverse.reshape(-1, kind.nodes)
     triangles = {
-        name: np.array([connectivity[cell, list(TETRAHEDRON_FACES[k])] for cell, k in np.concatenate(rows)])
+        name: np.array([connectivity[cell, list(kind.sides[k])] for cell, k in np.concatenate(rows)])
         for name, rows in faces.items()
     }
     return _ordered(points, connectivity, triangles, straight)
@@ -93,26 +108,39 @@ def _ordered(
 ) -> Mesh:
     """Number vertices first and build the mesh of a single region, ``body``."""
     is_vertex = np.zeros(len(points), dtype=bool)
-    is_vertex[cells[:, :4]] = True
+    kind = cell_type(cells.shape[1])
+    is_vertex[cells[:, : kind.corners]] = True
     order = np.argsort(~is_vertex, kind="stable")
     number = np.argsort(order)
     points, cells = points[order], number[cells]
     if straight:
-        for k, (a, b) in enumerate(TETRAHEDRON_EDGES):
-            points[cells[:, 4 + k]] = (points[cells[:, a]] + points[cells[:, b]]) / 2
+        for k, (a, b) in enumerate(kind.edges):
+            points[cells[:, kind.corners + k]] = (points[cells[:, a]] + points[cells[:, b]]) / 2
     faces = {name: number[triangles] for name, triangles in faces.items()}
     return Mesh(points=points, cells=cells, regions={"body": np.arange(len(cells))}, faces=faces)
 
 
-def box(size: tuple[float, float, float], counts: tuple[int, int, int], place: Map | None = None) -> Mesh:
+def box(
+    size: tuple[float, float, float],
+    counts: tuple[int, int, int],
+    place: Map | None = None,
+    *,
+    kind: CellType = TETRAHEDRON,
+) -> Mesh:
     """Box from the origin to ``size`` with faces x0 … z1, optionally placed by a smooth map."""
     scale = np.array(size, dtype=np.float64)
     move = place or (lambda points: points)
-    return glued([Block(counts, lambda parameters: move(parameters * scale))])
+    return glued([Block(counts, lambda parameters: move(parameters * scale))], kind=kind)
 
 
 def tube_sector(
-    inner: float, outer: float, height: float, counts: tuple[int, int, int], *, straight: bool = False
+    inner: float,
+    outer: float,
+    height: float,
+    counts: tuple[int, int, int],
+    *,
+    straight: bool = False,
+    kind: CellType = TETRAHEDRON,
 ) -> Mesh:
     """Quarter of a tube around z; counts are radial, around, along; faces cavity, outside, symmetry_x/y, z0, z1."""
 
@@ -122,10 +150,18 @@ def tube_sector(
         return np.column_stack([r * np.cos(angle), r * np.sin(angle), height * parameters[:, 2]])
 
     names = dict(zip(SIDES, ("cavity", "outside", "symmetry_y", "symmetry_x", "z0", "z1"), strict=True))
-    return glued([Block(counts, place, names)], straight=straight)
+    return glued([Block(counts, place, names)], straight=straight, kind=kind)
 
 
-def sphere_octant(inner: float, outer: float, around: int, through: int, *, straight: bool = False) -> Mesh:
+def sphere_octant(
+    inner: float,
+    outer: float,
+    around: int,
+    through: int,
+    *,
+    straight: bool = False,
+    kind: CellType = TETRAHEDRON,
+) -> Mesh:
     """One eighth of a thick sphere: three blocks that meet at the diagonal. Faces cavity, outside, symmetry_x/y/z."""
     blocks = []
     for axis in range(3):
@@ -140,7 +176,7 @@ def sphere_octant(inner: float, outer: float, around: int, through: int, *, stra
 
         names = {"x0": f"symmetry_{'xyz'[s]}", "y0": f"symmetry_{'xyz'[t]}", "z0": "cavity", "z1": "outside"}
         blocks.append(Block((around, around, through), place, names))
-    return glued(blocks, straight=straight)
+    return glued(blocks, straight=straight, kind=kind)
 
 
 def hollow_box(cells: int = 3) -> Mesh:
@@ -182,6 +218,26 @@ def blind_tube() -> Mesh:
     return glued(blocks)
 
 
+def two_cavities() -> Mesh:
+    """Bar 4 × 3 × 5 bricks of 10 × 6 × 2 mm with one void above the other: x0 … z1, cavity_1 (below), cavity_2."""
+    counts, size = (4, 3, 5), np.array([10e-3, 6e-3, 2e-3])
+    voids = {(x, 1, z): name for x in (1, 2) for z, name in ((1, "cavity_1"), (3, "cavity_2"))}
+    blocks = []
+    for corner in np.ndindex(counts):
+        if corner in voids:
+            continue
+        names = {}
+        for side in SIDES:
+            axis, end = "xyz".index(side[0]), int(side[1])
+            neighbor = tuple(c + (2 * end - 1) * (a == axis) for a, c in enumerate(corner))
+            if neighbor in voids:
+                names[side] = voids[neighbor]
+            elif neighbor[axis] in (-1, counts[axis]):
+                names[side] = side
+        blocks.append(Block((1, 1, 1), lambda p, corner=corner: (p + np.array(corner)) * size, names))
+    return glued(blocks)
+
+
 def surface(mesh: Mesh) -> NDArray[np.int64]:
     """All six-node triangles that belong to one cell only, pointing out of the body."""
     triangles = np.concatenate([mesh.cells[:, list(f)] for f in TETRAHEDRON_FACES])
@@ -199,9 +255,9 @@ def with_points(mesh: Mesh, points: Array) -> Mesh:
     return Mesh(points=points, cells=mesh.cells, regions=mesh.regions, faces=mesh.faces)
 
 
-def single_node(node: int) -> NDArray[np.int64]:
+def single_node(node: int, sides: int = 6) -> NDArray[np.int64]:
     """A degenerate face that holds one node, to pin it."""
-    return np.full((1, 6), node)
+    return np.full((1, sides), node)
 
 
 def shuffled(mesh: Mesh, rng: np.random.Generator) -> tuple[Mesh, NDArray[np.int64]]:

@@ -86,7 +86,7 @@ def energy(state: tg.State) -> float:
 
 def at_quadrature_points(state: tg.State, nodal: np.ndarray) -> np.ndarray:
     """A quadratic nodal field (n, 3) at the quadrature points of the cells, (c, q, 3)."""
-    table = reference_cell(3, CELL_QUADRATURE_DEGREE).N
+    table = reference_cell(10, CELL_QUADRATURE_DEGREE).N
     return np.einsum("qa,cai->cqi", table, nodal[state.model.mesh.cells])
 
 

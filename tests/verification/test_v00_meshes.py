@@ -21,6 +21,7 @@ ALL = [
     meshes.sphere_octant(10.0, 15.0, 2, 2),
     meshes.hollow_box(),
     meshes.blind_tube(),
+    meshes.two_cavities(),
     meshes.glued([meshes.Block((2, 1, 1), lambda p: p * [-1, 1, 1], mirrored=True)]),
 ]
 

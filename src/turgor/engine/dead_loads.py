@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.reference import CELL_QUADRATURE_DEGREE, SURFACE_QUADRATURE_DEGREE, reference_cell
+from turgor.engine.reference import side_tables
 from turgor.errors import TurgorError
 from turgor.model.loads import BodyForce, Gravity, Traction
 from turgor.model.model import Model
@@ -11,20 +11,24 @@ from turgor.model.model import Model
 Array = NDArray[np.float64]
 
 
-def dead_forces(model: Model, points: Array, dV: Array, length: float, stress: float) -> Array:
-    """Scaled nodal forces (n, 3) of the dead loads at load factor 1; ``points`` and ``dV`` are scaled too."""
+def dead_forces(model: Model, points: Array, dV: Array, N: Array, scales: tuple[float, float]) -> Array:
+    """Scaled nodal forces (n, 3) of the dead loads at load factor 1.
+
+    Points and volumes ``dV`` (c, q) come scaled by the first of the two scales, length and stress; ``N`` (q, n) are the
+    shape functions at the integration points.
+    """
+    length, stress = scales
     forces = np.zeros_like(points)
     for load in model.loads:
         if isinstance(load, Traction):
             forces += _traction(points, model.mesh.face(load.face), np.asarray(load.vector) / stress)
         elif isinstance(load, Gravity):
             density = _density(model)[:, None, None] * _acceleration(load)
-            forces += _volume(model, points, dV, np.broadcast_to(density, (*dV.shape, 3)) * length / stress)
+            forces += _volume(model, points, dV, N, np.broadcast_to(density, (*dV.shape, 3)) * length / stress)
         elif isinstance(load, BodyForce):
-            N = reference_cell(3, CELL_QUADRATURE_DEGREE).N
             where = np.einsum("qa,cai->cqi", N, model.mesh.points[model.mesh.cells])
             value = np.asarray(load.value(where.reshape(-1, 3))).reshape(where.shape)
-            forces += _volume(model, points, dV, value * length / stress)
+            forces += _volume(model, points, dV, N, value * length / stress)
     return forces
 
 
@@ -43,14 +47,13 @@ def _density(model: Model) -> Array:
     return density
 
 
-def _volume(model: Model, points: Array, dV: Array, force_density: Array) -> Array:
-    N = reference_cell(3, CELL_QUADRATURE_DEGREE).N
+def _volume(model: Model, points: Array, dV: Array, N: Array, force_density: Array) -> Array:
     local = np.einsum("cq,qa,cqi->cai", dV, N, force_density)
     return _sum_at_nodes(model.mesh.cells, local, len(points))
 
 
 def _traction(points: Array, triangles: NDArray[np.int64], vector: Array) -> Array:
-    reference = reference_cell(2, SURFACE_QUADRATURE_DEGREE)
+    reference = side_tables(triangles.shape[1])
     tangents = np.einsum("qad,fai->fqid", reference.dN, points[triangles])
     area = np.linalg.norm(np.cross(tangents[..., 0], tangents[..., 1]), axis=2) * reference.weights
     local = np.einsum("fq,qa->fa", area, reference.N)[:, :, None] * vector

@@ -8,22 +8,27 @@ from numpy.typing import NDArray
 
 from turgor.engine import membranes, surfaces
 from turgor.engine.pattern import Pattern, locate, scatter_add
-from turgor.engine.reference import SURFACE_QUADRATURE_DEGREE, reference_cell
+from turgor.engine.reference import side_tables
+from turgor.model.loads import History, Pressure
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
 Triangles = NDArray[np.int64]
-_LOWER = np.tril_indices(18)
 
 
 @dataclass(slots=True, eq=False)
 class _Pressed:
-    """Faces under the same pressure: triangles, scaled pressure, whether the load has a potential."""
+    """Faces under the same pressure: triangles, the load of one of them, scale, whether it has a potential."""
 
     triangles: Triangles
-    pressure: float
+    load: Pressure
+    stress: float
     symmetric: bool
     positions: NDArray[np.int32]
+
+    def at(self, load_factor: float) -> float:
+        """Scaled pressure at a load factor."""
+        return self.load.share(load_factor) * (self.load.pressure / self.stress)
 
 
 @dataclass(slots=True, eq=False)
@@ -71,16 +76,17 @@ class FaceTerms:
         terms: list[_Pressed | _Sheet] = [*self._pressed, *self._sheets]
         for term in terms:
             unknowns = _unknowns(term.triangles)
+            rows, columns = np.tril_indices(unknowns.shape[1])
             term.positions = locate(
-                pattern.indptr, pattern.indices, unknowns[:, _LOWER[0]].ravel(), unknowns[:, _LOWER[1]].ravel()
+                pattern.indptr, pattern.indices, unknowns[:, rows].ravel(), unknowns[:, columns].ravel()
             )
 
     def forces(self, position: Array, load_factor: float) -> tuple[Array, Array]:
         """Internal forces of the membranes and external forces of the pressures, (n, 3) each."""
         internal, external = np.zeros_like(position), np.zeros_like(position)
         for group in self._pressed:
-            local = surfaces.pressure_forces(position, group.triangles, *_tables())
-            _add_at_nodes(external, group.triangles, -load_factor * group.pressure * local)
+            local = surfaces.pressure_forces(position, group.triangles, *_tables(group.triangles))
+            _add_at_nodes(external, group.triangles, -group.at(load_factor) * local)
         for sheet, stress in zip(self._sheets, self.membrane_stresses(position), strict=True):
             local = membranes.membrane_forces(position, sheet.triangles, sheet.gradients, sheet.areas, stress)
             _add_at_nodes(internal, sheet.triangles, local)
@@ -105,17 +111,17 @@ class FaceTerms:
     def add_tangents(self, data: Array, position: Array, load_factor: float, stresses: list[Array] | None) -> None:
         """Add the symmetric parts of all tangents to the lower triangle; ``stresses`` enter the geometric stiffness."""
         for group in self._pressed:
-            local = surfaces.pressure_tangents(position, group.triangles, *_tables())
-            local *= load_factor * group.pressure
+            local = surfaces.pressure_tangents(position, group.triangles, *_tables(group.triangles))
+            local *= group.at(load_factor)
             local = 0.5 * (local + local.transpose(0, 2, 1))
-            scatter_add(data, group.positions, local[:, _LOWER[0], _LOWER[1]].ravel())
+            scatter_add(data, group.positions, _lower(local))
         if stresses is None:
             stresses = self.membrane_stresses(position)
         for sheet, stress in zip(self._sheets, stresses, strict=True):
             local = membranes.membrane_tangents(
                 position, sheet.triangles, sheet.gradients, sheet.areas, sheet.moduli, stress
             )
-            scatter_add(data, sheet.positions, local[:, _LOWER[0], _LOWER[1]].ravel())
+            scatter_add(data, sheet.positions, _lower(local))
 
     def skew_matrix(self, position: Array, load_factor: float, size: int) -> sp.csc_matrix | None:
         """Skew part of the tangents of pressures without potential; None where there are none."""
@@ -123,37 +129,44 @@ class FaceTerms:
         for group in self._pressed:
             if group.symmetric:
                 continue
-            local = surfaces.pressure_tangents(position, group.triangles, *_tables())
-            local *= load_factor * group.pressure
+            local = surfaces.pressure_tangents(position, group.triangles, *_tables(group.triangles))
+            local *= group.at(load_factor)
             local = 0.5 * (local - local.transpose(0, 2, 1))
             unknowns = _unknowns(group.triangles)
-            rows = np.repeat(unknowns, 18, axis=1).ravel()
-            columns = np.tile(unknowns, (1, 18)).ravel()
+            count = unknowns.shape[1]
+            rows = np.repeat(unknowns, count, axis=1).ravel()
+            columns = np.tile(unknowns, (1, count)).ravel()
             part = sp.csc_matrix((local.ravel(), (rows, columns)), shape=(size, size))
             total = part if total is None else (total + part).tocsc()
         return total
 
 
 def _group_pressures(model: Model, points: Array, held: NDArray[np.bool_], stress: float) -> list[_Pressed]:
-    """Join faces under equal pressure: together they may be closed where each alone is open."""
-    by_value: dict[float, list[Triangles]] = {}
+    """Join faces under equal pressure at all times: together they may be closed where each alone is open."""
+    alike: dict[tuple[float, History], list[Pressure]] = {}
     for load in model.pressures:
-        by_value.setdefault(load.pressure, []).append(model.mesh.face(load.face))
+        alike.setdefault((load.pressure, load.history), []).append(load)
     groups = []
-    for value, parts in by_value.items():
-        triangles = np.ascontiguousarray(np.concatenate(parts))
+    for loads in alike.values():
+        triangles = np.ascontiguousarray(np.concatenate([model.mesh.face(load.face) for load in loads]))
         symmetric = surfaces.has_potential(points, triangles, held)
-        groups.append(_Pressed(triangles, value / stress, symmetric, np.empty(0, np.int32)))
+        groups.append(_Pressed(triangles, loads[0], stress, symmetric, np.empty(0, np.int32)))
     return groups
 
 
-def _tables() -> tuple[Array, Array, Array]:
-    reference = reference_cell(2, SURFACE_QUADRATURE_DEGREE)
+def _tables(triangles: Triangles) -> tuple[Array, Array, Array]:
+    reference = side_tables(triangles.shape[1])
     return reference.N, reference.dN, reference.weights
 
 
+def _lower(local: Array) -> Array:
+    """Lower triangles of matrices, row by row."""
+    rows, columns = np.tril_indices(local.shape[1])
+    return np.asarray(local[:, rows, columns].ravel())
+
+
 def _unknowns(triangles: Triangles) -> NDArray[np.int64]:
-    return (3 * triangles[:, :, None] + np.arange(3)).reshape(len(triangles), 18)
+    return (3 * triangles[:, :, None] + np.arange(3)).reshape(len(triangles), -1)
 
 
 def _add_at_nodes(out: Array, triangles: Triangles, local: Array) -> None:

@@ -8,8 +8,10 @@ from numpy.typing import NDArray
 
 from turgor.engine import kernels
 from turgor.engine.cell_materials import CellMaterials
+from turgor.engine.element import Element, element_of, tables_with
 from turgor.engine.faces import FaceTerms
-from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes
+from turgor.engine.reference import reference_nodes
+from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 
@@ -24,6 +26,8 @@ class CellFields:
     ----------
     cauchy : (c, q, 3, 3) array [Pa]
         Cauchy stress.
+    mean_stress : (c, q) array [Pa]
+        Mean stress, positive in tension.
     von_mises : (c, q) array [Pa]
         Von Mises stress.
     stretch : (c, q) array [-]
@@ -35,6 +39,7 @@ class CellFields:
     """
 
     cauchy: Array
+    mean_stress: Array
     von_mises: Array
     stretch: Array
     volume_ratio: Array
@@ -42,9 +47,18 @@ class CellFields:
 
 
 @lru_cache(maxsize=2)
-def _geometry(mesh: Mesh) -> tuple[Array, Array]:
-    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
-    return kernels.reference_geometry(mesh.points, mesh.cells, r.dN, r.weights)
+def _geometry(mesh: Mesh, points: int) -> tuple[Array, Array]:
+    """Inverse Jacobian and weight at that many integration points of each cell."""
+    nodes = mesh.cell_type.nodes
+    r = tables_with(nodes, points)
+    return kernels.reference_geometry((0,) * nodes, mesh.points, mesh.cells, r.dN, r.weights)
+
+
+def _mean_stress(model: Model, element: Element, J: Array, mean_stress: Array, compliance: Array) -> Array:
+    """Mean stress (c, q) at the integration points."""
+    if not element.modes:
+        return np.asarray((J - 1) / compliance[:, None])
+    return np.einsum("qm,cm->cq", element.tables.M, mean_stress[element.mean])
 
 
 def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFields:
@@ -54,12 +68,13 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFi
     ----------
     model : Model
     displacement : (n, 3) array [m]
-    mean_stress : (v,) array [Pa]
+    mean_stress : (m,) array [Pa]
+        The mean stresses of a `State`.
     """
-    mesh = model.mesh
-    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
-    Jinv, weight = _geometry(mesh)
-    F = kernels.deformation_gradients(mesh.cells, displacement, r.dN, Jinv)
+    mesh, element = model.mesh, element_of(model)
+    r = element.tables
+    Jinv, weight = _geometry(mesh, len(r.weights))
+    F = kernels.deformation_gradients(element.shape, mesh.cells, displacement, r.dN, Jinv)
     J = np.linalg.det(F)
     B = F @ F.swapaxes(-1, -2)
     I1 = np.trace(B, axis1=-2, axis2=-1)
@@ -70,7 +85,7 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFi
     laws = materials.isochoric(j * I1, j * j * I2, by_stretches)
     W1, W2 = laws.derivatives[:2]
     identity = np.eye(3)
-    mean = np.einsum("qm,cm->cq", r.M, mean_stress[mesh.cells[:, :4]])
+    mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
     # σ = 2/J [W₁ ∂Ī₁ + W₂ ∂Ī₂] pushed forward, plus the mean stress: the volumetric energy is p (J − 1)
     b1 = B - (I1 / 3)[..., None, None] * identity
     b2 = I1[..., None, None] * B - B @ B - (2 * I2 / 3)[..., None, None] * identity
@@ -81,6 +96,7 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFi
     von_mises = np.sqrt(1.5 * np.einsum("cqij,cqij->cq", deviator, deviator))
     return CellFields(
         cauchy=deviator + mean[..., None, None] * identity,
+        mean_stress=mean,
         von_mises=von_mises,
         stretch=np.sqrt(_largest_eigenvalue(B, I1)),
         volume_ratio=J,
@@ -101,19 +117,19 @@ def _largest_eigenvalue(B: Array, trace: Array) -> Array:
 def nodal_average(mesh: Mesh, values: Array) -> Array:
     """Carry values (c, q, ...) from quadrature points to nodes (n, ...).
 
-    In each cell a linear field is fitted to the points and evaluated at the ten nodes; at a node the cells'
-    values are averaged, weighted by volume.
+    In each cell a linear field (a trilinear one in hexahedra) is fitted to the points and evaluated at the nodes; at a
+    node the cells' values are averaged, weighted by volume.
     """
-    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
-    basis = np.column_stack([np.ones(len(r.points)), r.points])
+    nodes_of_cell = mesh.cell_type.nodes
+    r = tables_with(nodes_of_cell, values.shape[1])
     root = np.sqrt(r.weights)[:, None]
-    fit = np.linalg.pinv(root * basis) * root.T
-    at_nodes = np.column_stack([np.ones(10), reference_nodes(3)]) @ fit
+    fit = np.linalg.pinv(root * _smooth(nodes_of_cell, r.points)) * root.T
+    at_nodes = _smooth(nodes_of_cell, reference_nodes(nodes_of_cell)) @ fit
     flat = values.reshape(*values.shape[:2], -1)
     local = np.einsum("aq,cqk->cak", at_nodes, flat)
-    volume = _geometry(mesh)[1].sum(axis=1)
+    volume = _geometry(mesh, values.shape[1])[1].sum(axis=1)
     nodes = mesh.cells.ravel()
-    total = np.bincount(nodes, np.repeat(volume, 10), minlength=len(mesh.points))
+    total = np.bincount(nodes, np.repeat(volume, nodes_of_cell), minlength=len(mesh.points))
     weighted = (local * volume[:, None, None]).reshape(len(nodes), -1)
     out = np.stack(
         [np.bincount(nodes, weighted[:, k], minlength=len(mesh.points)) / total for k in range(flat.shape[2])], axis=1
@@ -121,19 +137,26 @@ def nodal_average(mesh: Mesh, values: Array) -> Array:
     return out.reshape(len(mesh.points), *values.shape[2:])
 
 
+def _smooth(nodes: int, points: Array) -> Array:
+    """Basis of the fields fitted in a cell: linear in tetrahedra, trilinear in hexahedra."""
+    x, y, z = points.T
+    linear = [np.ones(len(points)), x, y, z]
+    return np.column_stack(linear if nodes == TETRAHEDRON.nodes else [*linear, x * y, y * z, z * x, x * y * z])
+
+
 def strain_energy(model: Model, displacement: Array, mean_stress: Array) -> float:
     """Stored energy of cells and membranes of the modeled part [J].
 
     Where a material is compressible its volumetric energy is p²/(2κ), with κ (J − 1) = p.
     """
-    mesh = model.mesh
-    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
-    Jinv, weight = _geometry(mesh)
-    I1, I2, _ = kernels.kinematics(mesh.cells, displacement, r.dN, Jinv)
+    mesh, element = model.mesh, element_of(model)
+    r = element.tables
+    Jinv, weight = _geometry(mesh, len(r.weights))
+    I1, I2, J = kernels.kinematics(element.shape, mesh.cells, displacement, r.dN, Jinv)
     materials = CellMaterials(model, 1.0)
-    mean = np.einsum("qm,cm->cq", r.M, mean_stress[mesh.cells[:, :4]])
+    mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
     chosen = materials.stretch_cells
-    F = kernels.deformation_gradients(mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
+    F = kernels.deformation_gradients(element.shape, mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
     density = materials.energy(I1, I2, F) + 0.5 * mean**2 * materials.compliance[:, None]
     held = np.zeros((len(mesh.points), 3), dtype=bool)
     sheets = FaceTerms(model, mesh.points, held, 1.0, 1.0)

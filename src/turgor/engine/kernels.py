@@ -1,6 +1,10 @@
-"""Compiled loops over ten-node tetrahedra: kinematics, residual and tangent of the mixed formulation.
+"""Compiled loops over quadratic cells: kinematics, residual and tangent of the mixed formulation.
 
-The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) dV with quadratic displacement and linear mean stress p.
+The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) dV with quadratic displacement and linear mean stress p. A
+cell without mean stresses of its own, for comparison with codes that have no mixed element, takes p = κ (J − 1) at each
+point. The numbers of nodes and of mean stresses come as the lengths of two tuples, ``shape`` and ``modes``, so that the
+compiler knows them and unrolls: one compiled version for each kind of cell.
+
 Stress and tangent are formed once per point in the reference configuration (second Piola–Kirchhoff S and 4 ∂²W/∂C²),
 pushed to ∂P/∂F and contracted with the shape function gradients; node loops run over contiguous arrays so that the
 compiler vectorizes them. Laws in stretches bring the isochoric S and 4 ∂²W/∂C² along (`turgor.engine.spectral`): cell c
@@ -11,29 +15,24 @@ file of the calling loop. Symbols follow the review's section 3.1.
 import numpy as np
 from numba import njit, prange
 
-NODES = 10  # displacement nodes of a cell
-VERTICES = 4  # mean stress nodes of a cell
-UNKNOWNS = 3 * NODES + VERTICES
-PACKED = UNKNOWNS * (UNKNOWNS + 1) // 2  # lower triangle of a cell matrix, row by row
-
 _FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
 
 
 @njit(cache=True, fastmath=_FAST)
-def _gradient(dN, Jinv, G):
-    """Shape function gradients ∂N/∂X at one point, stored (3, NODES)."""
+def _gradient(shape, dN, Jinv, G):
+    """Shape function gradients ∂N/∂X at one point, stored (3, nodes)."""
     for J in range(3):
-        for a in range(NODES):
+        for a in range(len(shape)):
             G[J, a] = dN[a, 0] * Jinv[0, J] + dN[a, 1] * Jinv[1, J] + dN[a, 2] * Jinv[2, J]
 
 
 @njit(cache=True, fastmath=_FAST)
-def _deformation_gradient(u, G, F):
-    """F = I + ∂u/∂X with u stored (3, NODES)."""
+def _deformation_gradient(shape, u, G, F):
+    """F = I + ∂u/∂X with u stored (3, nodes)."""
     for i in range(3):
         for J in range(3):
             total = 1.0 if i == J else 0.0
-            for a in range(NODES):
+            for a in range(len(shape)):
                 total += u[i, a] * G[J, a]
             F[i, J] = total
 
@@ -50,14 +49,14 @@ def _cofactor(F, Cof):
 
 
 @njit(cache=True, fastmath=_FAST)
-def _load_cell(nodes, u, ue):
-    for a in range(NODES):
+def _load_cell(shape, nodes, u, ue):
+    for a in range(len(shape)):
         for i in range(3):
             ue[i, a] = u[nodes[a], i]
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def reference_geometry(points, cells, dN, weights):
+def reference_geometry(shape, points, cells, dN, weights):
     """Inverse Jacobian (c, q, 3, 3) and volume weight (c, q) of the curved reference cells."""
     count, q_count = len(cells), len(weights)
     Jinv = np.empty((count, q_count, 3, 3))
@@ -69,7 +68,7 @@ def reference_geometry(points, cells, dN, weights):
             for i in range(3):
                 for k in range(3):
                     total = 0.0
-                    for a in range(NODES):
+                    for a in range(len(shape)):
                         total += points[cells[c, a], i] * dN[q, a, k]
                     A[i, k] = total
             det = _cofactor(A, Cof)
@@ -81,21 +80,21 @@ def reference_geometry(points, cells, dN, weights):
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def kinematics(cells, u, dN, Jinv):
+def kinematics(shape, cells, u, dN, Jinv):
     """Isochoric invariants Ī₁, Ī₂ and volume ratio J at all points; J ≤ 0 gives NaN invariants."""
     count, q_count = len(cells), len(dN)
     I1 = np.empty((count, q_count))
     I2 = np.empty((count, q_count))
     ratio = np.empty((count, q_count))
     for c in prange(count):
-        ue = np.empty((3, NODES))
-        G = np.empty((3, NODES))
+        ue = np.empty((3, len(shape)))
+        G = np.empty((3, len(shape)))
         F = np.empty((3, 3))
         Cof = np.empty((3, 3))
-        _load_cell(cells[c], u, ue)
+        _load_cell(shape, cells[c], u, ue)
         for q in range(q_count):
-            _gradient(dN[q], Jinv[c, q], G)
-            _deformation_gradient(ue, G, F)
+            _gradient(shape, dN[q], Jinv[c, q], G)
+            _deformation_gradient(shape, ue, G, F)
             J = _cofactor(F, Cof)
             first = 0.0
             second = 0.0
@@ -115,18 +114,37 @@ def kinematics(cells, u, dN, Jinv):
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def deformation_gradients(cells, u, dN, Jinv):
+def deformation_gradients(shape, cells, u, dN, Jinv):
     """Deformation gradient F (c, q, 3, 3) at all points, for results."""
     count, q_count = len(cells), len(dN)
     out = np.empty((count, q_count, 3, 3))
     for c in prange(count):
-        ue = np.empty((3, NODES))
-        G = np.empty((3, NODES))
-        _load_cell(cells[c], u, ue)
+        ue = np.empty((3, len(shape)))
+        G = np.empty((3, len(shape)))
+        _load_cell(shape, cells[c], u, ue)
         for q in range(q_count):
-            _gradient(dN[q], Jinv[c, q], G)
-            _deformation_gradient(ue, G, out[c, q])
+            _gradient(shape, dN[q], Jinv[c, q], G)
+            _deformation_gradient(shape, ue, G, out[c, q])
     return out
+
+
+@njit(cache=True, fastmath=_FAST)
+def _mean_stress(modes, M, p, mean, J, compliance):
+    """Mean stress at one point: interpolated, or κ (J − 1) in a cell that has none of its own."""
+    if len(modes) == 0:
+        return (J - 1.0) / compliance
+    total = 0.0
+    for m in range(len(modes)):
+        total += M[m] * p[mean[m]]
+    return total
+
+
+@njit(cache=True, fastmath=_FAST)
+def _bulk_modulus(modes, compliance):
+    """κ where the mean stress is a function of the displacement, zero where it is an unknown."""
+    if len(modes) == 0:
+        return 1.0 / compliance
+    return 0.0
 
 
 @njit(cache=True, fastmath=_FAST)
@@ -169,14 +187,14 @@ def _stress(C, Ci, J, W1, W2, p, s1, s2, T, S):
 
 
 @njit(cache=True, fastmath=_FAST)
-def _material_tangent(Ci, T, s1, s2, W, scalars, p, D):
-    """D = 4 ∂²(W + pJ)/∂C∂C as a symmetric 6 × 6 array of tensor components."""
+def _material_tangent(Ci, T, s1, s2, W, scalars, p, bulk, D):
+    """D = 4 ∂²(W + pJ)/∂C∂C + κ J² C⁻¹ ⊗ C⁻¹ as a symmetric 6 × 6 array of tensor components."""
     W1, W2, W11, W12, W22 = W
     J, j, k, I1, I2 = scalars
     pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
     index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
     circle = 4.0 * (W1 * j * I1 / 3.0 + W2 * k * I2 * 2.0 / 3.0) - 2.0 * p * J
-    dyad = 4.0 * (W1 * j * I1 / 9.0 + W2 * k * I2 * 4.0 / 9.0) + p * J
+    dyad = 4.0 * (W1 * j * I1 / 9.0 + W2 * k * I2 * 4.0 / 9.0) + p * J + bulk * J * J
     for v in range(6):
         a, b = pairs[v]
         delta_v = 1.0 if v < 3 else 0.0
@@ -239,13 +257,13 @@ def _push(F, D, S, A):
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def residual(cells, u, p, dN, M, Jinv, dV, W1, W2, rows, stress, compliance):
-    """Gradient of the energy by cell, (c, 34): internal forces (node by node), then volume constraints."""
+def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, stress, compliance):
+    """Gradient of the energy by cell: internal forces (node by node), then volume constraints."""
     count, q_count = len(cells), len(dN)
-    out = np.empty((count, UNKNOWNS))
+    out = np.empty((count, 3 * len(shape) + len(modes)))
     for c in prange(count):
-        ue = np.empty((3, NODES))
-        G = np.empty((3, NODES))
+        ue = np.empty((3, len(shape)))
+        G = np.empty((3, len(shape)))
         F = np.empty((3, 3))
         Cof = np.empty((3, 3))
         P = np.empty((3, 3))
@@ -255,15 +273,13 @@ def residual(cells, u, p, dN, M, Jinv, dV, W1, W2, rows, stress, compliance):
         s2 = np.empty(6)
         T = np.empty(6)
         S = np.empty(6)
-        _load_cell(cells[c], u, ue)
+        _load_cell(shape, cells[c], u, ue)
         out[c, :] = 0.0
         for q in range(q_count):
-            _gradient(dN[q], Jinv[c, q], G)
-            _deformation_gradient(ue, G, F)
+            _gradient(shape, dN[q], Jinv[c, q], G)
+            _deformation_gradient(shape, ue, G, F)
             J = _cofactor(F, Cof)
-            pq = 0.0
-            for m in range(VERTICES):
-                pq += M[q, m] * p[cells[c, m]]
+            pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             _stress(C, Ci, J, W1[c, q], W2[c, q], pq, s1, s2, T, S)
@@ -274,17 +290,17 @@ def residual(cells, u, p, dN, M, Jinv, dV, W1, W2, rows, stress, compliance):
                 P[i, 0] = w * (F[i, 0] * S[0] + F[i, 1] * S[3] + F[i, 2] * S[5])
                 P[i, 1] = w * (F[i, 0] * S[3] + F[i, 1] * S[1] + F[i, 2] * S[4])
                 P[i, 2] = w * (F[i, 0] * S[5] + F[i, 1] * S[4] + F[i, 2] * S[2])
-            for a in range(NODES):
+            for a in range(len(shape)):
                 for i in range(3):
                     out[c, 3 * a + i] += P[i, 0] * G[0, a] + P[i, 1] * G[1, a] + P[i, 2] * G[2, a]
             volume = w * (J - 1.0 - pq * compliance[c])
-            for m in range(VERTICES):
-                out[c, 3 * NODES + m] += M[q, m] * volume
+            for m in range(len(modes)):
+                out[c, 3 * len(shape) + m] += M[q, m] * volume
     return out
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def extrapolated_stress(cells, u, p, du, dp, dN, M, Jinv, W, rows, stress, material):
+def extrapolated_stress(shape, modes, cells, mean, u, p, du, dp, dN, M, Jinv, W, rows, stress, material, compliance):
     """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 6).
 
     It enters the geometric stiffness of the next iteration in place of the stress itself: the mixed integration
@@ -293,9 +309,9 @@ def extrapolated_stress(cells, u, p, du, dp, dN, M, Jinv, W, rows, stress, mater
     count, q_count = len(cells), len(dN)
     out = np.empty((count, q_count, 6))
     for c in prange(count):
-        ue = np.empty((3, NODES))
-        de = np.empty((3, NODES))
-        G = np.empty((3, NODES))
+        ue = np.empty((3, len(shape)))
+        de = np.empty((3, len(shape)))
+        G = np.empty((3, len(shape)))
         F = np.empty((3, 3))
         H = np.empty((3, 3))
         Cof = np.empty((3, 3))
@@ -307,25 +323,25 @@ def extrapolated_stress(cells, u, p, du, dp, dN, M, Jinv, W, rows, stress, mater
         S = np.empty(6)
         D = np.empty((6, 6))
         E = np.empty(6)
-        _load_cell(cells[c], u, ue)
-        _load_cell(cells[c], du, de)
+        _load_cell(shape, cells[c], u, ue)
+        _load_cell(shape, cells[c], du, de)
         for q in range(q_count):
-            _gradient(dN[q], Jinv[c, q], G)
-            _deformation_gradient(ue, G, F)
-            _deformation_gradient(de, G, H)
+            _gradient(shape, dN[q], Jinv[c, q], G)
+            _deformation_gradient(shape, ue, G, F)
+            _deformation_gradient(shape, de, G, H)
             for i in range(3):
                 H[i, i] -= 1.0
             J = _cofactor(F, Cof)
-            pq = 0.0
+            pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
             dpq = 0.0
-            for m in range(VERTICES):
-                pq += M[q, m] * p[cells[c, m]]
-                dpq += M[q, m] * dp[cells[c, m]]
+            for m in range(len(modes)):
+                dpq += M[q, m] * dp[mean[c, m]]
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
-            _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, D)
+            bulk = _bulk_modulus(modes, compliance[c])
+            _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, bulk, D)
             if rows[c] >= 0:
                 _add_stress(stress[rows[c], q], S)
                 _add_tangent(material[rows[c], q], D)
@@ -345,37 +361,37 @@ def extrapolated_stress(cells, u, p, du, dp, dN, M, Jinv, W, rows, stress, mater
 
 
 @njit(cache=True, fastmath=_FAST)
-def _add_point(G, A, w, T9, K):
-    """K += w Gᵀ A G for one point; K is (3, 3, NODES, NODES), blocks i ≤ k only."""
+def _add_point(shape, G, A, w, T9, K):
+    """K += w Gᵀ A G for one point; K is (3, 3, nodes, nodes), blocks i ≤ k only."""
     for i in range(3):
         for k in range(i, 3):
             for J in range(3):
                 a0 = w * A[3 * i + J, 3 * k]
                 a1 = w * A[3 * i + J, 3 * k + 1]
                 a2 = w * A[3 * i + J, 3 * k + 2]
-                for b in range(NODES):
+                for b in range(len(shape)):
                     T9[J, b] = a0 * G[0, b] + a1 * G[1, b] + a2 * G[2, b]
-            for a in range(NODES):
+            for a in range(len(shape)):
                 g0 = G[0, a]
                 g1 = G[1, a]
                 g2 = G[2, a]
-                for b in range(NODES):
+                for b in range(len(shape)):
                     K[i, k, a, b] += g0 * T9[0, b] + g1 * T9[1, b] + g2 * T9[2, b]
 
 
 @njit(cache=True, fastmath=_FAST)
-def _pack(K, Kup, Kpp, out):
+def _pack(shape, modes, K, Kup, Kpp, out):
     """Lower triangle of the cell matrix, row by row: displacement unknowns node by node, then mean stresses."""
     at = 0
-    for a in range(NODES):
+    for a in range(len(shape)):
         for i in range(3):
             for b in range(a + 1):
                 last = i + 1 if b == a else 3
                 for k in range(last):
                     out[at] = K[i, k, a, b] if i <= k else K[k, i, b, a]
                     at += 1
-    for m in range(VERTICES):
-        for a in range(NODES):
+    for m in range(len(modes)):
+        for a in range(len(shape)):
             for i in range(3):
                 out[at] = Kup[m, i, a]
                 at += 1
@@ -385,17 +401,20 @@ def _pack(K, Kup, Kpp, out):
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def tangent(cells, u, p, dN, M, Jinv, dV, W, rows, stress, material, compliance, geometric, use_geometric):
-    """Hessian of the energy by cell, packed lower triangles (c, PACKED).
+def tangent(
+    shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W, rows, stress, material, compliance, geometric, use_geometric
+):
+    """Hessian of the energy by cell, lower triangles packed row by row.
 
     ``stress`` (s, q, 6) and ``material`` (s, q, 21), lower triangles, are those of laws in stretches; ``geometric``
     (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set.
     """
     count, q_count = len(cells), len(dN)
-    out = np.empty((count, PACKED))
+    unknowns = 3 * len(shape) + len(modes)
+    out = np.empty((count, unknowns * (unknowns + 1) // 2))
     for c in prange(count):
-        ue = np.empty((3, NODES))
-        G = np.empty((3, NODES))
+        ue = np.empty((3, len(shape)))
+        G = np.empty((3, len(shape)))
         F = np.empty((3, 3))
         Cof = np.empty((3, 3))
         C = np.empty(6)
@@ -406,23 +425,22 @@ def tangent(cells, u, p, dN, M, Jinv, dV, W, rows, stress, material, compliance,
         S = np.empty(6)
         D = np.empty((6, 6))
         A = np.empty((9, 9))
-        T9 = np.empty((3, NODES))
-        K = np.zeros((3, 3, NODES, NODES))
-        Kup = np.zeros((VERTICES, 3, NODES))
-        Kpp = np.zeros((VERTICES, VERTICES))
-        _load_cell(cells[c], u, ue)
+        T9 = np.empty((3, len(shape)))
+        K = np.zeros((3, 3, len(shape), len(shape)))
+        Kup = np.zeros((len(modes), 3, len(shape)))
+        Kpp = np.zeros((len(modes), len(modes)))
+        _load_cell(shape, cells[c], u, ue)
         for q in range(q_count):
-            _gradient(dN[q], Jinv[c, q], G)
-            _deformation_gradient(ue, G, F)
+            _gradient(shape, dN[q], Jinv[c, q], G)
+            _deformation_gradient(shape, ue, G, F)
             J = _cofactor(F, Cof)
-            pq = 0.0
-            for m in range(VERTICES):
-                pq += M[q, m] * p[cells[c, m]]
+            pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
-            _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, D)
+            bulk = _bulk_modulus(modes, compliance[c])
+            _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, bulk, D)
             if rows[c] >= 0:
                 _add_stress(stress[rows[c], q], S)
                 _add_tangent(material[rows[c], q], D)
@@ -431,15 +449,15 @@ def tangent(cells, u, p, dN, M, Jinv, dV, W, rows, stress, material, compliance,
                     S[v] = geometric[c, q, v]
             _push(F, D, S, A)
             w = dV[c, q]
-            _add_point(G, A, w, T9, K)
+            _add_point(shape, G, A, w, T9, K)
             for i in range(3):
-                for a in range(NODES):
+                for a in range(len(shape)):
                     T9[i, a] = w * (Cof[i, 0] * G[0, a] + Cof[i, 1] * G[1, a] + Cof[i, 2] * G[2, a])
-            for m in range(VERTICES):
+            for m in range(len(modes)):
                 for i in range(3):
-                    for a in range(NODES):
+                    for a in range(len(shape)):
                         Kup[m, i, a] += M[q, m] * T9[i, a]
                 for n in range(m + 1):
                     Kpp[m, n] -= w * compliance[c] * M[q, m] * M[q, n]
-        _pack(K, Kup, Kpp, out[c])
+        _pack(shape, modes, K, Kup, Kpp, out[c])
     return out

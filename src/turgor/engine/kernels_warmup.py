@@ -1,50 +1,51 @@
-"""Call every kernel once on one tetrahedron, so that compilation happens at a known time."""
+"""Call every kernel once on one cell, so that compilation happens at a known time."""
 
 import numpy as np
 
 from turgor.engine import kernels, membranes, spectral, surfaces
+from turgor.engine.element import DISPLACEMENT_DEGREE
 from turgor.engine.pattern import build_pattern, locate, scatter_add
-from turgor.engine.reference import (
-    CELL_QUADRATURE_DEGREE,
-    SURFACE_QUADRATURE_DEGREE,
-    reference_cell,
-    reference_nodes,
-)
+from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes, side_tables
+from turgor.meshing.cells import cell_type
 
 
-def touch_kernels() -> None:
-    """Call every kernel with the argument types that `turgor.engine.system.System` uses."""
-    points = np.ascontiguousarray(reference_nodes(3))
-    cells = np.arange(10, dtype=np.int64)[None]
-    r = reference_cell(3, CELL_QUADRATURE_DEGREE)
-    Jinv, dV = kernels.reference_geometry(points, cells, r.dN, r.weights)
-    u, p = np.zeros((10, 3)), np.zeros(4)
-    kernels.kinematics(cells, u, r.dN, Jinv)
-    F = kernels.deformation_gradients(cells, u, r.dN, Jinv)
+def touch_kernels(nodes: int, mixed: bool = True) -> None:
+    """Call every kernel with the types that `turgor.engine.system.System` uses for cells of ``nodes`` nodes."""
+    kind = cell_type(nodes)
+    points = np.ascontiguousarray(reference_nodes(27 if nodes == 20 else nodes))[:nodes]
+    shape, modes = (0,) * nodes, (0,) * kind.corners if mixed else ()
+    cells = np.arange(nodes, dtype=np.int64)[None]
+    mean = np.arange(len(modes), dtype=np.int64)[None]
+    r = reference_cell(nodes, CELL_QUADRATURE_DEGREE if mixed else DISPLACEMENT_DEGREE[nodes])
+    Jinv, dV = kernels.reference_geometry(shape, points, cells, r.dN, r.weights)
+    u, p = np.zeros((nodes, 3)), np.zeros(len(modes))
+    kernels.kinematics(shape, cells, u, r.dN, Jinv)
+    F = kernels.deformation_gradients(shape, cells, u, r.dN, Jinv)
     bar, directions, scale = spectral.principal_stretches(F)
     one = np.ones((6, *dV.shape))
     more, material = spectral.spectral_response(bar, directions, scale, one[:3].copy(), one)
     rows = np.zeros(1, dtype=np.int64)
     W = np.ones((5, *dV.shape))
-    compliance = np.zeros(1)
-    kernels.residual(cells, u, p, r.dN, r.M, Jinv, dV, W[0], W[1], rows, more, compliance)
-    kernels.extrapolated_stress(cells, u, p, u, p, r.dN, r.M, Jinv, W, rows, more, material)
+    compliance = np.ones(1)
+    cell = (shape, modes, cells, mean)
+    kernels.residual(*cell, u, p, r.dN, r.M, Jinv, dV, W[0], W[1], rows, more, compliance)
+    kernels.extrapolated_stress(*cell, u, p, u, p, r.dN, r.M, Jinv, W, rows, more, material, compliance)
     packed = kernels.tangent(
-        cells, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, compliance, np.zeros((1, 1, 6)), False
+        *cell, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, compliance, np.zeros((1, 1, 6)), False
     )
-    rows, columns = np.tril_indices(kernels.UNKNOWNS)
-    pattern = build_pattern(np.arange(kernels.UNKNOWNS)[None], kernels.UNKNOWNS)
+    unknowns = 3 * nodes + len(modes)
+    rows, columns = np.tril_indices(unknowns)
+    pattern = build_pattern(np.arange(unknowns)[None], unknowns)
     positions = locate(pattern.indptr, pattern.indices, rows, columns)
     scatter_add(np.zeros(len(pattern.indices)), positions, packed.ravel())
-    _touch_surfaces(points)
+    _touch_surfaces(points, np.array(kind.sides[-1:], dtype=np.int64))
 
 
-def _touch_surfaces(points: np.ndarray) -> None:
-    triangles = np.array([[0, 1, 2, 4, 5, 6]])
-    r = reference_cell(2, SURFACE_QUADRATURE_DEGREE)
-    surfaces.pressure_forces(points, triangles, r.N, r.dN, r.weights)
-    surfaces.pressure_tangents(points, triangles, r.N, r.dN, r.weights)
-    gradients, areas = membranes.surface_gradients(points, triangles)
-    stress = membranes.membrane_stress(points, points, triangles, gradients, areas, np.eye(3))
-    membranes.membrane_forces(points, triangles, gradients, areas, stress)
-    membranes.membrane_tangents(points, triangles, gradients, areas, np.eye(3), stress)
+def _touch_surfaces(points: np.ndarray, sides: np.ndarray) -> None:
+    r = side_tables(sides.shape[1])
+    surfaces.pressure_forces(points, sides, r.N, r.dN, r.weights)
+    surfaces.pressure_tangents(points, sides, r.N, r.dN, r.weights)
+    gradients, areas = membranes.surface_gradients(points, sides)
+    stress = membranes.membrane_stress(points, points, sides, gradients, areas, np.eye(3))
+    membranes.membrane_forces(points, sides, gradients, areas, stress)
+    membranes.membrane_tangents(points, sides, gradients, areas, np.eye(3), stress)

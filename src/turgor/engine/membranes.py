@@ -1,4 +1,4 @@
-"""Membranes: thin sheets of Hooke's material on six-node triangles, free to bend.
+"""Membranes: thin sheets of Hooke's material on the sides of cells, free to bend.
 
 The energy per reference area is ½ h E : ℂ : E with Green's strain of the surface and the plane-stress moduli. It is
 integrated with three points. A sheet that does not stretch should not care how stiff it is: on the coarse PneuNet of
@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from turgor.engine.reference import reference_cell
 from turgor.materials.laws import Hooke
+from turgor.meshing.cells import side_type
 
-NODES = 6
-MEMBRANE_QUADRATURE_DEGREE = 2
+#: Three points on triangles, 2 × 2 on quadrilaterals, by corners.
+MEMBRANE_QUADRATURE_DEGREE = {3: 2, 4: 3}
 Array = NDArray[np.float64]
 
 
@@ -25,8 +26,9 @@ def plane_stress_moduli(law: Hooke) -> Array:
 
 
 def surface_gradients(points: Array, triangles: NDArray[np.int64]) -> tuple[Array, Array]:
-    """Shape function gradients in an orthonormal frame of the reference surface (f, q, 6, 2), areas (f, q)."""
-    reference = reference_cell(2, MEMBRANE_QUADRATURE_DEGREE)
+    """Shape function gradients in an orthonormal frame of the reference surface (f, q, n, 2), areas (f, q)."""
+    nodes = triangles.shape[1]
+    reference = reference_cell(nodes, MEMBRANE_QUADRATURE_DEGREE[side_type(nodes).corners])
     tangents = np.einsum("qad,fai->fqid", reference.dN, points[triangles])
     r, s = tangents[..., 0], tangents[..., 1]
     normal = np.cross(r, s)
@@ -48,7 +50,7 @@ def membrane_stress(x, dx, triangles, gradients, areas, moduli):
         for q in range(areas.shape[1]):
             t = np.zeros((2, 3))
             d = np.zeros((2, 3))
-            for a in range(NODES):
+            for a in range(triangles.shape[1]):
                 for k in range(2):
                     for i in range(3):
                         t[k, i] += gradients[f, q, a, k] * x[triangles[f, a], i]
@@ -67,18 +69,18 @@ def membrane_stress(x, dx, triangles, gradients, areas, moduli):
 
 @njit(cache=True, parallel=True)
 def membrane_forces(x, triangles, gradients, areas, stress):
-    """Nodal forces (f, 6, 3) of a stress (f, q, 3) at nodal positions ``x``."""
-    out = np.zeros((len(triangles), NODES, 3))
+    """Nodal forces (f, n, 3) of a stress (f, q, 3) at nodal positions ``x``."""
+    out = np.zeros((len(triangles), triangles.shape[1], 3))
     for f in prange(len(triangles)):
         for q in range(areas.shape[1]):
             t = np.zeros((2, 3))
-            for a in range(NODES):
+            for a in range(triangles.shape[1]):
                 for k in range(2):
                     for i in range(3):
                         t[k, i] += gradients[f, q, a, k] * x[triangles[f, a], i]
             S0, S1, S2 = stress[f, q, 0], stress[f, q, 1], stress[f, q, 2]
             w = areas[f, q]
-            for a in range(NODES):
+            for a in range(triangles.shape[1]):
                 g0, g1 = gradients[f, q, a, 0], gradients[f, q, a, 1]
                 for i in range(3):
                     out[f, a, i] += w * ((S0 * g0 + S2 * g1) * t[0, i] + (S1 * g1 + S2 * g0) * t[1, i])
@@ -87,32 +89,32 @@ def membrane_forces(x, triangles, gradients, areas, stress):
 
 @njit(cache=True, parallel=True)
 def membrane_tangents(x, triangles, gradients, areas, moduli, stress):
-    """Stiffness (f, 18, 18) at nodal positions ``x``, with a stress (f, q, 3) in its geometric part."""
-    out = np.zeros((len(triangles), 3 * NODES, 3 * NODES))
+    """Stiffness (f, 3n, 3n) at nodal positions ``x``, with a stress (f, q, 3) in its geometric part."""
+    out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
     for f in prange(len(triangles)):
-        B = np.zeros((3, 3 * NODES))
+        B = np.zeros((3, 3 * triangles.shape[1]))
         for q in range(areas.shape[1]):
             g = gradients[f, q]
             t = np.zeros((2, 3))
-            for a in range(NODES):
+            for a in range(triangles.shape[1]):
                 for k in range(2):
                     for i in range(3):
                         t[k, i] += g[a, k] * x[triangles[f, a], i]
-            for a in range(NODES):
+            for a in range(triangles.shape[1]):
                 for i in range(3):
                     B[0, 3 * a + i] = g[a, 0] * t[0, i]
                     B[1, 3 * a + i] = g[a, 1] * t[1, i]
                     B[2, 3 * a + i] = g[a, 0] * t[1, i] + g[a, 1] * t[0, i]
             w = areas[f, q]
             S0, S1, S2 = stress[f, q, 0], stress[f, q, 1], stress[f, q, 2]
-            for r in range(3 * NODES):
+            for r in range(3 * triangles.shape[1]):
                 h0 = moduli[0, 0] * B[0, r] + moduli[0, 1] * B[1, r] + moduli[0, 2] * B[2, r]
                 h1 = moduli[1, 0] * B[0, r] + moduli[1, 1] * B[1, r] + moduli[1, 2] * B[2, r]
                 h2 = moduli[2, 0] * B[0, r] + moduli[2, 1] * B[1, r] + moduli[2, 2] * B[2, r]
-                for c in range(3 * NODES):
+                for c in range(3 * triangles.shape[1]):
                     out[f, r, c] += w * (h0 * B[0, c] + h1 * B[1, c] + h2 * B[2, c])
-            for a in range(NODES):
-                for b in range(NODES):
+            for a in range(triangles.shape[1]):
+                for b in range(triangles.shape[1]):
                     k = w * (
                         S0 * g[a, 0] * g[b, 0] + S1 * g[a, 1] * g[b, 1] + S2 * (g[a, 0] * g[b, 1] + g[a, 1] * g[b, 0])
                     )

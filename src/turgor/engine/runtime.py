@@ -59,15 +59,15 @@ def use_threads(threads: int) -> Iterator[None]:
         numba.set_num_threads(before)
 
 
-def compile_kernels(notify: Callable[[str], None] | None) -> float:
-    """Load the compiled kernels, compiling them first where this machine has not done so; return the seconds."""
+def compile_kernels(notify: Callable[[str], None] | None, nodes: int = 10, mixed: bool = True) -> float:
+    """Load the kernels for cells of ``nodes`` nodes, compiled first where this machine has not; return the seconds."""
     start = perf_counter()
-    text = "compiling the element kernels (once per machine, up to 30 s)"
+    text = "compiling the element kernels (once per machine and kind of cell, up to 30 s)"
     timer = Timer(QUIET_SECONDS, notify or (lambda _: None), args=(text,))
     timer.daemon = True
     timer.start()
     try:
-        touch_kernels()
+        touch_kernels(nodes, mixed)
     finally:
         timer.cancel()
     return perf_counter() - start

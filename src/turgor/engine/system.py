@@ -15,10 +15,11 @@ from turgor.engine import kernels
 from turgor.engine.boundary import held_components
 from turgor.engine.cell_materials import CellMaterials, Isochoric
 from turgor.engine.dead_loads import dead_forces
+from turgor.engine.element import element_of
 from turgor.engine.faces import FaceTerms
 from turgor.engine.pattern import build_pattern, locate, scatter_add
-from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
 from turgor.errors import TurgorError
+from turgor.model.drive import kinks
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -26,8 +27,8 @@ Array = NDArray[np.float64]
 #: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
 REGULARIZATION = 1e-9
 
-#: Cells handled at once when the tangent is formed; bounds the memory.
-CHUNK = 4096
+#: Entries of cell matrices held at once when the tangent is formed; bounds the memory.
+CHUNK_ENTRIES = 2_500_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,8 +93,10 @@ class System:
         Which unknowns are prescribed.
     length, stress : float [m], [Pa]
         Scales of the unknowns.
-    vertex_volumes : (v,) array
-        Scaled volume that belongs to each vertex.
+    mean_stress_volumes : (m,) array
+        Scaled volume that belongs to each mean stress.
+    full_force : float
+        Scaled size of the loads' forces on the free nodes at their largest, at rest: a measure of what is small.
     """
 
     def __init__(self, model: Model) -> None:
@@ -104,53 +107,62 @@ class System:
         self.stress = max(m.law.shear_modulus for m in model.region_materials.values())
         self.points = np.ascontiguousarray(mesh.points / self.length)
         self.cells = np.ascontiguousarray(mesh.cells)
-        self.size = mesh.unknown_count
-        self.reference = reference_cell(3, CELL_QUADRATURE_DEGREE)
-        self.Jinv, self.dV = kernels.reference_geometry(
-            self.points, self.cells, self.reference.dN, self.reference.weights
-        )
+        self.element = element_of(model)
+        self.size = 3 * self.node_count + self.element.mean_count
+        r = self.element.tables
+        self.Jinv, self.dV = kernels.reference_geometry(self.element.shape, self.points, self.cells, r.dN, r.weights)
         if not (self.dV > 0).all():
             bad = int((self.dV <= 0).any(axis=1).sum())
             raise TurgorError(f"mesh '{mesh.name}': {bad} cells are inside out; refine or straighten the mesh.")
-        self.vertex_volumes = np.bincount(
-            self.cells[:, :4].ravel(), (self.dV @ self.reference.M).ravel(), minlength=mesh.vertex_count
+        modes = len(self.element.modes)
+        self.mean_stress_volumes = np.bincount(
+            self.element.mean.ravel(), (self.dV @ r.M[:, :modes]).ravel(), minlength=self.element.mean_count
         )
         self.materials = CellMaterials(model, self.stress)
         stretch_cells = self.materials.stretch_cells
         self._stretch_Jinv = self.Jinv if len(stretch_cells) == len(self.cells) else self.Jinv[stretch_cells]
         supports = held_components(model)
         self._supports = supports
-        self.held = np.concatenate([supports.mask.ravel(), np.zeros(mesh.vertex_count, dtype=bool)])
+        self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool)])
         self.faces = FaceTerms(model, self.points, supports.mask, self.length, self.stress)
-        self._dead = dead_forces(model, self.points, self.dV, self.length, self.stress)
-        self._cell_unknowns = _cell_unknowns(self.cells, self.node_count)
+        self._dead = dead_forces(model, self.points, self.dV, r.N, (self.length, self.stress))
+        self.full_force = max(self._applied(factor) for factor in (*kinks(model), 1.0))
+        self._cell_unknowns = _cell_unknowns(self.cells, self.element.mean, self.node_count)
         self._build_pattern()
+
+    def _applied(self, load_factor: float) -> float:
+        """Size of the loads' forces on the free nodes at rest."""
+        _, external = self.faces.forces(self.points, load_factor)
+        return float(np.linalg.norm((external + load_factor * self._dead).ravel()[~self.held[: 3 * self.node_count]]))
 
     def _build_pattern(self) -> None:
         unknowns = self._cell_unknowns
         self.pattern = build_pattern(unknowns, self.size)
-        rows, columns = np.tril_indices(kernels.UNKNOWNS)
-        self._positions = np.empty((len(unknowns), kernels.PACKED), dtype=np.int32)
-        for start in range(0, len(unknowns), CHUNK):
-            chunk = slice(start, start + CHUNK)
+        rows, columns = np.tril_indices(unknowns.shape[1])
+        self._positions = np.empty((len(unknowns), len(rows)), dtype=np.int32)
+        for chunk in self._chunks():
             self._positions[chunk] = locate(
                 self.pattern.indptr,
                 self.pattern.indices,
                 unknowns[chunk][:, rows].ravel(),
                 unknowns[chunk][:, columns].ravel(),
-            ).reshape(-1, kernels.PACKED)
+            ).reshape(-1, len(rows))
         self.faces.locate(self.pattern)
         row_of = self.pattern.indices
         column_of = np.repeat(np.arange(self.size, dtype=np.int32), np.diff(self.pattern.indptr))
         self._dropped = np.flatnonzero(self.held[row_of] | self.held[column_of])
         self._held_diagonal = self.pattern.diagonal[self.held]
 
+    def _chunks(self) -> list[slice]:
+        cells = max(1, CHUNK_ENTRIES // self._positions.shape[1])
+        return [slice(start, start + cells) for start in range(0, len(self.cells), cells)]
+
     def split(self, unknowns: Array) -> tuple[Array, Array]:
-        """Scaled displacement (n, 3) and scaled mean stress (v,)."""
+        """Scaled displacement (n, 3) and scaled mean stress (m,)."""
         return unknowns[: 3 * self.node_count].reshape(-1, 3), unknowns[3 * self.node_count :]
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
-        """Displacement (n, 3) [m] and mean stress (v,) [Pa]."""
+        """Displacement (n, 3) [m] and mean stress (m,) [Pa]."""
         u, p = self.split(unknowns)
         return u * self.length, p * self.stress
 
@@ -164,15 +176,18 @@ class System:
     def evaluate(self, unknowns: Array, load_factor: float) -> Evaluation | None:
         """Residual at a point; None where a cell is turned inside out."""
         u, p = self.split(unknowns)
-        r = self.reference
-        I1, I2, _ = kernels.kinematics(self.cells, u, r.dN, self.Jinv)
+        e, r = self.element, self.element.tables
+        I1, I2, _ = kernels.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
         if not np.isfinite(I1).all():
             return None
         rubber = self.materials
-        F = kernels.deformation_gradients(self.cells[rubber.stretch_cells], u, r.dN, self._stretch_Jinv)
+        F = kernels.deformation_gradients(e.shape, self.cells[rubber.stretch_cells], u, r.dN, self._stretch_Jinv)
         laws = rubber.isochoric(I1, I2, F)
         by_cell = kernels.residual(
+            e.shape,
+            e.modes,
             self.cells,
+            e.mean,
             u,
             p,
             r.dN,
@@ -199,14 +214,16 @@ class System:
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
         u, p = self.split(at.unknowns)
-        r = self.reference
+        e, r = self.element, self.element.tables
         compliance = np.maximum(self.materials.compliance, REGULARIZATION)
         data = np.zeros(len(self.pattern.indices))
         nothing = np.zeros((1, 1, 6))
-        for start in range(0, len(self.cells), CHUNK):
-            chunk = slice(start, start + CHUNK)
+        for chunk in self._chunks():
             packed = kernels.tangent(
+                e.shape,
+                e.modes,
                 self.cells[chunk],
+                e.mean[chunk],
                 u,
                 p,
                 r.dN,
@@ -240,10 +257,13 @@ class System:
         """Stresses at an evaluation, linearized for an update where one is given; see `kernels.extrapolated_stress`."""
         u, p = self.split(at.unknowns)
         du, dp = self.split(np.zeros(self.size) if update is None else update)
-        r = self.reference
+        e, r = self.element, self.element.tables
         laws = at.isochoric
         cells = kernels.extrapolated_stress(
+            e.shape,
+            e.modes,
             self.cells,
+            e.mean,
             u,
             p,
             du,
@@ -255,6 +275,7 @@ class System:
             self.materials.rows,
             laws.stress,
             laws.tangent,
+            self.materials.compliance,
         )
         return Stresses(cells, self.faces.membrane_stresses(self.points + u, du))
 
@@ -279,6 +300,6 @@ def _mean_edge(points: Array, cells: NDArray[np.int64]) -> float:
     return float(np.linalg.norm(points[cells[:, 0]] - points[cells[:, 1]], axis=1).mean())
 
 
-def _cell_unknowns(cells: NDArray[np.int64], node_count: int) -> NDArray[np.int64]:
+def _cell_unknowns(cells: NDArray[np.int64], mean: NDArray[np.int64], node_count: int) -> NDArray[np.int64]:
     displacement = (3 * cells[:, :, None] + np.arange(3)).reshape(len(cells), -1)
-    return np.ascontiguousarray(np.hstack([displacement, 3 * node_count + cells[:, :4]]))
+    return np.ascontiguousarray(np.hstack([displacement, 3 * node_count + mean]))

@@ -103,6 +103,6 @@ class Tangent:
 
     def unstable_modes(self) -> int | None:
         """Negative pivots beyond one for each mean stress; None where the solver does not count them."""
-        expected = self._system.model.mesh.vertex_count
+        expected = self._system.element.mean_count
         negative = self._active.negative_pivots(expected)
         return None if negative is None else negative - expected

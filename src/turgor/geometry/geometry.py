@@ -1,9 +1,14 @@
 """Geometry: solids with named regions and faces."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from turgor.errors import TurgorError
+from turgor.finding import Finding
+
+if TYPE_CHECKING:
+    from turgor.geometry.sweep import Sweep
 
 #: Shapes are built in millimeters: the tolerances of the CAD kernel (1e-7 of its unit) suit parts of 1 to 1000 units.
 METERS_PER_CAD_UNIT = 1e-3
@@ -25,8 +30,8 @@ class Geometry:
         What the geometry shows, for reports.
     smallest_wall : float [m]
         Thickness of the thinnest wall; it limits the mesh size.
-    cavity_volume : float [m³]
-        Volume of the cavity, from the dimensions; 0 where there is none.
+    cavity_volumes : mapping of str to float [m³]
+        Volume of each cavity by the name of its face, from the dimensions; empty where there is none.
     solid_volume : float [m³]
         Volume of all solids, from the dimensions.
     regions : tuple of str
@@ -35,6 +40,8 @@ class Geometry:
         Names of the faces.
     length_scale : float [m]
         Length of one CAD unit: 1 mm, because CAD tolerances are absolute. Everything public is in meters.
+    findings : tuple of Finding
+        What was noticed where the shape was read from a CAD file.
 
     Examples
     --------
@@ -48,12 +55,19 @@ class Geometry:
 
     name: str
     smallest_wall: float
-    cavity_volume: float
+    cavity_volumes: Mapping[str, float]
     solid_volume: float
     regions: tuple[str, ...]
     faces: tuple[str, ...]
     length_scale: float = METERS_PER_CAD_UNIT
+    findings: tuple[Finding, ...] = ()
     _shape: Any = field(repr=False)
+    _sweep: "Sweep | None" = field(default=None, repr=False)
+
+    @property
+    def cavity_volume(self) -> float:
+        """Volume of all cavities together [m³]."""
+        return sum(self.cavity_volumes.values())
 
     @property
     def bounds(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:

@@ -1,10 +1,13 @@
 """Rules for dimensions: each broken one is a sentence with the field, its value and what is allowed."""
 
-from math import floor, isfinite
+from collections.abc import Sequence
+from dataclasses import fields
+from math import floor, inf, isfinite
 from numbers import Integral, Real
+from typing import Any
 
-from turgor.errors import TurgorError
-from turgor.units import mm
+from turgor.errors import TurgorError, near_match
+from turgor.units import deg, mm
 
 #: No wall, gap or channel below this: nothing molded is thinner, and CAD tolerances stay far away.
 SMALLEST_LENGTH = 0.01 * mm
@@ -86,3 +89,74 @@ def check_count(name: str, value: object, *, low: int, high: int) -> None:
     """
     if isinstance(value, bool) or not isinstance(value, Integral) or not low <= int(value) <= high:
         raise TurgorError(f"{name} is {value!r}; allowed is a whole number from {low} to {high}.")
+
+
+def check_angle(name: str, value: object, *, low: float, high: float, why: str = "") -> None:
+    """Refuse an angle [rad] outside ``low`` to ``high``, both included; ``why`` says what limits it.
+
+    Examples
+    --------
+    >>> check_angle("chamber_angle", 1.2, low=0, high=1.0)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: chamber_angle is 68.755 deg; allowed is 0 deg to 57.295 deg.
+    """
+    if isinstance(value, bool) or not isinstance(value, Real) or not isfinite(value):
+        raise TurgorError(f"{name} is {value!r}; a finite angle in radians is needed, such as 30*deg.")
+    angle = float(value)
+    if low <= angle <= high:
+        return
+    shown = floor(high / deg * 1000 + 1e-6) / 1000  # rounded down, so that the number shown is itself allowed
+    reason = f", {why}" if why else ""
+    raise TurgorError(f"{name} is {angle / deg:.5g} deg; allowed is {low / deg:.5g} deg to {shown:.10g} deg{reason}.")
+
+
+def check_fields(actuator: Any) -> None:
+    """Refuse fields of an actuator that are no finite numbers, or no truth values where those are meant.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> FastPneuNet(symmetric="half")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: symmetric is 'half'; allowed is True or False.
+    """
+    for field in fields(actuator):
+        value, dimension = getattr(actuator, field.name), field.metadata.get("dimension", "length")
+        if field.type is bool and not isinstance(value, bool):
+            raise TurgorError(f"{field.name} is {value!r}; allowed is True or False.")
+        if field.type is float and dimension == "length":
+            as_length(field.name, value)
+        elif field.type is float and dimension == "angle":
+            check_angle(field.name, value, low=-inf, high=inf)
+
+
+def check_choice(name: str, value: object, allowed: Sequence[str]) -> None:
+    """Refuse a word that is not among the allowed ones.
+
+    Examples
+    --------
+    >>> check_choice("fold_shape", "round", ("rounded", "straight"))
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: fold_shape is 'round'; did you mean 'rounded'? Allowed: rounded, straight.
+    """
+    if value not in allowed:
+        hint = near_match(str(value), allowed) or "."
+        raise TurgorError(f"{name} is {value!r}{hint} Allowed: {', '.join(allowed)}.")
+
+
+def check_option(name: str, value: float, *, high: float, why: str = "") -> None:
+    """Refuse a length that is neither 0, which leaves the thing out, nor allowed.
+
+    Examples
+    --------
+    >>> check_option("inlet_diameter", 9e-3, high=5e-3, why="so that it ends in the cavity")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: inlet_diameter is 9 mm; allowed is 0 (none) or 0.01 mm to 5 mm, so that it ends in the \
+cavity.
+    """
+    if value == 0:
+        return
+    try:
+        check_length(name, value, high=high, why=why)
+    except TurgorError as error:
+        raise TurgorError(str(error).replace("allowed is ", "allowed is 0 (none) or ")) from None

@@ -6,8 +6,35 @@ from types import MappingProxyType
 from typing import Protocol
 
 from turgor.errors import unknown
-from turgor.geometry import FastPneuNet, Geometry
+from turgor.geometry import (
+    BellowsOfRevolution,
+    BidirectionalBender,
+    BidirectionalPneuNet,
+    ContractingTube,
+    EccentricBender,
+    ExtendingCylinder,
+    FastPneuNet,
+    FiberReinforcedBender,
+    FiberReinforcedCylinder,
+    FreeBottomPneuNet,
+    Geometry,
+    HelicalPneuNet,
+    MantaFin,
+    OmnidirectionalActuator,
+    ParallelBellows,
+    RectangularBender,
+    RevoluteJoint,
+    SemicircularBender,
+    SlowPneuNet,
+    ThreeExtenders,
+    TrapezoidalPneuNet,
+    TriangularPneuNet,
+    TwistingTube,
+    TwoMaterialBender,
+)
+from turgor.geometry.cad.cad_file import CadFile
 from turgor.materials.material import Material
+from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.supports import Fixed
@@ -22,7 +49,33 @@ class Actuator(Protocol):
 
 
 #: Actuator families by the name that job files use. A new family is one line here; its keys are its fields.
-ACTUATORS: Mapping[str, type[Actuator]] = MappingProxyType({"fast_pneunet": FastPneuNet})
+ACTUATORS: Mapping[str, type[Actuator]] = MappingProxyType(
+    {
+        "fast_pneunet": FastPneuNet,
+        "bidirectional_pneunet": BidirectionalPneuNet,
+        "free_bottom_pneunet": FreeBottomPneuNet,
+        "helical_pneunet": HelicalPneuNet,
+        "manta_fin": MantaFin,
+        "slow_pneunet": SlowPneuNet,
+        "trapezoidal_pneunet": TrapezoidalPneuNet,
+        "triangular_pneunet": TriangularPneuNet,
+        "bidirectional_bender": BidirectionalBender,
+        "contracting_tube": ContractingTube,
+        "eccentric_bender": EccentricBender,
+        "extending_cylinder": ExtendingCylinder,
+        "fiber_reinforced_bender": FiberReinforcedBender,
+        "fiber_reinforced_cylinder": FiberReinforcedCylinder,
+        "rectangular_bender": RectangularBender,
+        "semicircular_bender": SemicircularBender,
+        "twisting_tube": TwistingTube,
+        "two_material_bender": TwoMaterialBender,
+        "bellows_of_revolution": BellowsOfRevolution,
+        "omnidirectional_actuator": OmnidirectionalActuator,
+        "three_extenders": ThreeExtenders,
+        "parallel_bellows": ParallelBellows,
+        "revolute_joint": RevoluteJoint,
+    }
+)
 
 
 def actuator_type(actuator: Actuator) -> str:
@@ -33,6 +86,10 @@ def actuator_type(actuator: Actuator) -> str:
     >>> actuator_type(FastPneuNet())
     'fast_pneunet'
     """
+    if isinstance(actuator, CadFile):
+        return "cad_file"
+    if isinstance(actuator, MeshFile):
+        return "mesh_file"
     for name, family in ACTUATORS.items():
         if type(actuator) is family:
             return name
@@ -88,6 +145,12 @@ class Job:
         Largest edge length aimed at.
     mesh_grading : float [-]
         How fast cells may grow away from small ones.
+    mesh_face_sizes : mapping of str to float [m]
+        Smaller sizes for some faces, by name.
+    mesh_wall_cells : int
+        Cells at least through every wall: 1 or 2.
+    mesh_cells : str
+        ``"tetrahedra"`` or ``"hexahedra"``.
     materials : mapping of str to Material or Membrane
         A material for every region and a membrane for every face that is reinforced.
     supports : tuple of Fixed
@@ -106,6 +169,9 @@ class Job:
     actuator: Actuator
     mesh_size: float
     mesh_grading: float = 0.5
+    mesh_face_sizes: Mapping[str, float] = field(default_factory=dict)
+    mesh_wall_cells: int = 1
+    mesh_cells: str = "tetrahedra"
     materials: Mapping[str, Material | Membrane]
     supports: tuple[Fixed, ...] = (Fixed("fixed"),)
     loads: tuple[Pressure | Gravity, ...]

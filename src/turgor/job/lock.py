@@ -7,12 +7,15 @@ from typing import Any
 
 import tomlkit
 
+from turgor.geometry.cad.cad_file import CadFile
+from turgor.job.cad import cad_file_table
 from turgor.job.job import Job, actuator_type
+from turgor.job.loads import loads_table, only_pressure
+from turgor.job.mesh_files import mesh_file_table
 from turgor.job.sections import PROCEDURES
-from turgor.job.tables import DIRECTIONS
 from turgor.materials.material import Material
 from turgor.materials.records import DIMENSIONLESS, LAWS
-from turgor.model.loads import Gravity, Pressure
+from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.model import Membrane
 from turgor.units import format_quantity, kPa
 
@@ -38,10 +41,10 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     content = {
         "name": job.name,
         "actuator": {"type": actuator_type(job.actuator)} | dimensions(job.actuator),
-        "mesh": {"size": format_quantity(job.mesh_size, "mm"), "grading": job.mesh_grading},
+        "mesh": _mesh(job),
         "materials": {name: _material(entry) for name, entry in job.materials.items()},
         "supports": {support.face: support.directions for support in job.supports},
-        "loads": _loads(job),
+        "loads": loads_table(job.loads),
         "procedure": _procedure(job),
         "output": {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)},
         "engine": {"threads": job.threads} if job.threads is not None else {},
@@ -52,6 +55,10 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
 
 def dimensions(actuator: Any) -> dict[str, Any]:
     """Return the fields of an actuator as a job file states them: lengths and angles with their unit."""
+    if isinstance(actuator, CadFile):
+        return cad_file_table(actuator)
+    if isinstance(actuator, MeshFile):
+        return mesh_file_table(actuator)
     values = {}
     for item in fields(actuator):
         value, dimension = getattr(actuator, item.name), item.metadata.get("dimension", "length")
@@ -60,6 +67,19 @@ def dimensions(actuator: Any) -> dict[str, Any]:
         else:
             values[item.name] = value
     return values
+
+
+def _mesh(job: Job) -> dict[str, Any]:
+    if isinstance(job.actuator, MeshFile):
+        return {}
+    faces = {name: format_quantity(size, "mm") for name, size in job.mesh_face_sizes.items()}
+    return {
+        "size": format_quantity(job.mesh_size, "mm"),
+        "grading": job.mesh_grading,
+        "face_sizes": faces,
+        "wall_cells": job.mesh_wall_cells,
+        "cells": job.mesh_cells,
+    }
 
 
 def _material(entry: Material | Membrane) -> dict[str, Any]:
@@ -92,20 +112,10 @@ def _constants(value: Any, unit: str | None) -> Any:
     return [_constants(number, unit) for number in value]
 
 
-def _loads(job: Job) -> dict[str, str]:
-    values = {}
-    for load in job.loads:
-        if isinstance(load, Pressure):
-            values["pressure"] = format_quantity(load.pressure, "kPa")
-        elif isinstance(load, Gravity):
-            values["gravity"] = next(text for text, vector in DIRECTIONS.items() if vector == load.direction)
-    return values
-
-
 def _procedure(job: Job) -> dict[str, Any]:
     name = next(name for name, kind in PROCEDURES.items() if type(job.procedure) is kind)
     values = {item.name: _plain(getattr(job.procedure, item.name)) for item in fields(job.procedure)}
-    top = next((load.pressure for load in job.loads if isinstance(load, Pressure)), None)
+    top = only_pressure(job.loads)
     return {"type": name} | values | {"at": [_requested(factor, top) for factor in job.procedure.at]}
 
 

@@ -7,6 +7,7 @@ from turgor.finding import Finding, Severity
 from turgor.materials.doubts import doubts_of
 from turgor.materials.fit_checks import check_stretch_range
 from turgor.materials.material import Material
+from turgor.model.drive import kinks
 from turgor.model.model import Model
 from turgor.solvers.solution import Solution
 
@@ -20,13 +21,17 @@ def constants_in_doubt(model: Model) -> tuple[Finding, ...]:
 
 
 def laws_beyond_their_tests(solution: Solution) -> tuple[Finding, ...]:
-    """M01 for every region that ends up stretched beyond the tests of its law."""
-    model, last = solution.model, solution.states[-1]
-    stretch = cell_fields(model, last.displacement, last.mean_stress).stretch
+    """M01 for every region that is stretched beyond the tests of its law, at the end or where a pressure turns."""
+    model, turns = solution.model, kinks(solution.model)
+    largest = dict.fromkeys(model.region_materials, 1.0)
+    for state in (*(s for s in solution.states[:-1] if s.load_factor in turns), solution.states[-1]):
+        stretch = cell_fields(model, state.displacement, state.mean_stress).stretch
+        for name in largest:
+            largest[name] = max(largest[name], float(stretch[model.mesh.regions[name]].max()))
     return _each_once(
         finding
         for name, material in model.region_materials.items()
-        for finding in check_stretch_range(material, (1.0, float(stretch[model.mesh.regions[name]].max())))
+        for finding in check_stretch_range(material, (1.0, largest[name]))
     )
 
 

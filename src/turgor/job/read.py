@@ -10,12 +10,13 @@ from turgor.errors import TurgorError, near_match
 from turgor.geometry import Geometry
 from turgor.job.job import Actuator, Job
 from turgor.job.lines import key_lines
+from turgor.job.loads import read_loads
 from turgor.job.materials import read_materials
+from turgor.job.mesh_files import MESH_FILE
 from turgor.job.problems import JobError, Problems
 from turgor.job.sections import (
     read_actuator,
     read_engine,
-    read_loads,
     read_mesh,
     read_output,
     read_procedure,
@@ -28,6 +29,7 @@ SECTIONS = ("name", "actuator", "mesh", "materials", "supports", "loads", "proce
 
 #: Sections that may be left out, and what stands in for them.
 DEFAULTS: Mapping[str, Mapping[str, Any]] = {
+    "mesh": {},
     "supports": {"fixed": "xyz"},
     "procedure": {"type": "static"},
     "output": {},
@@ -75,13 +77,15 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
             known = ", ".join(SECTIONS)
             problems.add((key,), f"unknown key '{key}'{near_match(key, SECTIONS) or '.'} Known keys: {known}.")
     given = {key: content.get(key, DEFAULTS.get(key)) for key in SECTIONS}
-    for key in ("actuator", "mesh", "materials", "loads"):
+    if given["actuator"] is None and isinstance(given["mesh"], Mapping) and "file" in given["mesh"]:
+        given["actuator"], given["mesh"] = {"type": MESH_FILE, **given["mesh"]}, {}  # a mesh stands for both
+    for key in ("actuator", "materials", "loads"):
         if given[key] is None:
             problems.add((key,), f"the table [{key}] is missing.")
     name = _name(content.get("name", stem), problems)
     actuator = read_actuator(given["actuator"], problems) if given["actuator"] is not None else None
     geometry = _build(actuator, problems)
-    mesh = read_mesh(given["mesh"], geometry, problems) if given["mesh"] is not None else None
+    mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
     loads = read_loads(given["loads"], geometry, materials, problems) if given["loads"] is not None else ()
     supports = read_supports(given["supports"], geometry, problems)
@@ -90,11 +94,15 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     threads = read_engine(given["engine"], problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
         return None
+    assert mesh.size is not None  # chosen where it was not given
     return Job(
         name=name,
         actuator=actuator,
         mesh_size=mesh.size,
         mesh_grading=mesh.grading,
+        mesh_face_sizes=mesh.face_sizes,
+        mesh_wall_cells=mesh.wall_cells,
+        mesh_cells=mesh.cells,
         materials=materials,
         supports=supports,
         loads=loads,

@@ -9,14 +9,14 @@ from turgor.finding import Finding
 from turgor.job.folder import claimed, default_folder
 from turgor.job.job import Job
 from turgor.job.material_findings import constants_in_doubt, laws_beyond_their_tests
+from turgor.job.meshes import mesh_of
 from turgor.job.outcome import RunOutcome
 from turgor.job.versions import versions
 from turgor.job.write import write_results
 from turgor.meshing.checks import check_mesh
-from turgor.meshing.generate import mesh
 from turgor.model.model import Model
 from turgor.results.measures import check_measures, find_measure, measure
-from turgor.solvers.checks import check_supports
+from turgor.solvers.checks import check_supports, unloaded_cavities
 from turgor.solvers.driver import Progress, solve
 
 Notify = Callable[[str], None]
@@ -48,12 +48,12 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     say("building the actuator")
     geometry = job.actuator.build()
     say("meshing")
-    made = mesh(geometry, size=job.mesh_size, grading=job.mesh_grading)
+    made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
     model = Model(made, materials=job.materials, supports=job.supports, loads=job.loads)
     check_supports(model)
     check_measures(model, [find_measure(name) for name in job.output.measures])
-    return model, (*constants_in_doubt(model), *check_mesh(made))
+    return model, (*geometry.findings, *constants_in_doubt(model), *check_mesh(made), *unloaded_cavities(model))
 
 
 def run_job(

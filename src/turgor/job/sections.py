@@ -6,13 +6,14 @@ from typing import Any
 
 from turgor.errors import unknown
 from turgor.geometry import Geometry
+from turgor.job.cad import CAD_FILE, read_cad_file
 from turgor.job.job import ACTUATORS, Actuator, Output, standard_measures
 from turgor.job.lines import Key
+from turgor.job.loads import requested_factors
+from turgor.job.mesh_files import MESH_FILE, read_mesh_file
 from turgor.job.problems import Problems
 from turgor.job.tables import (
-    DIRECTIONS,
     EngineTable,
-    LoadsTable,
     MeshTable,
     OutputTable,
     dataclass_table,
@@ -20,13 +21,12 @@ from turgor.job.tables import (
     read_table,
     shown,
 )
-from turgor.materials.material import Material
-from turgor.meshing.generate import mesh, size_range
+from turgor.meshing.exchange.mesh_file import MeshedShape
+from turgor.meshing.sizes import check_face_sizes, check_settings, default_size
+from turgor.meshing.swept import check_cells
 from turgor.model.loads import Gravity, Pressure
-from turgor.model.model import Membrane
 from turgor.model.supports import Fixed
 from turgor.solvers.procedures import Static
-from turgor.units import format_quantity
 
 PROCEDURES: Mapping[str, type[Static]] = {"static": Static}
 
@@ -54,7 +54,11 @@ def _fields_of(table: Any) -> dict[str, Any]:
 def read_actuator(values: Any, problems: Problems) -> Actuator | None:
     """Read ``[actuator]``: a type and its dimensions."""
     key = ("actuator",)
-    family = _chosen(ACTUATORS, "actuator type", values, key, problems)
+    if isinstance(values, Mapping) and values.get("type") == CAD_FILE:
+        return read_cad_file(values, problems)
+    if isinstance(values, Mapping) and values.get("type") == MESH_FILE:
+        return read_mesh_file(values, problems)
+    family = _chosen({**ACTUATORS, CAD_FILE: None, MESH_FILE: None}, "actuator type", values, key, problems)
     table = read_table(dataclass_table(family), values, key, problems) if family else None
     if family is None or table is None:
         return None
@@ -65,47 +69,21 @@ def read_actuator(values: Any, problems: Problems) -> Actuator | None:
 
 
 def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> MeshTable | None:
-    """Read ``[mesh]``; where the shape is known, refuse at once what `mesh` will refuse."""
-    table: MeshTable | None = read_table(MeshTable, values, ("mesh",), problems)
+    """Read ``[mesh]``; where the shape is known, choose a missing size and refuse at once what `mesh` will refuse."""
+    key = ("mesh",)
+    table: MeshTable | None = read_table(MeshTable, values, key, problems)
     if table is None or geometry is None:
         return table
-    low, high = size_range(geometry)
-    if not (low <= table.size <= high and 0.1 <= table.grading <= 1):
-        problems.attempt(
-            ("mesh",), lambda: mesh(geometry, size=table.size, grading=table.grading), fields=("size", "grading")
-        )
-    return table
-
-
-def read_loads(
-    values: Any, geometry: Geometry | None, materials: Mapping[str, Material | Membrane], problems: Problems
-) -> tuple[Pressure | Gravity, ...]:
-    """Read ``[loads]``: a gauge pressure in the cavity, gravity, or both."""
-    key = ("loads",)
-    table = read_table(LoadsTable, values, key, problems)
-    if table is None:
-        return ()
-    loads: list[Pressure | Gravity] = []
-    if table.pressure is not None:
-        loads.append(Pressure("cavity", table.pressure))
-    if table.gravity is not None and _gravity_allowed(table.gravity, geometry, materials, problems):
-        loads.append(Gravity(DIRECTIONS[table.gravity]))
-    if table.pressure is None and table.gravity is None:
-        problems.add(key, "nothing drives the actuator; give pressure, gravity or both.")
-    return tuple(loads)
-
-
-def _gravity_allowed(
-    text: str, geometry: Geometry | None, materials: Mapping[str, Material | Membrane], problems: Problems
-) -> bool:
-    key = ("loads", "gravity")
-    if geometry is not None and f"symmetry_{text[1]}" in geometry.faces:
-        problems.add(key, f"'{text}' points across the mirror plane of a half model; set actuator.symmetric = false.")
-        return False
-    light = [n for n, m in materials.items() if isinstance(m, Material) and m.density is None]
-    for name in light:
-        problems.add(("materials", name), "has no density, and gravity needs it; add density, such as '1100 kg/m³'.")
-    return not light
+    if isinstance(geometry._shape, MeshedShape):
+        if values:
+            problems.add(key, "the actuator is a mesh already; leave the table [mesh] out, or mesh the part again.")
+        return table.model_copy(update={"size": geometry.extent})
+    size = default_size(geometry, table.cells) if table.size is None else table.size
+    settings = (size, table.grading, table.wall_cells)
+    problems.attempt(key, lambda: check_settings(geometry, *settings), fields=("size", "grading", "wall_cells"))
+    problems.attempt((*key, "face_sizes"), lambda: check_face_sizes(geometry, table.face_sizes, size))
+    problems.attempt((*key, "cells"), lambda: check_cells(geometry, table.cells, table.face_sizes))
+    return table.model_copy(update={"size": size})
 
 
 def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[Fixed, ...]:
@@ -133,28 +111,9 @@ def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems:
     if kind is None or table is None:
         return None
     given = _fields_of(table)
-    top = next((load.pressure for load in loads if isinstance(load, Pressure)), None)
-    given["at"] = tuple(_load_factors(given["at"], top, problems))
+    given["at"] = tuple(requested_factors(given["at"], loads, problems))
     made: Static | None = problems.attempt(key, lambda: kind(**given), fields=given)
     return made
-
-
-def _load_factors(requested: list[Any], top: float | None, problems: Problems) -> list[float]:
-    factors = []
-    for value in requested:
-        if not isinstance(value, tuple):
-            factors.append(value)
-            continue
-        if not top:
-            problems.add(("procedure", "at"), "pressures are requested, but loads.pressure is missing or zero.")
-            break
-        factor = value[0] / top
-        if not 0 < factor <= 1:
-            given, limit = format_quantity(value[0], "kPa"), format_quantity(top, "kPa")
-            problems.add(("procedure", "at"), f"{given} does not lie between 0 and loads.pressure, {limit}.")
-            break
-        factors.append(factor)
-    return sorted(set(factors))
 
 
 def read_engine(values: Any, problems: Problems) -> int | None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import MISSING, Field, fields
 from functools import cache, partial
 from math import inf
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 from pydantic import AfterValidator, AllowInfNan, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
 
@@ -78,8 +78,11 @@ class Table(BaseModel):
 class MeshTable(Table):
     """``[mesh]``."""
 
-    size: Length
+    size: Length | None = None
     grading: float = 0.5
+    face_sizes: dict[str, Length] = {}
+    wall_cells: int = 1
+    cells: str = "tetrahedra"
 
 
 class LibraryTable(Table):
@@ -115,6 +118,13 @@ class LoadsTable(Table):
 
     pressure: Pressure | None = None
     gravity: Annotated[str, AfterValidator(_direction)] | None = None
+
+
+class CavityTable(Table):
+    """``[loads.cavity_1]``: the pressure in one cavity and how it gets there."""
+
+    pressure: Pressure
+    history: list[list[float]] | None = None
 
 
 class EngineTable(Table):
@@ -202,6 +212,7 @@ _NEEDED = {
     "string_type": "a text in quotes",
     "list_type": "a list in square brackets",
     "model_type": "a table in braces",
+    "dict_type": "a table in braces",
     "finite_number": "a finite number",
 }
 
@@ -222,8 +233,18 @@ def _sentence(table: type[BaseModel], place: Key, item: Any) -> str:
 
 
 def _model_at(table: type[BaseModel], place: Key) -> type[BaseModel]:
-    """The table at a key inside another one."""
-    return SourceTable if place[-1:] == ("source",) else table
+    """The table at a key inside another one, or in a mapping of tables."""
+    for part in place:
+        item = table.model_fields.get(part)
+        kinds = _kinds(item.annotation) if item is not None else []
+        table = next((kind for kind in kinds if isinstance(kind, type) and issubclass(kind, BaseModel)), table)
+    return table
+
+
+def _kinds(annotation: Any) -> list[Any]:
+    """The types that an annotation is made of."""
+    inner = get_args(annotation)
+    return [kind for one in inner for kind in _kinds(one)] if inner else [annotation]
 
 
 def _type_of(item: Field[Any]) -> Any:

@@ -4,8 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.finding import Finding, Severity
+from turgor.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.meshing.facing import OPPOSED, unit_normals
-from turgor.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
+from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.surface import check_surface, outer_triangles
 from turgor.units import mm
 
@@ -19,6 +20,8 @@ STEEP = 0.2
 
 def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
     """Look for walls with fewer than two cells through them (G01) and for faces that do not fit the mesh (G02 to G04).
+
+    What was noticed while the mesh was made (G08: mended cells) comes first.
 
     Parameters
     ----------
@@ -36,7 +39,7 @@ def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
     >>> [finding.code for finding in check_mesh(mesh(FastPneuNet(chambers=2, length=20e-3).build(), size=3e-3))]
     ['G01']
     """
-    return (*_thin_walls(mesh), *check_surface(mesh))
+    return (*mesh.findings, *_thin_walls(mesh), *check_surface(mesh))
 
 
 def crossings(mesh: Mesh) -> tuple[Ints, Array]:
@@ -53,12 +56,13 @@ def crossings(mesh: Mesh) -> tuple[Ints, Array]:
     thickness : (e,) array [m]
         Thickness of the wall at each edge: its length along the surface normal.
     """
-    surface = outer_triangles(mesh)
+    surface = six_node_triangles(outer_triangles(mesh))
     on_mirror = np.zeros(len(surface), dtype=bool)
     for name in mesh.symmetry_faces:  # a mirror plane is no surface of the whole actuator
         on_mirror |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
     surface = surface[~on_mirror]
-    edges = np.unique(np.sort(np.concatenate([mesh.cells[:, e] for e in TETRAHEDRON_EDGES]), axis=1), axis=0)
+    edges = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)
+    edges = np.unique(edges, axis=0)
     flat = np.sort(np.concatenate([surface[:, e] for e in TRIANGLE_EDGES]), axis=1)
     n = len(mesh.points)
     within = ~np.isin(edges[:, 0] * n + edges[:, 1], flat[:, 0] * n + flat[:, 1])
@@ -95,6 +99,7 @@ def _thin_walls(mesh: Mesh) -> list[Finding]:
         return []
     thinnest = thickness.min()
     x, y, z = mesh.points[edges[thickness.argmin()]].mean(axis=0) / mm
+    tetrahedra = mesh.cell_type is TETRAHEDRON
     return [
         Finding(
             code="G01",
@@ -102,6 +107,10 @@ def _thin_walls(mesh: Mesh) -> list[Finding]:
             message=f"One cell reaches through the wall in {len(edges)} places; the thinnest of these walls is "
             f"{thinnest / mm:.3g} mm thick, at ({x:.3g}, {y:.3g}, {z:.3g}) mm.",
             advice="Quadratic cells bend well with one through a wall, but compare with a finer mesh before trusting "
-            f"stresses; a size near {thinnest / 2 / mm:.2g} mm puts two through it.",
+            "stresses; wall_cells = 2 puts two through every wall, and so does a size near "
+            f"{thinnest / 2 / mm:.2g} mm."
+            if tetrahedra
+            else "Quadratic cells bend well with one through a wall, but compare with a finer mesh before trusting "
+            "stresses, or angles to better than 10 %; wall_cells = 2 with a size of twice the wall is one.",
         )
     ]

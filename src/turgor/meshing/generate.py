@@ -1,57 +1,80 @@
 """Generate a mesh: curved ten-node tetrahedra from a geometry, with its names."""
 
-from dataclasses import dataclass
-from itertools import permutations
-from math import ceil, floor, isfinite
-from numbers import Real
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from netgen.meshing import NgException, SetMessageImportance
+from netgen.meshing import MeshingParameters, NgException, SetMessageImportance
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.finding import Finding, Severity
 from turgor.geometry.geometry import Geometry
-from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.meshing.assemble import Raw, assemble
+from turgor.meshing.mend import mended
+from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality import cell_volumes, refuse_inverted
 from turgor.meshing.quiet import captured_output
-from turgor.meshing.surface import cell_sides, corner_keys
+from turgor.meshing.sizes import (
+    CELLS_PER_RADIUS,
+    LARGEST_SIZE_PER_WALL,
+    check_face_sizes,
+    check_settings,
+    default_size,
+    size_range,
+)
+from turgor.meshing.sweeping.section import Fineness
+from turgor.meshing.swept import check_cells, swept_mesh
+from turgor.meshing.thin_walls import ThinWalls, find_thin_walls, thin_walls_left
+from turgor.meshing.walls import refine_walls
 from turgor.units import mm
 
 Ints = NDArray[np.int64]
 
-#: Cells up to this many times longer than the thinnest wall is thick are accepted: one quadratic cell through a
-#: wall, four times as long as thick, still bends well; beyond that bulging walls are lost.
-LARGEST_SIZE_PER_WALL = 4.0
+__all__ = ["default_size", "mesh", "size_range"]
 
-#: Largest mesh that one machine can be expected to solve.
-MOST_UNKNOWNS = 3e6
-
-#: Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35.
-UNKNOWNS_PER_SIZE_CUBED = 40.0
-
-#: Cells along an arc as long as its radius. With 1, curved cells turn inside out where a fillet or a tube is coarse
-#: (a slot of 1 mm radius at 1 mm size: 3 cells); with 2, none did on slots, tubes, half tubes and spheres.
-CELLS_PER_RADIUS = 2.0
+#: How often a mesh is made again with smaller sizes at thin walls.
+ROUNDS = 3
 
 #: A finished mesh fills the geometry; quadratic cells may miss this share of it at curved faces.
 LOST_VOLUME = 0.01
 
 
-def mesh(geometry: Geometry, *, size: float, grading: float = 0.5) -> Mesh:
-    """Generate ten-node tetrahedra that fill the geometry and carry its names.
+def mesh(
+    geometry: Geometry,
+    *,
+    size: float | None = None,
+    grading: float = 0.5,
+    face_sizes: Mapping[str, float] = MappingProxyType({}),
+    wall_cells: int = 1,
+    cells: str = "tetrahedra",
+) -> Mesh:
+    """Generate quadratic cells that fill the geometry and carry its names: tetrahedra, or hexahedra for a sweep.
 
-    Mid-side nodes lie on the true surface, so curved faces stay curved. The same geometry and size give the same
-    mesh, node for node, on the same version of the mesh generator.
+    Mid-side nodes lie on the true surface, so curved faces stay curved; where that would turn a cell inside out, its
+    edges are straightened and ``mesh.findings`` says so. The same geometry and settings give the same mesh, node for
+    node, on the same version of the mesh generator.
 
     Parameters
     ----------
     geometry : Geometry
         What to mesh.
-    size : float [m]
-        Largest edge length aimed at; cells get smaller near short edges. At most four times the thinnest wall.
+    size : float [m], optional
+        Largest edge length aimed at; cells get smaller near short edges. At most four times the thinnest wall, unless
+        ``wall_cells`` is 2; `default_size` if it is not given: about twice the thinnest wall.
     grading : float [-]
         How fast cells may grow away from small ones: 0.1 slowly (more cells), 1 at once.
+    face_sizes : mapping of str to float [m]
+        Smaller sizes for some faces, by name. Curved faces get at least two cells along an arc as long as its radius.
+    wall_cells : int
+        Cells at least through every wall: 1 leaves them as they come; 2 gives smaller sizes to walls that are thinner
+        than a quarter of ``size``, and cuts cells in two that still reach through a wall.
+    cells : str
+        ``"tetrahedra"`` of ten nodes, for any geometry, or ``"hexahedra"`` of 27 nodes, for families that are a section
+        moved along a line or turned about an axis; these need several times fewer unknowns where walls are thin.
 
     Returns
     -------
@@ -61,7 +84,7 @@ def mesh(geometry: Geometry, *, size: float, grading: float = 0.5) -> Mesh:
     ------
     TurgorError
         If the size is no positive length, too coarse for the walls or so small that nothing could solve the mesh,
-        or if the generator fails.
+        if a face is unknown, or if the generator fails or makes cells that cannot be mended.
 
     Examples
     --------
@@ -73,70 +96,99 @@ def mesh(geometry: Geometry, *, size: float, grading: float = 0.5) -> Mesh:
     Traceback (most recent call last):
     turgor.errors.TurgorError: mesh size is 0 mm; allowed is 0.291 mm to 4 mm (four times the thinnest wall, 1 mm).
     """
-    _check_size(geometry, size)
-    _check_grading(grading)
-    raw = _generate(geometry, float(size), float(grading))
-    result = _assemble(raw, geometry)
+    length = default_size(geometry, cells) if size is None else size
+    check_settings(geometry, length, grading, wall_cells)
+    check_face_sizes(geometry, face_sizes, float(length))
+    if check_cells(geometry, cells, face_sizes) == "hexahedra":
+        fine = Fineness(size=float(length), wall_cells=wall_cells, curvature=CELLS_PER_RADIUS, grading=float(grading))
+        result = swept_mesh(geometry, fine)
+        _check_result(result, geometry)
+        refuse_inverted(result)
+        return result
+    sizes = _Sizes(size=float(length), grading=float(grading))
+    with _sizes_on_faces(geometry, face_sizes):
+        try:
+            result = _fitting_walls(geometry, sizes)
+        except TurgorError as error:
+            try:  # most failures come from arcs that too few cells follow
+                finer = _fitting_walls(geometry, replace(sizes, curvature=2 * sizes.curvature))
+            except TurgorError:
+                raise error from None
+            result = replace(finer, findings=(*finer.findings, _meshed_finer(error)))
+    return refine_walls(result, wall_cells)
+
+
+@dataclass(frozen=True, slots=True)
+class _Sizes:
+    """What the generator is told about sizes [m]: one for all, how fast cells grow, smaller ones at some points."""
+
+    size: float
+    grading: float
+    curvature: float = field(default_factory=lambda: CELLS_PER_RADIUS)
+    places: tuple[ThinWalls, ...] = ()
+
+
+def _fitting_walls(geometry: Geometry, sizes: _Sizes) -> Mesh:
+    """A sound mesh whose cells suit their walls: made again with smaller sizes at walls that were too thin for them."""
+    result = _sound(geometry, sizes)
+    if sizes.size <= LARGEST_SIZE_PER_WALL * geometry.smallest_wall * (1 + 1e-9):
+        return result  # the size suits every wall
+    for _ in range(ROUNDS):
+        walls = find_thin_walls(result, sizes.size)
+        if not len(walls.points):
+            return result
+        sizes = replace(sizes, places=(*sizes.places, walls))
+        result = _sound(geometry, sizes)
+    walls = find_thin_walls(result, sizes.size)
+    if len(walls.points):
+        result = replace(result, findings=(*result.findings, thin_walls_left(walls)))
+    return result
+
+
+def _sound(geometry: Geometry, sizes: _Sizes) -> Mesh:
+    """A mesh that can be solved, or the reason why there is none."""
+    result = mended(assemble(_generate(geometry, sizes), geometry))
     _check_result(result, geometry)
     refuse_inverted(result)
     return result
 
 
-def size_range(geometry: Geometry) -> tuple[float, float]:
-    """Smallest and largest mesh size that `mesh` accepts for a geometry [m].
-
-    The smallest makes about 3 million unknowns; the largest is four times the thinnest wall, or the part itself.
-    """
-    low = float((UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / MOST_UNKNOWNS) ** (1 / 3))
-    return low, min(LARGEST_SIZE_PER_WALL * geometry.smallest_wall, geometry.extent)
-
-
-def _check_size(geometry: Geometry, size: object) -> None:
-    if isinstance(size, bool) or not isinstance(size, Real) or not isfinite(size):
-        raise TurgorError(f"mesh size is {size!r}; a finite length in meters is needed, such as 3*mm.")
-    length, (low, high), wall = float(size), size_range(geometry), geometry.smallest_wall
-    if low <= length <= high:
-        return
-    limit = f"(four times the thinnest wall, {wall / mm:.4g} mm)" if high < geometry.extent else "(the whole part)"
-    # rounded inwards, so that both numbers shown are themselves allowed
-    allowed = f"allowed is {ceil(low / mm * 1000) / 1000} mm to {floor(high / mm * 1000 + 1e-6) / 1000:g} mm {limit}"
-    given = f"mesh size is {length / mm:.6g} mm"
-    if length <= 0:
-        raise TurgorError(f"{given}; {allowed}.")
-    if length < low:
-        millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / length**3 / 1e6
-        raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; {allowed}.")
-    what = "larger than the part" if length > geometry.extent else f"too coarse for the wall of {wall / mm:.4g} mm"
-    hint = "; is the unit right?" if low <= length * mm <= high else "."
-    raise TurgorError(f"{given}, {what}; {allowed}{hint}")
+def _meshed_finer(error: TurgorError) -> Finding:
+    cause = str(error).split(";")[0]
+    return Finding(
+        code="G08",
+        severity=Severity.NOTE,
+        message=f"Curved faces were meshed with twice the cells along their arcs, because at first {cause}.",
+        advice="A smaller size does the same with fewer surprises.",
+    )
 
 
-def _check_grading(grading: object) -> None:
-    if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
-        raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
+@contextmanager
+def _sizes_on_faces(geometry: Geometry, face_sizes: Mapping[str, float]) -> Iterator[None]:
+    """Hang sizes on the faces of the shape while it is meshed; the shape stays as it was."""
+    faces = [face for face in geometry._shape.faces if face.name in face_sizes]
+    before = [face.maxh for face in faces]
+    try:
+        for face in faces:
+            face.maxh = face_sizes[face.name] / geometry.length_scale
+        yield
+    finally:
+        for face, maxh in zip(faces, before, strict=True):
+            face.maxh = maxh
 
 
-@dataclass(frozen=True, slots=True)
-class _Raw:
-    """What the generator returns, as arrays: positions [m], ten nodes a cell in its own order, corners of faces."""
-
-    points: NDArray[np.float64]
-    cells: Ints
-    cell_region: Ints
-    regions: tuple[str, ...]
-    corners: Ints
-    corner_face: Ints
-    faces: tuple[str, ...]
-
-
-def _generate(geometry: Geometry, size: float, grading: float) -> _Raw:
+def _generate(geometry: Geometry, sizes: _Sizes) -> Raw:
     before = SetMessageImportance(0)
     with captured_output() as text:  # at level 0 its warnings and errors still go to stdout, line after line
         try:
+            # the generator reads sizes off a triangulation that it hangs on the shape: without one from the start, a
+            # shape that has been meshed, measured or drawn before gives another mesh than a new one
+            geometry._shape.MakeTriangulation()
             netgen_mesh = geometry._shape.GenerateMesh(
-                maxh=size / geometry.length_scale,
-                grading=grading,
-                curvaturesafety=CELLS_PER_RADIUS,
+                mp=_local_sizes(sizes, geometry.length_scale),
+                maxh=sizes.size / geometry.length_scale,
+                grading=sizes.grading,
+                curvaturesafety=sizes.curvature,
                 parallel_meshing=False,  # the same mesh for half the work: its threads spin where a machine is busy
                 ngs_mesh=False,
             )
@@ -144,7 +196,7 @@ def _generate(geometry: Geometry, size: float, grading: float) -> _Raw:
         except NgException as error:
             causes = [line.strip() for line in text().splitlines() if " error: " in line.lower()]
             raise TurgorError(
-                f"'{geometry.name}' could not be meshed at size {size / mm:.4g} mm; use a smaller one. "
+                f"'{geometry.name}' could not be meshed at size {sizes.size / mm:.4g} mm; use a smaller one. "
                 f"The mesh generator says: {causes[-1] if causes else error}"
             ) from error
         finally:
@@ -152,10 +204,21 @@ def _generate(geometry: Geometry, size: float, grading: float) -> _Raw:
     return _read(netgen_mesh, geometry.length_scale)
 
 
-def _read(netgen_mesh: Any, scale: float) -> _Raw:
+def _local_sizes(sizes: _Sizes, scale: float) -> MeshingParameters | None:
+    """Smaller sizes at points, as the generator takes them."""
+    if not sizes.places:
+        return None
+    parameters = MeshingParameters()
+    for rounds, walls in enumerate(sizes.places):
+        for (x, y, z), size in zip(walls.points / scale, walls.sizes(rounds) / scale, strict=True):
+            parameters.RestrictH(x, y, z, size)
+    return parameters
+
+
+def _read(netgen_mesh: Any, scale: float) -> Raw:
     cells, triangles = netgen_mesh.Elements3D().NumPy(), netgen_mesh.Elements2D().NumPy()
     descriptors = netgen_mesh.FaceDescriptors()
-    return _Raw(
+    return Raw(
         points=np.array(netgen_mesh.Coordinates(), dtype=np.float64) * scale,
         cells=cells["nodes"][:, :10].astype(np.int64) - 1,
         cell_region=cells["index"].astype(np.int64) - 1,
@@ -164,54 +227,6 @@ def _read(netgen_mesh: Any, scale: float) -> _Raw:
         corner_face=triangles["index"].astype(np.int64) - 1,
         faces=tuple(descriptor.bcname for descriptor in descriptors),
     )
-
-
-def _mid_side_order(points: NDArray[np.float64], cells: Ints) -> list[int]:
-    """Which of the generator's mid-side nodes lies on which of our edges, found from where they are."""
-    mids = points[cells[:, 4:]]
-    off = np.empty((6, 6))
-    for i, (a, b) in enumerate(TETRAHEDRON_EDGES):
-        middle = (points[cells[:, a]] + points[cells[:, b]]) / 2
-        off[i] = np.linalg.norm(mids - middle[:, None], axis=2).mean(axis=0)
-    return list(min(permutations(range(6)), key=lambda order: sum(off[i, j] for i, j in enumerate(order))))
-
-
-def _turned(points: NDArray[np.float64], cells: Ints) -> Ints:
-    """Swap two corners of each cell of negative volume, with the mid-side nodes between them."""
-    a, b, c = (points[cells[:, i]] - points[cells[:, 0]] for i in (1, 2, 3))
-    negative = np.einsum("ci,ci->c", a, np.cross(b, c)) < 0
-    return np.where(negative[:, None], cells[:, [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]], cells)
-
-
-def _assemble(raw: _Raw, geometry: Geometry) -> Mesh:
-    """Bring the arrays into the order and orientation that `Mesh` promises."""
-    if not len(raw.cells):
-        raise TurgorError(f"'{geometry.name}' could not be meshed: the generator made no cells; try another size.")
-    order = _mid_side_order(raw.points, raw.cells)
-    by_region = np.argsort(raw.cell_region, kind="stable")
-    cell_region = raw.cell_region[by_region]
-    cells = _turned(raw.points, np.hstack([raw.cells[:, :4], raw.cells[:, 4:][:, order]])[by_region])
-    nodes = np.concatenate([np.unique(cells[:, :4]), np.unique(cells[:, 4:])])
-    number = np.full(len(raw.points), -1, dtype=np.int64)
-    number[nodes] = np.arange(len(nodes))
-    cells, corners = number[cells], number[raw.corners]
-    sides = cell_sides(cells)
-    # where two cells share a side, the first one is kept: a face between regions points out of the one named first
-    keys, index = np.unique(corner_keys(sides, len(nodes)), return_index=True)
-    wanted = corner_keys(corners, len(nodes))
-    place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
-    if (keys[place] != wanted).any():
-        raise TurgorError(f"'{geometry.name}': the generator returned faces that are not sides of its cells.")
-    triangles = sides[index[place]]
-    faces = {
-        name: triangles[np.isin(raw.corner_face, [i for i, n in enumerate(raw.faces) if n == name])]
-        for name in sorted(set(raw.faces) & set(geometry.faces))
-    }
-    regions = {
-        name: np.flatnonzero(np.isin(cell_region, [i for i, n in enumerate(raw.regions) if n == name]))
-        for name in dict.fromkeys(raw.regions)
-    }
-    return Mesh(points=raw.points[nodes], cells=cells, regions=regions, faces=faces, name=geometry.name)
 
 
 def _check_result(result: Mesh, geometry: Geometry) -> None:

@@ -1,4 +1,4 @@
-"""Mesh: curved ten-node tetrahedra with named regions and faces."""
+"""Mesh: curved quadratic cells with named regions and faces."""
 
 from dataclasses import dataclass, field
 
@@ -6,20 +6,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
+from turgor.finding import Finding
+from turgor.geometry.names import cavity_names
+from turgor.meshing.cells import TETRAHEDRON, TRIANGLE, CellType, cell_type
 
 #: Mid-side nodes 4..9 of a ten-node tetrahedron lie on these pairs of its vertices (VTK and Abaqus order).
-TETRAHEDRON_EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+TETRAHEDRON_EDGES = TETRAHEDRON.edges
 
 #: Mid-side nodes 3..5 of a six-node triangle lie on these pairs of its vertices.
-TRIANGLE_EDGES = ((0, 1), (1, 2), (2, 0))
+TRIANGLE_EDGES = TRIANGLE.edges
 
 #: The six-node triangles on the sides of a ten-node tetrahedron, normals pointing out of the cell.
-TETRAHEDRON_FACES = ((0, 1, 3, 4, 8, 7), (1, 2, 3, 5, 9, 8), (2, 0, 3, 6, 7, 9), (0, 2, 1, 6, 5, 4))
+TETRAHEDRON_FACES = TETRAHEDRON.sides
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Mesh:
-    """Ten-node tetrahedra with the names of the geometry.
+    """Quadratic cells of one kind with the names of the geometry: tetrahedra, or hexahedra where a section was swept.
 
     Vertices come first among the points, mid-side nodes after them. Faces on the surface of the body point out of
     the solid, so a cavity's normals point into the cavity; faces inside the body (a strain-limiting layer between
@@ -29,14 +32,16 @@ class Mesh:
     ----------
     points : (n, 3) float array [m]
         Reference positions of all nodes, vertices first.
-    cells : (c, 10) int array
-        Nodes of each tetrahedron: four vertices, then mid-side nodes in `TETRAHEDRON_EDGES` order.
+    cells : (c, 10), (c, 20) or (c, 27) int array
+        Nodes of each cell in the order of `turgor.meshing.cells`: corners, mid-side nodes, then middles.
     regions : dict of str to (k,) int array
         Cells of each named region; together they hold every cell once.
-    faces : dict of str to (f, 6) int array
-        Six-node triangles of each named face: three vertices, then mid-side nodes in `TRIANGLE_EDGES` order.
+    faces : dict of str to (f, 6), (f, 8) or (f, 9) int array
+        Sides of cells that make each named face: six-node triangles or quadrilaterals, corners first.
     name : str
         What the mesh shows, for reports.
+    findings : tuple of Finding
+        What was noticed while it was made.
 
     Raises
     ------
@@ -49,16 +54,27 @@ class Mesh:
     regions: dict[str, NDArray[np.int64]]
     faces: dict[str, NDArray[np.int64]]
     name: str = "mesh"
+    findings: tuple[Finding, ...] = ()
     vertex_count: int = field(init=False)
 
     def __post_init__(self) -> None:
-        if self.cells.ndim != 2 or self.cells.shape[1] != 10 or len(self.cells) == 0:
-            raise TurgorError(f"mesh '{self.name}': cells have shape {self.cells.shape}; (c, 10) with c > 0 is needed.")
+        if self.cells.ndim != 2 or self.cells.shape[1] not in (10, 20, 27) or len(self.cells) == 0:
+            raise TurgorError(
+                f"mesh '{self.name}': cells have shape {self.cells.shape}; (c, 10), (c, 20) or (c, 27) is needed."
+            )
+        corners = self.cell_type.corners
         if self.cells.min() < 0 or self.cells.max() >= len(self.points):
             raise TurgorError(f"mesh '{self.name}': a cell names a node outside 0..{len(self.points) - 1}.")
-        vertices = np.unique(self.cells[:, :4])
-        if vertices[-1] != len(vertices) - 1 or self.cells[:, 4:].min() < len(vertices):
+        vertices = np.unique(self.cells[:, :corners])
+        if vertices[-1] != len(vertices) - 1 or self.cells[:, corners:].min() < len(vertices):
             raise TurgorError(f"mesh '{self.name}': vertices must be numbered first and mid-side nodes after them.")
+        sides = self.cell_type.side
+        for name, face in self.faces.items():
+            if face.ndim != 2 or face.shape[1] != sides.nodes:
+                raise TurgorError(
+                    f"mesh '{self.name}': face '{name}' has shape {face.shape}; the sides of a {self.cell_type.name} "
+                    f"are {sides.name}s, (f, {sides.nodes})."
+                )
         owner = np.zeros(len(self.cells), dtype=np.int64)
         for cells in self.regions.values():
             owner[cells] += 1
@@ -69,7 +85,7 @@ class Mesh:
         object.__setattr__(self, "vertex_count", len(vertices))
 
     def face(self, name: str) -> NDArray[np.int64]:
-        """Return the (f, 6) triangles of a named face; unknown names fail with the list of known ones."""
+        """Return the sides of a named face, a row each; unknown names fail with the list of known ones."""
         if name not in self.faces:
             raise unknown("face", name, self.faces)
         return self.faces[name]
@@ -85,9 +101,19 @@ class Mesh:
         return np.unique(self.face(name))
 
     @property
+    def cell_type(self) -> CellType:
+        """Kind of the cells."""
+        return cell_type(self.cells.shape[1])
+
+    @property
     def symmetry_faces(self) -> tuple[str, ...]:
         """Names of the faces that lie on a mirror plane."""
         return tuple(name for name in self.faces if name.startswith("symmetry_"))
+
+    @property
+    def cavities(self) -> tuple[str, ...]:
+        """Names of the faces that enclose a cavity: those that begin with ``cavity``."""
+        return cavity_names(self.faces)
 
     @property
     def symmetry_factor(self) -> int:

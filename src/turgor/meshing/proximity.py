@@ -1,5 +1,6 @@
 """How near walls come that face each other through air: the warning before they touch."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from math import inf, isfinite
 
@@ -8,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError
+from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.facing import find_walls, first_hits, unit_normals
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
@@ -80,18 +82,20 @@ class FacingWalls:
         object.__setattr__(self, "_sides", sides)
 
 
-def find_facing_walls(mesh: Mesh, reach: float | None = None) -> FacingWalls:
-    """Find the outside walls that face each other through air.
+def find_facing_walls(mesh: Mesh, reach: float | None = None, cavity: str | None = None) -> FacingWalls:
+    """Find the outside walls that face each other through air, or those of one cavity.
 
     Every outer triangle looks along its normal; where it first meets an opposed one, both belong to facing walls.
-    The cavity is left out, because pressure pushes its walls apart, and so are walls that share an edge, because
-    their distance is zero from the start. A wall is not compared with its own image in a mirror plane.
+    Cavities are left out unless one is named, because pressure pushes their walls apart, and so are walls that share
+    an edge, because their distance is zero from the start. A wall is not compared with its own image in a mirror plane.
 
     Parameters
     ----------
     mesh : Mesh
     reach : float [m], optional
         How far to look; a quarter of the longest side by default.
+    cavity : str, optional
+        Name of a cavity: its walls are looked at instead of those outside.
 
     Returns
     -------
@@ -109,20 +113,20 @@ def find_facing_walls(mesh: Mesh, reach: float | None = None) -> FacingWalls:
         reach = REACH * float(np.ptp(mesh.points, axis=0).max())
     if not (isfinite(reach) and reach > 0):
         raise TurgorError(f"reach is {reach / mm:g} mm; allowed is more than 0.")
-    surface = outer_triangles(mesh)
+    surface = six_node_triangles(outer_triangles(mesh))
     hit = first_hits(mesh.points, surface, reach)
-    cavity = _cavity(mesh, surface)
-    hit[cavity | ((hit >= 0) & cavity[hit])] = -1
+    left_out = _of_faces(mesh, surface, mesh.cavities) if cavity is None else ~_of_faces(mesh, surface, [cavity])
+    hit[left_out | ((hit >= 0) & left_out[hit])] = -1
     wall, pairs = find_walls(mesh.points, surface, hit)
     used = np.unique(pairs)
     walls = tuple(surface[wall == i] for i in used)
     return FacingWalls(points=mesh.points, walls=walls, pairs=np.searchsorted(used, pairs).reshape(-1, 2))
 
 
-def _cavity(mesh: Mesh, triangles: Ints) -> NDArray[np.bool_]:
-    """Which triangles are walls of a cavity."""
+def _of_faces(mesh: Mesh, triangles: Ints, names: Iterable[str]) -> NDArray[np.bool_]:
+    """Which triangles belong to the named faces."""
     n = len(mesh.points)
-    keys = [corner_keys(faces, n) for name, faces in mesh.faces.items() if name.startswith("cavity")]
+    keys = [corner_keys(six_node_triangles(mesh.face(name)), n) for name in names]
     return np.isin(corner_keys(triangles, n), np.concatenate([np.zeros(0, dtype=np.int64), *keys]))
 
 

@@ -7,7 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.meshing.quality_hexahedra import hexahedra_jacobian_range, hexahedra_shapes, hexahedra_volumes
 
 Array = NDArray[np.float64]
 
@@ -31,7 +33,8 @@ class MeshQuality:
     min_jacobian_ratio : float [-]
         Smallest over largest Jacobian within the worst cell: 1 for straight edges, ≤ 0 for an inverted cell.
     min_shape, mean_shape : float [-]
-        Mean-ratio quality 12 (3 V)^(2/3) / Σ l² of the straight cells: 1 is regular, 0 is flat.
+        Of the straight cells: 1 is regular, 0 is flat. Mean ratio 12 (3 V)^(2/3) / Σ l² for tetrahedra; for hexahedra
+        the scaled Jacobian, the volume between the unit vectors along the edges at the worst corner.
     min_edge, mean_edge, max_edge : float [m]
         Distances between vertices that share an edge.
     """
@@ -72,8 +75,11 @@ def jacobian_range(mesh: Mesh) -> tuple[Array, Array]:
     Returns
     -------
     low, high : (c,) arrays [m³]
-        Six times the volume for straight edges; negative where a cell is turned inside out.
+        Six times the volume for a tetrahedron with straight edges, the volume for a box; negative
+        where a cell is turned inside out.
     """
+    if mesh.cell_type is not TETRAHEDRON:
+        return hexahedra_jacobian_range(mesh)
     gradients = _gradients(_lattice())
     low, high = np.empty(len(mesh.cells)), np.empty(len(mesh.cells))
     for start in range(0, len(mesh.cells), CHUNK):
@@ -91,6 +97,8 @@ def _determinants(nodes: Array, gradients: Array) -> Array:
 
 def cell_volumes(mesh: Mesh) -> Array:
     """Volume of each curved cell, (c,) [m³]; exact, because the Jacobian is a cubic and so is the rule."""
+    if mesh.cell_type is not TETRAHEDRON:
+        return hexahedra_volumes(mesh)
     points = np.vstack([np.full(4, 1 / 4), 1 / 6 + np.eye(4) / 3])
     weights = np.array([-4 / 5, 9 / 20, 9 / 20, 9 / 20, 9 / 20]) / 6
     return _determinants(mesh.points[mesh.cells], _gradients(points)) @ weights
@@ -120,13 +128,8 @@ def quality(mesh: Mesh) -> MeshQuality:
     (1.0, 1.0)
     """
     low, high = jacobian_range(mesh)
-    corners = mesh.points[mesh.cells[:, :4]]
-    a, b, c = (corners[:, i] - corners[:, 0] for i in (1, 2, 3))
-    volume = np.einsum("ci,ci->c", a, np.cross(b, c)) / 6
-    edges = np.stack([corners[:, j] - corners[:, i] for i, j in TETRAHEDRON_EDGES], axis=1)
-    squares = np.einsum("cei,cei->ce", edges, edges)
-    shape = 12 * np.cbrt(3 * np.maximum(volume, 0)) ** 2 / squares.sum(axis=1)
-    ends = np.sort(np.concatenate([mesh.cells[:, e] for e in TETRAHEDRON_EDGES]), axis=1)
+    shape = cell_shapes(mesh)
+    ends = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)
     ends = np.unique(ends, axis=0)
     lengths = np.linalg.norm(mesh.points[ends[:, 1]] - mesh.points[ends[:, 0]], axis=1)
     return MeshQuality(
@@ -142,6 +145,24 @@ def quality(mesh: Mesh) -> MeshQuality:
         mean_edge=float(lengths.mean()),
         max_edge=float(lengths.max()),
     )
+
+
+def cell_shapes(mesh: Mesh) -> Array:
+    """Shape of each cell with straight edges, (c,), as `MeshQuality` has it: 1 is regular, 0 is flat."""
+    if mesh.cell_type is not TETRAHEDRON:
+        return hexahedra_shapes(mesh)
+    corners = mesh.points[mesh.cells[:, :4]]
+    a, b, c = (corners[:, i] - corners[:, 0] for i in (1, 2, 3))
+    volume = np.einsum("ci,ci->c", a, np.cross(b, c)) / 6
+    edges = np.stack([corners[:, j] - corners[:, i] for i, j in TETRAHEDRON_EDGES], axis=1)
+    squares = np.einsum("cei,cei->ce", edges, edges)
+    return np.asarray(12 * np.cbrt(3 * np.maximum(volume, 0)) ** 2 / squares.sum(axis=1))
+
+
+def jacobian_ratios(mesh: Mesh) -> Array:
+    """Smallest over largest Jacobian of each curved cell, (c,): 1 for straight edges, ≤ 0 for an inverted cell."""
+    low, high = jacobian_range(mesh)
+    return np.asarray(low / np.maximum(np.abs(low), np.abs(high)))
 
 
 def refuse_inverted(mesh: Mesh) -> None:

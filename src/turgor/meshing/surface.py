@@ -5,18 +5,22 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
-from turgor.meshing.mesh import TETRAHEDRON_FACES, TRIANGLE_EDGES, Mesh
+from turgor.meshing.cells import cell_type, side_type
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.openings import check_openings
 
 Triangles = NDArray[np.int64]
 
 
 def corner_keys(triangles: Triangles, node_count: int) -> NDArray[np.int64]:
-    """One number for each triangle, the same for any order of its three corners.
+    """One number for each side, the same for any order of its corners.
+
+    Two quadrilaterals of a mesh never share three corners, so that the three smallest tell them apart.
 
     Parameters
     ----------
-    triangles : (f, 3 or more) int array
-        Corners in the first three columns.
+    triangles : (f, 3 to 9) int array
+        Corners in the first columns: four of quadrilaterals (8 or 9 columns), three of triangles.
     node_count : int
         Number of nodes, below 2e6 so that the key fits 64 bits.
 
@@ -26,13 +30,15 @@ def corner_keys(triangles: Triangles, node_count: int) -> NDArray[np.int64]:
     """
     if node_count >= 2_000_000:
         raise TurgorError(f"the mesh has {node_count} nodes; at most 2 million can be handled.")
-    a, b, c = np.sort(triangles[:, :3], axis=1).T
+    corners = 4 if triangles.shape[1] >= 8 else 3
+    a, b, c = np.sort(triangles[:, :corners], axis=1)[:, :3].T
     return np.asarray((a * node_count + b) * node_count + c, dtype=np.int64)
 
 
 def cell_sides(cells: NDArray[np.int64]) -> Triangles:
-    """All sides of all cells, (4c, 6), normals pointing out of their cell; side i of cell k is row 4 k + i."""
-    return np.asarray(cells[:, np.array(TETRAHEDRON_FACES)].reshape(-1, 6))
+    """All sides of all cells, normals pointing out of their cell; side i of cell k of s sides is row s k + i."""
+    kind = cell_type(cells.shape[1])
+    return np.asarray(cells[:, np.array(kind.sides)].reshape(-1, kind.side.nodes))
 
 
 def outer_triangles(mesh: Mesh) -> Triangles:
@@ -44,8 +50,8 @@ def outer_triangles(mesh: Mesh) -> Triangles:
 
     Returns
     -------
-    (f, 6) int array
-        Six-node triangles, normals pointing out of the solid, in the order of the cells.
+    (f, 6), (f, 8) or (f, 9) int array
+        Sides of cells, normals pointing out of the solid, in the order of the cells.
 
     Examples
     --------
@@ -64,8 +70,9 @@ def outer_triangles(mesh: Mesh) -> Triangles:
 
 
 def rim_edges(triangles: Triangles) -> NDArray[np.int64]:
-    """Edges that belong to one of the triangles only, (e, 3): two corners and the mid-side node between them."""
-    edges = np.concatenate([triangles[:, [a, b, 3 + i]] for i, (a, b) in enumerate(TRIANGLE_EDGES)])
+    """Edges that belong to one of the sides only, (e, 3): two corners and the mid-side node between them."""
+    kind = side_type(triangles.shape[1])
+    edges = np.concatenate([triangles[:, [a, b, kind.corners + i]] for i, (a, b) in enumerate(kind.edges)])
     _, index, count = np.unique(np.sort(edges[:, :2], axis=1), axis=0, return_index=True, return_counts=True)
     return np.asarray(edges[np.sort(index[count == 1])])
 
@@ -73,8 +80,8 @@ def rim_edges(triangles: Triangles) -> NDArray[np.int64]:
 def check_surface(mesh: Mesh) -> tuple[Finding, ...]:
     """Check the named faces against the surface of the mesh.
 
-    Found are: a cavity that is open elsewhere than at a mirror plane (G02), surface without a name (G03), a face
-    whose triangles are no cell sides or point into the solid (G04).
+    Found are: a cavity that is open elsewhere than at a mirror plane (D01 where at an inlet, else G02), surface
+    without a name (G03), a face whose triangles are no cell sides or point into the solid (G04).
 
     Parameters
     ----------
@@ -85,30 +92,8 @@ def check_surface(mesh: Mesh) -> tuple[Finding, ...]:
     tuple of Finding
     """
     surface = outer_triangles(mesh)
-    return (*_open_cavities(mesh), *_unnamed(mesh, surface), *_misplaced(mesh, surface))
-
-
-def _open_cavities(mesh: Mesh) -> list[Finding]:
-    findings = []
-    mirrors = [mesh.face_nodes(name) for name in mesh.symmetry_faces]
-    for name in (n for n in mesh.faces if n.startswith("cavity")):
-        rim = rim_edges(mesh.face(name))
-        at_mirror = np.zeros(len(rim), dtype=bool)
-        for nodes in mirrors:
-            at_mirror |= np.isin(rim, nodes).all(axis=1)
-        if not at_mirror.all():
-            x, y, z = mesh.points[rim[~at_mirror]].mean(axis=(0, 1)) * 1e3
-            findings.append(
-                Finding(
-                    code="G02",
-                    severity=Severity.ERROR,
-                    message=f"Face '{name}' is not closed: {int((~at_mirror).sum())} of its edges end away from a "
-                    f"mirror plane, around ({x:.3g}, {y:.3g}, {z:.3g}) mm.",
-                    advice="Name all walls of the cavity, close its inlet, or name the mirror planes symmetry_*; "
-                    "an open cavity has no volume and its pressure no potential.",
-                )
-            )
-    return findings
+    rims = {name: rim_edges(mesh.face(name)) for name in mesh.cavities}
+    return (*check_openings(mesh, surface, rims), *_unnamed(mesh, surface), *_misplaced(mesh, surface))
 
 
 def _unnamed(mesh: Mesh, surface: Triangles) -> list[Finding]:
@@ -121,7 +106,7 @@ def _unnamed(mesh: Mesh, surface: Triangles) -> list[Finding]:
         Finding(
             code="G03",
             severity=Severity.WARNING,
-            message=f"{missing} of {len(surface)} surface triangles belong to no named face.",
+            message=f"{missing} of {len(surface)} surface {_plural(surface)} belong to no named face.",
             advice="Name them, 'outside' for instance, so that no wall with a pressure or a support is left out.",
         )
     ]
@@ -138,7 +123,8 @@ def _misplaced(mesh: Mesh, surface: Triangles) -> list[Finding]:
         outer = triangles[np.isin(keys, surface_keys)]
         inward = int((~np.isin(_oriented_keys(outer, count), outward)).sum())
         if strays or inward:
-            what = f"{strays} triangles that are no side of a cell" if strays else f"{inward} triangles facing inward"
+            shape = _plural(triangles)
+            what = f"{strays} {shape} that are no side of a cell" if strays else f"{inward} {shape} facing inward"
             findings.append(
                 Finding(
                     code="G04",
@@ -151,8 +137,13 @@ def _misplaced(mesh: Mesh, surface: Triangles) -> list[Finding]:
     return findings
 
 
+def _plural(sides: Triangles) -> str:
+    return "triangles" if side_type(sides.shape[1]).corners == 3 else "quadrilaterals"
+
+
 def _oriented_keys(triangles: Triangles, node_count: int) -> NDArray[np.int64]:
-    """One number for each triangle that changes when it is turned over, but not with the corner it begins at."""
-    first = triangles[:, :3].argmin(axis=1)
-    a, b, c = (triangles[np.arange(len(triangles)), (first + i) % 3] for i in range(3))
+    """One number for each side that changes when it is turned over, but not with the corner it begins at."""
+    corners = side_type(triangles.shape[1]).corners
+    first = triangles[:, :corners].argmin(axis=1)
+    a, b, c = (triangles[np.arange(len(triangles)), (first + i) % corners] for i in range(3))
     return np.asarray((a * node_count + b) * node_count + c, dtype=np.int64)

@@ -13,6 +13,9 @@ from turgor.meshing.mesh import Mesh
 from turgor.model.loads import Gravity, Load, Pressure, Traction
 from turgor.model.supports import Displacement, Support, Symmetry
 
+#: Formulations of the cells.
+MIXED, DISPLACEMENT = "mixed", "displacement"
+
 
 @dataclass(frozen=True, slots=True)
 class Membrane:
@@ -52,7 +55,10 @@ class Model:
     supports : sequence of Support
         What holds the body. Faces named ``symmetry_*`` are mirror planes without being listed.
     loads : sequence of Load
-        What drives it; each reaches its stated value at load factor 1.
+        What drives it; each reaches its stated value at load factor 1, or as its history says.
+    formulation : str
+        ``"mixed"``: a mean stress is an unknown beside the displacement, and cells do not lock, however incompressible
+        the rubber. ``"displacement"``: there is none, as in codes without mixed elements; for comparisons with these.
 
     Raises
     ------
@@ -64,6 +70,7 @@ class Model:
     materials: Mapping[str, Material | Membrane]
     supports: tuple[Support, ...]
     loads: tuple[Load, ...]
+    formulation: str
 
     def __init__(
         self,
@@ -71,6 +78,7 @@ class Model:
         materials: Mapping[str, Material | Membrane],
         supports: Sequence[Support],
         loads: Sequence[Load],
+        formulation: str = MIXED,
     ) -> None:
         mirrored = {s.face for s in supports if isinstance(s, Symmetry)}
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
@@ -78,8 +86,10 @@ class Model:
         object.__setattr__(self, "materials", MappingProxyType(dict(materials)))
         object.__setattr__(self, "supports", tuple(supports) + added)
         object.__setattr__(self, "loads", tuple(loads))
+        object.__setattr__(self, "formulation", formulation)
         self._check_materials()
         self._check_faces()
+        self._check_formulation()
 
     def _check_materials(self) -> None:
         for name, material in self.materials.items():
@@ -110,6 +120,16 @@ class Model:
                 self.mesh.face(load.face)
             if isinstance(load, Pressure) and not np.isfinite(load.pressure):
                 raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
+
+    def _check_formulation(self) -> None:
+        if self.formulation not in (MIXED, DISPLACEMENT):
+            raise unknown("formulation", self.formulation, (MIXED, DISPLACEMENT))
+        for name, material in self.region_materials.items():
+            if self.formulation == DISPLACEMENT and material.incompressible:
+                raise TurgorError(
+                    f"materials.{name}: '{material.name}' is incompressible, and the formulation 'displacement' needs "
+                    "a finite bulk modulus; take 'mixed', or give one."
+                )
 
     @property
     def region_materials(self) -> dict[str, Material]:

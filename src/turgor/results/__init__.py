@@ -16,7 +16,10 @@ from turgor.results.measures import (
     smallest_gap,
     tip_displacement,
     tip_displacement_x,
+    tip_displacement_y,
     tip_displacement_z,
+    twist_angle,
+    volume_of,
 )
 from turgor.results.pictures import View, picture_title, shared_view, write_picture
 from turgor.results.plots import plot_response, response_figure, write_plot
@@ -46,7 +49,10 @@ __all__ = [
     "smallest_gap",
     "tip_displacement",
     "tip_displacement_x",
+    "tip_displacement_y",
     "tip_displacement_z",
+    "twist_angle",
+    "volume_of",
     "write_picture",
     "write_plot",
     "write_report",

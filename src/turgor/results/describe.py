@@ -9,6 +9,7 @@ from typing import Any
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality import MeshQuality
+from turgor.model.drive import rises
 from turgor.model.loads import BodyForce, Gravity, Pressure, Traction
 from turgor.model.model import Membrane, Model
 from turgor.model.supports import Displacement, Fixed
@@ -34,8 +35,8 @@ def loads(model: Model) -> list[str]:
     said = []
     for load in model.loads:
         match load:
-            case Pressure(face, pressure):
-                said.append(f"Gauge pressure {pressure / kPa:g} kPa on {face}, following the surface.")
+            case Pressure(face):
+                said.append(f"Gauge pressure {load.at(1.0) / kPa:g} kPa on {face}, following the surface{_way(load)}.")
             case Traction(face, vector):
                 shown = ", ".join(f"{component / kPa:g}" for component in vector)
                 said.append(f"Traction ({shown}) kPa on {face}, fixed in direction.")
@@ -44,6 +45,15 @@ def loads(model: Model) -> list[str]:
             case BodyForce():
                 said.append("Force per volume, given as a function of position.")
     return said or ["None."]
+
+
+def _way(load: Pressure) -> str:
+    """How a pressure gets to its last value, unless it just grows."""
+    if rises(load):
+        return ""
+    return ", after " + ", ".join(
+        f"{load.at(factor) / kPa:g} kPa at load factor {factor:g}" for factor, _ in load.history[:-1]
+    )
 
 
 def supports(model: Model) -> list[str]:
@@ -64,7 +74,7 @@ def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
     """Counts of a mesh and, where it was measured, its quality."""
     share = {1: "whole actuator", 2: "half, mirrored", 4: "quarter, mirrored"}.get(of.symmetry_factor, "part, mirrored")
     rows = [
-        ("cells", f"{len(of.cells):,} ten-node tetrahedra ({share})"),
+        ("cells", f"{len(of.cells):,} {of.cell_type.name.replace('hedron', 'hedra')} ({share})"),
         ("nodes", f"{len(of.points):,}"),
         ("unknowns", f"{of.unknown_count:,} displacements and mean stresses"),
         ("regions", ", ".join(f"{name} {len(cells):,}" for name, cells in of.regions.items())),

@@ -7,9 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.fields import CellFields, cell_fields, nodal_average
-from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.engine.reference import reference_nodes, tables_at
+from turgor.meshing.mesh import Mesh
 from turgor.meshing.proximity import FacingWalls, find_facing_walls
-from turgor.model.model import Model
+from turgor.meshing.surface import outer_triangles
+from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.solution import State
 
 Array = NDArray[np.float64]
@@ -42,6 +44,11 @@ class MeshFacts:
     def walls(self) -> FacingWalls:
         """Pairs of outer walls that may meet."""
         return find_facing_walls(self.mesh)
+
+    @cached_property
+    def surface(self) -> NDArray[np.int64]:
+        """The whole surface of the mesh, (f, k): sides of cells that no other cell shares."""
+        return outer_triangles(self.mesh)
 
     def of_whole(self, vector: Array) -> Array:
         """Mean over the whole actuator of a vector of the modeled part: what points along a mirror's normal cancels."""
@@ -108,10 +115,13 @@ class StateFields:
 
     @cached_property
     def mean_stress(self) -> Array:
-        """Mean stress at every node, (n,) [Pa]: the multiplier at vertices, half way between them at mid-side nodes."""
+        """Mean stress at every node, (n,) [Pa]: the multiplier at vertices, interpolated between them elsewhere."""
+        if self.model.formulation == DISPLACEMENT:
+            return nodal_average(self.mesh, self.cells.mean_stress)
+        corners = self.mesh.cell_type.corners
         out = np.empty(len(self.mesh.points))
         out[: self.mesh.vertex_count] = self.state.mean_stress
-        for k, (a, b) in enumerate(TETRAHEDRON_EDGES):
-            ends = self.mesh.cells[:, [a, b]]
-            out[self.mesh.cells[:, 4 + k]] = self.state.mean_stress[ends].mean(axis=1)
+        nodes = reference_nodes(self.mesh.cells.shape[1])
+        between = tables_at(self.mesh.cells.shape[1], nodes, np.ones(len(nodes))).M[corners:]
+        out[self.mesh.cells[:, corners:]] = self.state.mean_stress[self.mesh.cells[:, :corners]] @ between.T
         return out

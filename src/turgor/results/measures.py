@@ -1,5 +1,6 @@
 """Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -8,13 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine import surfaces
+from turgor.engine.element import element_of
 from turgor.errors import TurgorError, unknown
+from turgor.meshing.mesh import Mesh
 from turgor.meshing.proximity import smallest_gap as smallest_gap_between
-from turgor.meshing.surface import rim_edges
+from turgor.model.drive import common_pressure, pressures_at
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
 from turgor.response import COLUMN_UNITS, Column, Response
+from turgor.results.cavities import enclosed_volume
 from turgor.results.fields import MeshFacts, StateFields
+from turgor.results.rotations import face_rotation, twist
 from turgor.solvers.solution import Solution, State
 from turgor.source import Source
 
@@ -81,14 +86,16 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     Returns
     -------
     Response
-        First the drive: ``load_factor`` and, where a pressure acts, ``pressure`` of the first one; then the measures.
+        First the drive: ``load_factor`` and, where a pressure acts, ``pressure``, or ``cavity_1_pressure`` and the like
+        where faces have different ones; then the measures. With several cavities, ``cavity_volume`` of all is
+        followed by ``cavity_1_volume`` and so on.
 
     Raises
     ------
     TurgorError
         If a measure needs a face that the mesh does not have.
     """
-    chosen = measures or STANDARD_MEASURES
+    chosen = _with_each_cavity(measures or STANDARD_MEASURES, solution.model.mesh)
     facts = MeshFacts(solution.model.mesh)
     rows = []
     for state in solution.states:
@@ -108,7 +115,7 @@ def check_measures(model: Model, measures: Sequence[Measure]) -> None:
     mesh = model.mesh
     rest = State(
         model=model, load_factor=0.0, displacement=np.zeros_like(mesh.points),
-        mean_stress=np.zeros(mesh.vertex_count), nodal_force=np.zeros_like(mesh.points),
+        mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
     )  # fmt: skip
     at = StateFields(rest)
     for each in measures:
@@ -123,16 +130,52 @@ def find_measure(name: str) -> Measure:
     >>> find_measure("bending_angle").unit
     'deg'
     """
-    if name not in MEASURES:
-        raise unknown("measure", name, MEASURES)
-    return MEASURES[name]
+    if name in MEASURES:
+        return MEASURES[name]
+    if name.startswith("cavity_") and name.endswith("_volume"):
+        return volume_of(name.removesuffix("_volume"))
+    raise unknown("measure", name, MEASURES)
+
+
+def volume_of(cavity: str) -> Measure:
+    """Make the measure of the volume of one cavity, by the name of its face.
+
+    Examples
+    --------
+    >>> volume_of("cavity_1").name
+    'cavity_1_volume'
+    """
+    return Measure(
+        name=f"{_as_column(cavity)}_volume", unit="mL", function=lambda at: enclosed_volume(at, [cavity]),
+        definition=f"current volume enclosed by the face {cavity}, whole actuator",
+    )  # fmt: skip
+
+
+def _with_each_cavity(chosen: Sequence[Measure], mesh: Mesh) -> tuple[Measure, ...]:
+    """Add the volume of each cavity to that of all, where there are several."""
+    out, given = [], {each.name for each in chosen}
+    for each in chosen:
+        out.append(each)
+        if each is cavity_volume and len(mesh.cavities) > 1:
+            out += [one for one in map(volume_of, mesh.cavities) if one.name not in given]
+    return tuple(out)
+
+
+def _as_column(face: str) -> str:
+    """Name of a face as a part of the name of a column, which holds letters, digits and underscores only."""
+    return re.sub(r"\W", "_", face)
 
 
 def _drive(solution: Solution) -> tuple[Column, ...]:
     factors = np.array([state.load_factor for state in solution.states])
     columns = [Column("load_factor", "", factors)]
-    if solution.model.pressures:
-        columns.append(Column("pressure", "kPa", factors * solution.model.pressures[0].pressure))
+    common = common_pressure(solution.model)
+    if common is not None:
+        columns.append(Column("pressure", "kPa", np.array([common.at(factor) for factor in factors])))
+    elif solution.model.pressures:
+        acting = [pressures_at(solution.model, factor) for factor in factors]
+        for face in acting[0]:
+            columns.append(Column(f"{_as_column(face)}_pressure", "kPa", np.array([at[face] for at in acting])))
     return tuple(columns)
 
 
@@ -161,23 +204,16 @@ def _tip_vector(at: StateFields) -> Array:
     return at.facts.of_whole(weights @ at.displacement / weights.sum())
 
 
+def _twist_angle(at: StateFields) -> float:
+    if at.mesh.symmetry_faces:
+        return 0.0  # the mirror image turns the other way
+    return twist(face_rotation(at, "fixed").T @ face_rotation(at, "tip"))
+
+
 def _cavity_volume(at: StateFields) -> float:
-    names = [name for name in at.mesh.faces if name.startswith("cavity")]
-    if not names:
+    if not at.mesh.cavities:
         raise unknown("face", "cavity", at.mesh.faces)
-    triangles = np.unique(np.concatenate([at.mesh.face(name) for name in names]), axis=0)
-    points, rim = at.points.copy(), rim_edges(triangles)
-    at_mirror = np.zeros(len(rim), dtype=bool)
-    for face, plane in zip(at.mesh.symmetry_faces, at.facts.mirrors, strict=True):
-        points[:, plane.axis] -= plane.position  # a mirror plane adds nothing to ⅓ ∮ x·n da if it holds the origin
-        at_mirror |= np.isin(rim, at.mesh.face_nodes(face)).all(axis=1)
-    if not at_mirror.all():
-        raise TurgorError(
-            f"{', '.join(names)} encloses no volume: {int((~at_mirror).sum())} edges lie open, off any mirror plane; "
-            "close the inlet or name all walls of the cavity."
-        )
-    # normals point out of the solid, which is into the cavity
-    return -at.mesh.symmetry_factor * surfaces.enclosed_volume(points, triangles)
+    return enclosed_volume(at, at.mesh.cavities)
 
 
 def _reaction(at: StateFields) -> float:
@@ -206,9 +242,18 @@ tip_displacement_x = Measure(
     name="tip_displacement_x", unit="mm", function=lambda at: float(_tip_vector(at)[0]),
     definition="mean displacement of the face tip along x",
 )  # fmt: skip
+tip_displacement_y = Measure(
+    name="tip_displacement_y", unit="mm", function=lambda at: float(_tip_vector(at)[1]),
+    definition="mean displacement of the face tip along y",
+)  # fmt: skip
 tip_displacement_z = Measure(
     name="tip_displacement_z", unit="mm", function=lambda at: float(_tip_vector(at)[2]),
     definition="mean displacement of the face tip along z",
+)  # fmt: skip
+twist_angle = Measure(
+    name="twist_angle", unit="deg", function=_twist_angle, unwrap=True,
+    definition="rotation of the face tip against the face fixed about its own normal, positive counterclockwise "
+    "seen from the tip; zero where a mirror plane forbids it",
 )  # fmt: skip
 cavity_volume = Measure(
     name="cavity_volume", unit="mL", function=_cavity_volume,
@@ -241,5 +286,15 @@ STANDARD_MEASURES: tuple[Measure, ...] = (
 
 #: Every ready-made measure by name.
 MEASURES: Mapping[str, Measure] = MappingProxyType(
-    {each.name: each for each in (*STANDARD_MEASURES, tip_displacement_x, tip_displacement_z, smallest_gap)}
+    {
+        each.name: each
+        for each in (
+            *STANDARD_MEASURES,
+            tip_displacement_x,
+            tip_displacement_y,
+            tip_displacement_z,
+            twist_angle,
+            smallest_gap,
+        )
+    }
 )

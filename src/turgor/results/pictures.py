@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.response import Response
+from turgor.results.drive import face_of, pressures_in
 from turgor.results.fields import StateFields
 from turgor.results.raycast import Camera, Hits, Raster, Scene, camera
 from turgor.results.shading import GHOST, INK, Look, draw_lines, find_lines, paint, reduced
@@ -132,7 +133,7 @@ def write_picture(
     shown = [at] if ghost is None else [at, _fields(ghost)]
     view = view or shared_view(shown)
     skins = [visible_skin(each, each.von_mises) for each in shown]
-    figure = _compose(_render(skins, view), view, title)
+    figure = _compose(render(skins, view), view, title)
     figure.savefig(path, metadata={"Software": None})
 
 
@@ -148,8 +149,9 @@ def picture_title(response: Response, row: int = -1, name: str = "") -> str:
     'finger · 50 kPa · bending angle 85.9°'
     """
     parts = [name] if name else []
-    if "pressure" in response.names:
-        parts.append(f"{response.column('pressure')[row] / kPa:.4g} kPa")
+    pressures = [f"{face_of(column)} {column.values[row] / kPa:.4g} kPa".strip() for column in pressures_in(response)]
+    if pressures:
+        parts.append(", ".join(pressures))
     elif "load_factor" in response.names:
         parts.append(f"load factor {response.column('load_factor')[row]:.4g}")
     if "bending_angle" in response.names:
@@ -177,7 +179,7 @@ def _color_map() -> Colormap:
     return LinearSegmentedColormap.from_list("stress", (1 - share) * to_rgba(RUBBER) + share * colors)
 
 
-def _render(skins: list[Skin], view: View) -> NDArray[np.uint8]:
+def render(skins: list[Skin], view: View, colors: Colormap | None = None) -> NDArray[np.uint8]:
     """Image of the first skin with the lines of the others behind it, (h, w, 3)."""
     heights = np.concatenate([view.eye.project(skin.points)[:, 1] for skin in skins])
     rows = int(np.ceil(np.ptp(heights) / view.pixel)) + MARGIN
@@ -188,7 +190,7 @@ def _render(skins: list[Skin], view: View) -> NDArray[np.uint8]:
     scenes = [Scene(skin, view.eye) for skin in skins]
     near = [scene.near(raster) for scene in scenes]
     sky = scenes[0].openness(SKY_REACH * float(np.ptp(skins[0].points, axis=0).max()))
-    look = Look(colors=_color_map(), limit=view.limit, openness=sky)
+    look = Look(colors=colors or _color_map(), limit=view.limit, openness=sky)
     image = np.empty((rows, view.width, 3), dtype=np.uint8)
     for start in range(0, rows, BAND):  # in bands, so that memory stays small; lines need the rows next to a band
         first, last = max(start - 2, 0), min(start + BAND + 2, rows)
@@ -226,11 +228,11 @@ def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
     bar.tick_params(labelsize=16, colors=_hex(INK), length=5)
     note = f"von Mises stress [kPa]; {PERCENTILE:g} % of the surface lie within the bar"
     figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=_hex(INK))
-    _draw_axes(figure, view)
+    draw_axes(figure, view)
     return figure
 
 
-def _draw_axes(figure: Figure, view: View) -> None:
+def draw_axes(figure: Figure, view: View) -> None:
     """Draw x, y and z as they are seen, each as long as a round length at the scale of the picture."""
     width, height = figure.get_size_inches() * 100
     length = _round_length(72 * view.pixel)

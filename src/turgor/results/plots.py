@@ -1,6 +1,7 @@
 """Plots of a response: a function takes axes and returns them; no global state of matplotlib is touched."""
 
 from io import StringIO
+from itertools import cycle
 from pathlib import Path
 
 import matplotlib
@@ -10,8 +11,12 @@ from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
 from turgor.response import Response
+from turgor.results.drive import drive_of, face_of, pressures_in, with_each_cavity
 
 BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
+
+#: Lines that share a panel, in this order; told apart by people who see few colors too (Okabe and Ito 2008).
+COLORS = (BLUE, "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 
 #: Columns that the plot of a response shows where it has them, a panel each.
 PANELS = ("bending_angle", "cavity_volume", "maximum_principal_stretch", "maximum_von_mises")
@@ -63,7 +68,8 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
 def response_figure(response: Response, title: str = "") -> Figure:
     """Draw the response against its drive: bending angle, cavity volume, largest stretch and von Mises stress.
 
-    Panels whose column is missing are left out; if none is there, every measured column gets one.
+    Panels whose column is missing are left out; if none is there, every measured column gets one. Several pressures
+    share a panel of their own, which comes first; the others are drawn against the load factor then.
 
     Parameters
     ----------
@@ -72,22 +78,39 @@ def response_figure(response: Response, title: str = "") -> Figure:
     title : str
         Line above the panels.
     """
-    drive = "pressure" if "pressure" in response.names else response.names[0]
-    measured = [name for name in response.names if name not in ("load_factor", "pressure", drive)]
-    panels = [name for name in PANELS if name in measured] or measured
+    drive = drive_of(response)
+    pressures = [column.name for column in pressures_in(response)]
+    measured = [name for name in response.names if name not in ("load_factor", drive, *pressures)]
+    chosen = [name for name in PANELS if name in measured] or measured
+    panels = [with_each_cavity(response, name) for name in chosen]
     if not panels:
         raise TurgorError(f"the response holds {', '.join(response.names)} only; there is nothing to plot against it.")
+    if pressures and drive not in pressures:
+        panels.insert(0, pressures)
     columns = min(2, len(panels))
     rows = -(-len(panels) // columns)
     figure = Figure(
         figsize=(5.2 * columns, 3.3 * rows + (0.4 if title else 0)), layout="constrained", facecolor="white"
     )
     FigureCanvasAgg(figure)
-    for number, name in enumerate(panels):
-        plot_response(figure.add_subplot(rows, columns, number + 1), response, drive, name)
+    for number, names in enumerate(panels):
+        _plot_lines(figure.add_subplot(rows, columns, number + 1), response, drive, names)
     if title:
         figure.suptitle(title, x=0.01, ha="left", color=INK, fontsize=13)
     return figure
+
+
+def _plot_lines(axes: Axes, response: Response, drive: str, names: list[str]) -> Axes:
+    """Plot columns of one kind into one panel, with a legend where there are several."""
+    if len(names) == 1:
+        return plot_response(axes, response, drive, names[0])
+    for name, color in zip(names, cycle(COLORS), strict=False):
+        label = "all" if name == "cavity_volume" else face_of(response.find(name)).replace("_", " ")
+        plot_response(axes, response, drive, name, color=color, label=label)
+    column = response.find(names[0])
+    axes.set_ylabel(f"{column.name.rpartition('_')[2]} [{column.unit}]", color=INK)
+    axes.legend(frameon=False, labelcolor=INK)
+    return axes
 
 
 def write_plot(path: str | Path, response: Response, title: str = "") -> None:

@@ -14,7 +14,8 @@ from turgor.finding import Finding, Severity
 from turgor.meshing.quality import MeshQuality
 from turgor.response import Column, Response
 from turgor.results import describe
-from turgor.results.measures import MEASURES
+from turgor.results.drive import drive_of, pressures_in, with_each_cavity
+from turgor.results.measures import MEASURES, find_measure
 from turgor.results.plots import response_svg
 from turgor.solvers.solution import Solution, Timing
 
@@ -112,7 +113,7 @@ def _context(report: Report) -> dict[str, object]:
         "picture_width": _picture_width(report.pictures),
         "plot": response_svg(response) if len(response) > 1 else "",
         "response": _table(response),
-        "definitions": [(_words(column), MEASURES[column.name].definition) for column in _measured(response)],
+        "definitions": _definitions(response),
         "loads": describe.loads(model),
         "supports": describe.supports(model),
         "mesh": describe.mesh(model.mesh, report.quality),
@@ -142,8 +143,11 @@ def _picture_width(pictures: tuple[Picture, ...]) -> int:
 
 def _numbers(response: Response) -> list[tuple[str, str]]:
     """Values of the last state with their names: the drive, then what a reader looks for first."""
-    drive = "pressure" if "pressure" in response.names else response.names[0]
-    shown = [drive, *(name for name in HEADLINE if name in response.names and name != drive)]
+    drives = [column.name for column in pressures_in(response)] or [drive_of(response)]
+    shown = [*drives]
+    for name in HEADLINE:
+        if name in response.names and name not in drives:
+            shown += with_each_cavity(response, name)
     numbers = []
     for name in shown:
         column = response.find(name)
@@ -152,8 +156,14 @@ def _numbers(response: Response) -> list[tuple[str, str]]:
     return numbers
 
 
-def _measured(response: Response) -> list[Column]:
-    return [column for column in response.columns if column.name in MEASURES]
+def _definitions(response: Response) -> list[tuple[str, str]]:
+    """Names and definitions of the columns that ready-made measures filled."""
+    volumes = with_each_cavity(response, "cavity_volume") if "cavity_volume" in response.names else []
+    return [
+        (_words(column), find_measure(column.name).definition)
+        for column in response.columns
+        if column.name in MEASURES or column.name in volumes
+    ]
 
 
 def _words(column: Column) -> str:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from functools import cache
 from math import cos
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,9 +11,10 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from turgor.engine.reference import reference_nodes, tables_at
+from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
-from turgor.results.fields import MirrorPlane, StateFields
+from turgor.results.fields import MeshFacts, MirrorPlane
 from turgor.units import deg
 
 Array = NDArray[np.float64]
@@ -26,6 +28,22 @@ PARTS = 4
 
 #: Beyond this many flat triangles the sides are cut in two instead: the mesh is fine enough by itself.
 MANY = 150_000
+
+
+class Drawn(Protocol):
+    """What is drawn: a state, or a mesh by itself."""
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh."""
+
+    @property
+    def points(self) -> Array:
+        """Current positions of all nodes, (n, 3) [m]."""
+
+    @property
+    def facts(self) -> MeshFacts:
+        """The mirror planes."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -59,18 +77,18 @@ class Skin:
         return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
 
 
-def visible_skin(at: StateFields, values: Array) -> Skin:
+def visible_skin(at: Drawn, values: Array) -> Skin:
     """Build the skin of a state: outer surface without the mirror planes, mirrored to the whole actuator.
 
     Parameters
     ----------
-    at : StateFields
+    at : Drawn
         The state.
     values : (n,) array
         Values at the nodes of the mesh.
     """
     mesh = at.mesh
-    triangles, region = _drawn_triangles(mesh)
+    triangles, region = drawn_triangles(mesh)
     smooth = _smooth_patches(mesh.points, triangles)
     normals = _nodal_normals(at, triangles, smooth)
     patch = np.unique(np.stack([smooth, region], axis=1), axis=0, return_inverse=True)[1].ravel()
@@ -93,12 +111,13 @@ def visible_skin(at: StateFields, values: Array) -> Skin:
     return skin
 
 
-def _drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
+def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
     """Outer triangles that lie on no mirror plane, and the number of the region behind each."""
-    triangles = outer_triangles(mesh)
+    triangles = six_node_triangles(outer_triangles(mesh))
     count = len(mesh.points)
     for name in mesh.symmetry_faces:
-        on_plane = np.isin(corner_keys(triangles, count), corner_keys(mesh.face(name), count))
+        plane = six_node_triangles(mesh.face(name))
+        on_plane = np.isin(corner_keys(triangles, count), corner_keys(plane, count))
         triangles = triangles[~on_plane]
     touching = np.zeros((len(mesh.regions), count), dtype=bool)
     for number, cells in enumerate(mesh.regions.values()):
@@ -125,14 +144,14 @@ def _smooth_patches(points: Array, triangles: Ints) -> Ints:
 
 def _unit_normals(points: Array, triangles: Ints) -> Array:
     """Unit normals at the six nodes of every triangle, (f, 6, 3)."""
-    nodes = reference_nodes(2)
-    dN = tables_at(2, nodes, np.ones(len(nodes))).dN
+    nodes = reference_nodes(6)
+    dN = tables_at(6, nodes, np.ones(len(nodes))).dN
     tangents = np.einsum("qad,fai->fqid", dN, points[triangles])
     normals = np.cross(tangents[..., 0], tangents[..., 1])
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-30))
 
 
-def _nodal_normals(at: StateFields, triangles: Ints, patch: Ints) -> Array:
+def _nodal_normals(at: Drawn, triangles: Ints, patch: Ints) -> Array:
     """Current normals at the nodes of every triangle, averaged within each patch, (f, 6, 3)."""
     own = _unit_normals(at.points, triangles)
     key = (patch[:, None] * len(at.mesh.points) + triangles).ravel()
@@ -156,7 +175,7 @@ def _subdivision(parts: int) -> tuple[Array, Ints]:
             if i + j < parts - 1:
                 pieces.append((number[i + 1, j], number[i + 1, j + 1], number[i, j + 1]))
     lattice = np.array(list(number), dtype=np.float64) / parts
-    return tables_at(2, lattice, np.ones(len(lattice))).N, np.array(pieces)
+    return tables_at(6, lattice, np.ones(len(lattice))).N, np.array(pieces)
 
 
 def _with_image(skin: Skin, plane: MirrorPlane) -> Skin:

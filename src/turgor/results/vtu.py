@@ -15,12 +15,11 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.meshing.mesh import Mesh
+from turgor.model.drive import common_pressure, rises
 from turgor.results.fields import StateFields
 from turgor.solvers.solution import Solution, State
 from turgor.units import kPa
-
-#: VTK's number of the ten-node tetrahedron, whose node order is ours.
-QUADRATIC_TETRA = 24
 
 #: Rows and columns of the six components of a symmetric tensor, in VTK's order.
 SYMMETRIC = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
@@ -33,8 +32,20 @@ _TYPES = {"f8": "Float64", "f4": "Float32", "i4": "Int32", "u1": "UInt8"}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Array:
-    """A named array with its unit and the names of its components."""
+class VtuArray:
+    """A named array with its unit and the names of its components.
+
+    Parameters
+    ----------
+    name : str
+        Name under which ParaView lists it.
+    values : (n,) or (n, k) array
+        A row for each point or cell.
+    unit : str
+        Unit, empty for a pure number.
+    components : tuple of str
+        Names of the k columns.
+    """
 
     name: str
     values: NDArray[Any]
@@ -60,44 +71,62 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
     mesh = at.mesh
     cauchy = np.stack([at.cauchy_stress[:, i, j] for i, j in SYMMETRIC], axis=1)
     point_data = [
-        _Array("displacement", at.displacement.astype("f8"), "m", ("X", "Y", "Z")),
-        _Array("mean_stress", at.mean_stress.astype("f4"), "Pa"),
-        _Array("cauchy_stress", cauchy.astype("f4"), "Pa", SYMMETRIC_NAMES),
-        _Array("von_mises", at.von_mises.astype("f4"), "Pa"),
-        _Array("stretch", at.stretch.astype("f4")),
+        VtuArray("displacement", at.displacement.astype("f8"), "m", ("X", "Y", "Z")),
+        VtuArray("mean_stress", at.mean_stress.astype("f4"), "Pa"),
+        VtuArray("cauchy_stress", cauchy.astype("f4"), "Pa", SYMMETRIC_NAMES),
+        VtuArray("von_mises", at.von_mises.astype("f4"), "Pa"),
+        VtuArray("stretch", at.stretch.astype("f4")),
     ]
+    load_factor = VtuArray("load_factor", np.array([at.state.load_factor], dtype="f8"))
+    Path(path).write_text(grid_text(mesh, point_data, [], [load_factor]), encoding="utf-8")
+
+
+def grid_text(
+    mesh: Mesh, point_data: Sequence[VtuArray], cell_data: Sequence[VtuArray], field_data: Sequence[VtuArray]
+) -> str:
+    """Write a mesh with its curved cells, the region of each, and fields, as the text of a VTU file.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        The modeled part.
+    point_data, cell_data, field_data : sequence of VtuArray
+        Fields at the nodes, in the cells, and of the whole.
+
+    Returns
+    -------
+    str
+    """
     region = np.empty(len(mesh.cells), dtype="i4")
     for number, cells in enumerate(mesh.regions.values()):
         region[cells] = number
     count = len(mesh.cells)
     connectivity = [
-        _Array("connectivity", mesh.cells.astype("i4")),
-        _Array("offsets", np.arange(10, 10 * count + 1, 10, dtype="i4")),
-        _Array("types", np.full(count, QUADRATIC_TETRA, dtype="u1")),
+        VtuArray("connectivity", mesh.cells.astype("i4")),
+        VtuArray("offsets", (np.arange(count, dtype="i4") + 1) * mesh.cells.shape[1]),
+        VtuArray("types", np.full(count, mesh.cell_type.vtk, dtype="u1")),
     ]
     lines = [
         *_opening("UnstructuredGrid"),
         "<UnstructuredGrid>",
-        *_section(
-            "FieldData", [_Array("load_factor", np.array([at.state.load_factor], dtype="f8"))], _region_names(at)
-        ),
+        *_section("FieldData", field_data, _region_names(mesh)),
         f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfCells="{count}">',
         *_section("PointData", point_data),
-        *_section("CellData", [_Array("region", region)]),
-        *_section("Points", [_Array("points", mesh.points.astype("f8"), "m", ("X", "Y", "Z"))]),
+        *_section("CellData", [VtuArray("region", region), *cell_data]),
+        *_section("Points", [VtuArray("points", mesh.points.astype("f8"), "m", ("X", "Y", "Z"))]),
         *_section("Cells", connectivity),
         "</Piece>",
         "</UnstructuredGrid>",
         "</VTKFile>",
     ]
-    Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return "\n".join(lines) + "\n"
 
 
 def write_series(folder: str | Path, solution: Solution, name: str = "state") -> Path:
     """Write every state of a path as VTU, and a PVD file that lists them for ParaView.
 
-    The time of the PVD is the pressure in kPa of the first pressure load, or the load factor where none acts;
-    a comment in the file says which.
+    The time of the PVD is the pressure in kPa where one pressure acts and grows along the path, or else the load
+    factor; a comment in the file says which.
 
     Parameters
     ----------
@@ -114,8 +143,9 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
         The PVD file.
     """
     folder = Path(folder)
-    pressures = solution.model.pressures
-    scale, meaning = (pressures[0].pressure / kPa, "pressure [kPa]") if pressures else (1.0, "load factor")
+    common = common_pressure(solution.model)
+    grows = common is not None and rises(common)
+    scale, meaning = (common.pressure / kPa, "pressure [kPa]") if common and grows else (1.0, "load factor")
     entries = []
     for number, state in enumerate(solution.states):
         file = f"{name}_{number:04d}.vtu"
@@ -136,20 +166,20 @@ def _opening(kind: str) -> list[str]:
     ]
 
 
-def _region_names(at: StateFields) -> str:
+def _region_names(mesh: Mesh) -> str:
     """Names of the regions as VTK writes strings: the codes of their letters, each name ended by a zero."""
-    codes = b"".join(name.encode() + b"\0" for name in at.mesh.regions)
+    codes = b"".join(name.encode() + b"\0" for name in mesh.regions)
     return (
-        f'<Array type="String" Name="region_names" NumberOfTuples="{len(at.mesh.regions)}" format="ascii">'
+        f'<Array type="String" Name="region_names" NumberOfTuples="{len(mesh.regions)}" format="ascii">'
         f"{' '.join(map(str, codes))}</Array>"
     )
 
 
-def _section(tag: str, arrays: Sequence[_Array], more: str = "") -> list[str]:
+def _section(tag: str, arrays: Sequence[VtuArray], more: str = "") -> list[str]:
     return [f"<{tag}>", *(_data_array(array, tag) for array in arrays), *([more] if more else []), f"</{tag}>"]
 
 
-def _data_array(array: _Array, tag: str) -> str:
+def _data_array(array: VtuArray, tag: str) -> str:
     values = np.ascontiguousarray(array.values)
     names = "".join(f' ComponentName{k}="{name}"' for k, name in enumerate(array.components))
     components = f' NumberOfComponents="{values.shape[1]}"' if values.ndim == 2 and tag != "Cells" else ""

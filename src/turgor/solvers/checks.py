@@ -8,8 +8,9 @@ from scipy.interpolate import PchipInterpolator
 from turgor.engine.boundary import held_components
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
-from turgor.meshing.proximity import find_facing_walls, smallest_gap
+from turgor.meshing.proximity import FacingWalls, find_facing_walls, smallest_gap
 from turgor.meshing.surface import outer_triangles
+from turgor.model.drive import common_pressure, drive_text, kinks, pressures_at, rises
 from turgor.model.model import Model
 from turgor.solvers.solution import State
 
@@ -39,27 +40,71 @@ def check_supports(model: Model) -> None:
 
 
 def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
-    """Find the load at which outer walls first met (B02); results beyond it are not physical without contact."""
-    walls = find_facing_walls(model.mesh)
+    """Find the load at which walls first met (B02); results beyond it are not physical without contact.
+
+    Looked at are the outer walls, and the walls of each cavity that is pressed together: by a higher pressure in
+    another one, or by less than the pressure of the air around. 20-node hexahedra, which serve comparisons with other
+    codes, are not watched.
+    """
+    if not model.mesh.cell_type.side.triangles:
+        return ()
+    found = []
+    for cavity in (None, *pressed_together(model)):
+        first = _first_contact(find_facing_walls(model.mesh, cavity=cavity), states)
+        if first is not None:
+            found.append(_met(model, cavity, first))
+    return tuple(found)
+
+
+def pressed_together(model: Model) -> tuple[str, ...]:
+    """Name the cavities whose pressure is at some load below that of another one, or below zero."""
+    found = set()
+    for factor in (*kinks(model), 1.0):
+        pressures = {name: p for name, p in pressures_at(model, factor).items() if name in model.mesh.cavities}
+        found |= {name for name, pressure in pressures.items() if pressure < max(0.0, *pressures.values())}
+    return tuple(name for name in model.mesh.cavities if name in found)
+
+
+def unloaded_cavities(model: Model) -> tuple[Finding, ...]:
+    """Say which cavities have no pressure of their own while others have one (B03)."""
+    loaded = {load.face for load in model.pressures}
+    empty = [name for name in model.mesh.cavities if name not in loaded]
+    if not empty or len(empty) == len(model.mesh.cavities):
+        return ()
+    return (
+        Finding(
+            code="B03",
+            severity=Severity.NOTE,
+            message=f"No pressure is stated for {', '.join(empty)}: it stays open to the air, at 0 kPa.",
+            advice=f"Give it one under [loads.{empty[0]}] if it should have any.",
+        ),
+    )
+
+
+def _first_contact(walls: FacingWalls, states: Sequence[State]) -> float | None:
+    """Load factor at which the gap between walls was first closed; None where it never was."""
     gaps: list[float] = []
     for state in states:
         gaps.append(smallest_gap(walls, state.displacement))
         if not np.isfinite(gaps[0]):
-            return ()
+            return None
         if gaps[-1] <= 0:
             factors = [s.load_factor for s in states[: len(gaps)]]
-            first = PchipInterpolator(factors, gaps).roots(extrapolate=False).min() if len(gaps) > 1 else 0.0
-            return (_met(model, float(first)),)
-    return ()
+            return float(PchipInterpolator(factors, gaps).roots(extrapolate=False).min()) if len(gaps) > 1 else 0.0
+    return None
 
 
-def _met(model: Model, factor: float) -> Finding:
-    load = f"load factor {factor:.3g}"
-    if model.pressures:
-        load = f"{model.pressures[0].pressure * factor / 1e3:.3g} kPa"
+def _met(model: Model, cavity: str | None, factor: float) -> Finding:
+    load, pressures = f"load factor {factor:.3g}", drive_text(model, factor, 3)
+    common = common_pressure(model)
+    if common is not None and rises(common):
+        load = pressures
+    elif pressures:
+        load += f" ({pressures})"
+    walls = "Outer walls" if cavity is None else f"Walls of {cavity}"
     return Finding(
         code="B02",
         severity=Severity.ERROR,
-        message=f"Outer walls met at {load}; beyond it they pass through each other, because no contact is defined.",
+        message=f"{walls} met at {load}; beyond it they pass through each other, because no contact is defined.",
         advice=f"Use the results below {load} only, or ask for a lower pressure.",
     )

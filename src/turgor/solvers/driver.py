@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.tangent import Tangent
-from turgor.model.model import Model
+from turgor.model.drive import kinks
+from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.checks import check_supports, meeting_walls
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Start, evaluate, newton, relative_residual
 from turgor.solvers.outcome import Outcome, converged, interrupted, stopped_by, stuck, too_many_steps
@@ -42,6 +43,7 @@ class _Hooks:
 class _Path:
     """What the run has found so far."""
 
+    kinks: tuple[float, ...]
     states: list[State] = field(default_factory=list)
     history: list[tuple[float, Array, Stresses]] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
@@ -91,12 +93,12 @@ def solve(
     check_supports(model)
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
-        compiling = compile_kernels(options.notify)
+        compiling = compile_kernels(options.notify, model.mesh.cell_type.nodes, model.formulation != DISPLACEMENT)
         setup = perf_counter()
         system = System(model)
         tangent = Tangent(system, options.linear_solver, threads)
         setup = perf_counter() - setup
-        path = _Path()
+        path = _Path(kinks(model))
         outcome = _follow(system, tangent, procedure, hooks, path)
     clock = tangent.clock
     timing = Timing(
@@ -133,7 +135,7 @@ def _follow(system: System, tangent: Tangent, procedure: Static, hooks: _Hooks, 
     assert at_rest is not None
     path.history.append((0.0, rest, system.stresses(at_rest)))
     path.states.append(_state(system, at_rest, None))
-    control = StepControl.of(procedure)
+    control = StepControl.of(procedure, path.kinks)
     try:
         while path.history[-1][0] < 1.0:
             if len(path.steps) >= procedure.max_steps:
@@ -180,11 +182,11 @@ def _advance(
             return stuck(system.model, path.states, path.steps, path.lost_stability)
         return shorter
     path.lost_stability = False
-    return _accept(system, tangent, result, control, hooks, path)
+    return _accept(system, result, procedure, control, hooks, path)
 
 
 def _accept(
-    system: System, tangent: Tangent, result: NewtonResult, control: StepControl, hooks: _Hooks, path: _Path
+    system: System, result: NewtonResult, procedure: Static, control: StepControl, hooks: _Hooks, path: _Path
 ) -> StepControl | Outcome:
     evaluation = result.evaluation
     assert evaluation is not None
@@ -199,7 +201,11 @@ def _accept(
     reason = hooks.stop(state) if hooks.stop is not None else None
     if reason is not None:
         return stopped_by(system.model, state, reason)
-    return control.accepted(increment, result.iterations)
+    control = control.accepted(increment, result.iterations)
+    if state.load_factor not in path.kinks:
+        return control
+    del path.history[:-1]  # beyond a kink the path goes another way: its past predicts nothing
+    return control.turned(procedure.first_step)
 
 
 def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Start:

@@ -24,6 +24,10 @@ Array = NDArray[np.float64]
 KEEP_FACTORS_BELOW = 1e-3
 KEEP_FACTORS_CONTRACTION = 0.1
 
+#: Forces are compared with this share of the full load at least: where all pressures have fallen back to zero, nothing
+#: but round-off would be left to compare with.
+SMALL_FORCE = 1e-5
+
 #: Shortest update that the line search tries.
 SHORTEST_STEP = 1.0 / 64
 
@@ -91,10 +95,13 @@ def relative_residual(system: System, at: Evaluation) -> float:
     scale = max(
         float(np.linalg.norm(at.external[:displacement][~held])),
         float(np.linalg.norm(force[held])),
+        SMALL_FORCE * system.full_force,
         1e-14 * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off
     )
     unbalanced = float(np.linalg.norm(force[~held])) / scale
-    volume = float(np.linalg.norm(at.residual[displacement:])) / float(np.linalg.norm(system.vertex_volumes))
+    if not system.element.mean_count:
+        return unbalanced
+    volume = float(np.linalg.norm(at.residual[displacement:])) / float(np.linalg.norm(system.mean_stress_volumes))
     return max(unbalanced, volume)
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from turgor.model.drive import drive_text
 from turgor.model.model import Model
 from turgor.solvers.procedures import Static
 from turgor.solvers.solution import State, Status, Step
@@ -18,11 +19,9 @@ class Outcome:
 
 
 def _load(model: Model, load_factor: float) -> str:
-    """The load at a load factor, in words: the pressure where one drives."""
-    if model.pressures:
-        kilopascal = model.pressures[0].pressure * load_factor / 1e3
-        return f"{kilopascal:.4g} kPa (load factor {load_factor:.4g})"
-    return f"load factor {load_factor:.4g}"
+    """The load at a load factor, in words: the pressures where any drive."""
+    pressures = drive_text(model, load_factor)
+    return f"{pressures} (load factor {load_factor:.4g})" if pressures else f"load factor {load_factor:.4g}"
 
 
 def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> Outcome:

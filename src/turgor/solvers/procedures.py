@@ -12,7 +12,7 @@ class Static:
     Parameters
     ----------
     first_step : float [-]
-        First increment of the load factor, in (0, 1].
+        First increment of the load factor, at the start and after every point of a pressure's history, in (0, 1].
     max_step : float [-]
         Largest increment, in (0, 1].
     min_step : float [-]

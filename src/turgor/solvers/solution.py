@@ -35,8 +35,8 @@ class State:
         How much of the loads acts, 0 to 1.
     displacement : (n, 3) array [m]
         Displacement of every node.
-    mean_stress : (v,) array [Pa]
-        Multiplier of the volume constraint at each vertex (tension positive).
+    mean_stress : (m,) array [Pa]
+        Multipliers of the volume constraint at each vertex (tension positive); none in the displacement formulation.
     nodal_force : (n, 3) array [N]
         Internal minus external force at every node: zero where it is free, the support's reaction where it is held.
     unstable_modes : int or None

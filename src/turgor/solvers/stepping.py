@@ -1,5 +1,6 @@
 """Step control: how far the next step goes. It knows load factors and iteration counts, nothing else."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from turgor.solvers.procedures import Static
@@ -12,6 +13,9 @@ CUT = 0.35
 
 #: The last stretch to a target is taken whole if it is no longer than this many steps.
 STRETCH = 1.25
+
+#: A load factor that was asked for this near a kink is the kink.
+ROUND_OFF = 1e-12
 
 #: Load factors between targets are rounded to this many digits, so that tables read well.
 LOAD_DIGITS = 6
@@ -40,9 +44,10 @@ class StepControl:
     patience: int = 2
 
     @staticmethod
-    def of(procedure: Static) -> "StepControl":
-        """Start as a procedure asks."""
-        targets = tuple(sorted({*procedure.at, 1.0}))
+    def of(procedure: Static, kinks: Sequence[float] = ()) -> "StepControl":
+        """Start as a procedure asks, and hit the kinks of the load histories too."""
+        asked = {factor for factor in procedure.at if all(abs(factor - kink) > ROUND_OFF for kink in kinks)}
+        targets = tuple(sorted({*asked, *kinks, 1.0}))
         return StepControl(
             length=procedure.first_step,
             max_step=procedure.max_step,
@@ -72,6 +77,16 @@ class StepControl:
             factor = min(factor, 1.0)
         reference = max(increment, self.length) if factor >= 1 else increment
         return replace(self, length=min(self.max_step, reference * factor), patience=self.patience + 1)
+
+    def turned(self, first_step: float) -> "StepControl":
+        """Start anew after a kink in a load history, where what was learned of the path no longer holds.
+
+        Examples
+        --------
+        >>> StepControl.of(Static(first_step=0.3, max_step=0.3)).turned(0.1).length
+        0.1
+        """
+        return replace(self, length=min(self.length, first_step))
 
     def failed(self, increment: float) -> "StepControl | None":
         """Cut the step; None when it would fall below the smallest."""

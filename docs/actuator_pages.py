@@ -1,0 +1,186 @@
+"""The pages on the actuator families, written from the classes themselves: `make actuators` renews pages and pictures.
+
+Each page has the family's own words, a picture cut open, one under pressure from its example job, its dimensions with
+their defaults, and that job. A test compares the pages with the classes, so they cannot fall behind.
+"""
+
+import argparse
+import inspect
+import re
+from dataclasses import MISSING, Field, fields, replace
+from pathlib import Path
+from typing import Any
+
+from turgor.errors import TurgorError
+from turgor.geometry.geometry import Geometry
+from turgor.job.job import ACTUATORS
+from turgor.units import deg, mm
+
+DOCS = Path(__file__).parent
+EXAMPLES = DOCS.parent / "examples"
+PICTURES = DOCS / "images" / "actuators"
+WIDTH, COLORS = 1000, 128
+
+
+def heading(name: str) -> str:
+    """Write the name of a family as a title: ``"fast_pneunet"`` is ``"Fast PneuNet"``."""
+    text = name.replace("_", " ").replace("pneunet", "PneuNet").replace("fiber reinforced", "fiber-reinforced")
+    return text[0].upper() + text[1:]
+
+
+def example_job(name: str) -> Path:
+    """Find the example job of a family."""
+    own = EXAMPLES / "actuators" / f"{name}.toml"
+    return own if own.exists() else EXAMPLES / f"{name}.toml"
+
+
+def page(name: str, family: Any) -> str:
+    """Write the page on a family."""
+    words, meanings = _docstring(family)
+    built = family().build()
+    return "\n".join(
+        [
+            f"# {heading(name)}",
+            "",
+            f"![{heading(name)}, cut open](../images/actuators/{name}-cut.png)",
+            "",
+            words,
+            "",
+            f"![{heading(name)} under pressure](../images/actuators/{name}.png)",
+            "",
+            "The second picture is the end of the example job below, colored by von Mises stress; lines: at rest.",
+            "",
+            "## Dimensions",
+            "",
+            f'In a job file: `[actuator]` with `type = "{name}"`; in Python: `turgor.{family.__name__}`.',
+            "",
+            "| key | default | meaning |",
+            "|---|---|---|",
+            *(f"| `{item.name}` | {_default(item)} | {meanings[item.name]} |" for item in fields(family)),
+            "",
+            *_built(built),
+            "",
+            "## Example job",
+            "",
+            f"```{{literalinclude}} ../../{example_job(name).relative_to(DOCS.parent)}",
+            ":language: toml",
+            "```",
+            "",
+        ]
+    )
+
+
+def overview() -> str:
+    """Write the page that lists all families."""
+    lines = [
+        "# Actuators",
+        "",
+        "Every family is a class of dimensions with checked rules; `build()` makes its solids with the same names of",
+        "regions and faces, so that loads, supports and measures written for one work for all. Not here? Read a",
+        "[CAD file](../howto/cad.md) or a [mesh](../howto/import-mesh.md).",
+        "",
+        "| | family | what it is |",
+        "|---|---|---|",
+    ]
+    for name, family in ACTUATORS.items():
+        picture = f"![](../images/actuators/{name}-cut.png)"
+        lines.append(f"| {picture} | [{heading(name)}]({name}.md) | {_summary(family)} |")
+    names = "\n".join(ACTUATORS)
+    return "\n".join([*lines, "", "```{toctree}", ":hidden:", "", names, "```", ""])
+
+
+def _docstring(family: Any) -> tuple[str, dict[str, str]]:
+    """What a class says before its parameters, and the meaning of each of these."""
+    text = _markdown(inspect.getdoc(family) or "")
+    words, rest = text.split("Parameters\n----------\n", 1)
+    table = rest.split("\nRaises\n", 1)[0]
+    meanings: dict[str, str] = {}
+    current: list[str] = []
+    for line in table.splitlines():
+        if line and not line.startswith(" "):
+            current = [name.strip() for name in line.split(":", 1)[0].split(",")]
+            meanings |= dict.fromkeys(current, "")
+        elif line.strip():
+            meanings |= {name: f"{meanings[name]} {line.strip()}".strip() for name in current}
+    return words.strip(), meanings
+
+
+def _markdown(text: str) -> str:
+    """Turn the double backquotes of docstrings into single ones."""
+    return re.sub(r"``(.+?)``", r"`\1`", text)
+
+
+def _summary(family: Any) -> str:
+    return _markdown(inspect.getdoc(family) or "").split("\n\n", 1)[0].replace("\n", " ")
+
+
+def _default(item: Field[Any]) -> str:
+    value = item.default_factory() if item.default is MISSING else item.default  # type: ignore[misc]
+    if isinstance(value, bool) or not isinstance(value, float):
+        return f"`{str(value).lower() if isinstance(value, bool) else value}`"
+    dimension = item.metadata.get("dimension", "length")
+    if dimension == "length":
+        return f"{value / mm:.6g} mm"
+    return f"{value / deg:.6g}°" if dimension == "angle" else f"{value:.6g}"
+
+
+def _built(built: Geometry) -> list[str]:
+    cavities = ", ".join(f"`{name}` {volume * 1e6:.4g} mL" for name, volume in built.cavity_volumes.items())
+    return [
+        f"With these the modeled part has {cavities} of cavity and {built.solid_volume * 1e6:.4g} mL of solid; regions "
+        f"{_listed(built.regions)}; faces {_listed(built.faces)}.",
+    ]
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def _cut(family: Any) -> Any:
+    """The half of an actuator where it has one, so that its inside is seen."""
+    try:
+        return family(symmetric=True)
+    except (TypeError, TurgorError):  # a family without mirror plane
+        return family()
+
+
+def draw(name: str, family: Any) -> None:
+    """Draw a family: cut open where it has a mirror plane, and at the end of its example job."""
+    from PIL import Image
+
+    from turgor.job.read import read_job
+    from turgor.job.run import prepare
+    from turgor.meshing.generate import mesh
+    from turgor.results.mesh_picture import write_mesh_picture
+    from turgor.results.pictures import shared_view, write_picture
+    from turgor.solvers.driver import solve
+
+    made = mesh(_cut(family).build())
+    faces = {side.replace("symmetry_", "cut_"): triangles for side, triangles in made.faces.items()}
+    write_mesh_picture(PICTURES / f"{name}-cut.png", replace(made, faces=faces), heading(name), WIDTH)
+    job = read_job(example_job(name))
+    model, _ = prepare(job)
+    states = solve(model, job.procedure).states
+    view = shared_view([states[0], states[-1]], WIDTH)
+    write_picture(PICTURES / f"{name}.png", states[-1], view, title=heading(name), ghost=states[0])
+    for picture in PICTURES.glob(f"{name}*.png"):  # fewer colors: a quarter of the size, and no difference to see
+        image = Image.open(picture).convert("RGB").quantize(COLORS, dither=Image.Dither.NONE)
+        image.save(picture, optimize=True)
+
+
+def main() -> None:
+    """Write the pages, and the pictures where they are asked for."""
+    parser = argparse.ArgumentParser(description="Write docs/actuators.")
+    parser.add_argument("--pictures", nargs="*", metavar="FAMILY", help="draw these families, all if none is named")
+    chosen = parser.parse_args().pictures
+    (DOCS / "actuators").mkdir(exist_ok=True)
+    PICTURES.mkdir(exist_ok=True)
+    (DOCS / "actuators" / "index.md").write_text(overview(), encoding="utf-8")
+    for name, family in ACTUATORS.items():
+        (DOCS / "actuators" / f"{name}.md").write_text(page(name, family), encoding="utf-8")
+        if chosen is not None and (not chosen or name in chosen):
+            draw(name, family)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""CAD files: parts drawn elsewhere, with their cavities found and their faces named."""

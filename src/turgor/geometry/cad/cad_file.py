@@ -1,0 +1,66 @@
+"""CadFile: an actuator drawn in a CAD program, as a job names it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from hashlib import sha256
+from pathlib import Path
+
+from turgor.errors import TurgorError
+from turgor.geometry.cad.read import read_cad
+from turgor.geometry.cad.selectors import Selector
+from turgor.geometry.cad.split import SplitPlane
+from turgor.geometry.geometry import Geometry
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CadFile:
+    """An actuator from a CAD file, with the arguments of `read_cad`.
+
+    Parameters
+    ----------
+    file : Path
+        STEP, BREP or closed STL.
+    unit : str, optional
+        Unit of the numbers in the file, whatever the file says.
+    faces : mapping of str to Selector
+        Names for faces.
+    regions : mapping of str to Selector
+        Names for bodies.
+    split : SplitPlane, optional
+        A plane that cuts off the bottom as a region of its own.
+    sha256 : str
+        Content of the file that is meant, as a lock file notes it; taken from the file where it is empty.
+
+    Raises
+    ------
+    TurgorError
+        If the content of the file is another one.
+
+    Examples
+    --------
+    >>> CadFile(file=Path("missing.step"))
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: file is missing.step, and there is no such file.
+    """
+
+    file: Path
+    unit: str | None = None
+    faces: Mapping[str, Selector] = field(default_factory=dict)
+    regions: Mapping[str, Selector] = field(default_factory=dict)
+    split: SplitPlane | None = None
+    sha256: str = ""
+
+    def __post_init__(self) -> None:
+        if not Path(self.file).is_file():
+            raise TurgorError(f"file is {self.file}, and there is no such file.")
+        found = sha256(Path(self.file).read_bytes()).hexdigest()
+        if self.sha256 and self.sha256 != found:
+            raise TurgorError(
+                f"sha256 is {self.sha256[:12]}…, but the content of '{self.file}' has {found[:12]}…: the file has "
+                "changed since; take the old one, or remove the key to go on with the new one."
+            )
+        object.__setattr__(self, "sha256", found)
+
+    def build(self) -> Geometry:
+        """Read the file."""
+        return read_cad(self.file, unit=self.unit, faces=self.faces, regions=self.regions, split=self.split)

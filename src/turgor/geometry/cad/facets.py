@@ -1,0 +1,190 @@
+"""Facets: the surface of a CAD part as flat triangles, for finding cavities and measuring walls.
+
+The triangles come from the display of the CAD kernel: they are there at once and share their corners, but circles have
+36 corners only. Places and topology are read off them, volumes are not.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from netgen.occ import OCCGeometry
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import breadth_first_order, connected_components
+from scipy.spatial import cKDTree
+
+from turgor.errors import TurgorError
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: An axis and a position: a mirror plane.
+Mirror = tuple[int, float]
+
+#: Corners nearer than this share of the part's size are one: the display has seven digits.
+WELD = 2e-6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Facets:
+    """Triangles of a part.
+
+    Parameters
+    ----------
+    points : (n, 3) float array [CAD units]
+    triangles : (t, 3) int array
+        Corners, in the order that makes the normal point out of the material; either way inside the material.
+    face : (t,) int array
+        Place of the CAD face in the part's list.
+    outer : (t,) bool array
+        False for faces between two bodies.
+    """
+
+    points: Array
+    triangles: Ints
+    face: Ints
+    outer: NDArray[np.bool_]
+
+    def corners(self, faces: Ints | None = None) -> Array:
+        """Corners of the triangles of some faces, or of all, (t, 3, 3)."""
+        chosen = self.triangles if faces is None else self.triangles[np.isin(self.face, faces)]
+        return np.asarray(self.points[chosen])
+
+
+def find_facets(shape: Any, faces: list[Any]) -> Facets:
+    """Triangulate a part and turn every triangle to point out of its body.
+
+    Parameters
+    ----------
+    shape : CAD shape
+        Glued bodies.
+    faces : list of CAD faces
+        Each once.
+
+    Raises
+    ------
+    TurgorError
+        If a body is not closed.
+    """
+    data = OCCGeometry(shape)._visualizationData()
+    number = {face: i for i, face in enumerate(faces)}
+    drawn = np.array([number[face] for face in _unique(OCCGeometry(shape).faces)], dtype=np.int64)
+    corners = data["vertices"].reshape(-1, 3).astype(np.float64)
+    face = drawn[data["indices"].astype(np.int64)]
+    points, triangles = weld(corners)
+    flat = (triangles == np.roll(triangles, 1, axis=1)).any(axis=1)
+    triangles, face = triangles[~flat], face[~flat]
+    bodies = [np.array([number[f] for f in _unique(body.faces)]) for body in shape.solids]
+    for body, which in zip(shape.solids, bodies, strict=True):
+        rows = np.flatnonzero(np.isin(face, which))
+        triangles[rows] = _outward(points, triangles[rows], str(body.name or "body"))
+    shared = np.bincount(np.concatenate(bodies), minlength=len(faces)) > 1
+    return Facets(points=points, triangles=triangles, face=face, outer=~shared[face])
+
+
+def mirrored(facets: Facets, mirrors: Sequence[Mirror], cuts: Sequence[int]) -> Facets:
+    """Complete a half or a quarter by its images, so that an inlet that a mirror plane cuts is whole.
+
+    Parameters
+    ----------
+    facets : Facets
+        Surface of the modeled part.
+    mirrors : sequence of (int, float)
+        Axis and position of each mirror plane [CAD units].
+    cuts : sequence of int
+        CAD faces that lie on them; they are no surface of the whole.
+
+    Returns
+    -------
+    Facets
+        A face and its images have the same number.
+    """
+    points, triangles, face = facets.points, facets.triangles, facets.face
+    outer = facets.outer & ~np.isin(face, cuts)
+    for axis, position in mirrors:
+        image = points.copy()
+        image[:, axis] = 2 * position - points[:, axis]
+        on = np.abs(points[:, axis] - position) <= WELD * float(np.ptp(points, axis=0).max())
+        number = np.where(on, np.arange(len(points)), np.arange(len(points)) + len(points))
+        points = np.vstack([points, image])
+        triangles = np.vstack([triangles, number[triangles][:, ::-1]])
+        face, outer = np.tile(face, 2), np.tile(outer, 2)
+    return Facets(points=points, triangles=triangles, face=face, outer=outer)
+
+
+def edge_pairs(triangles: Ints) -> tuple[Ints, Ints, NDArray[np.bool_]]:
+    """Find the triangles that share an edge which no third one has.
+
+    Returns
+    -------
+    pairs : (p, 2) int array
+        The two triangles.
+    edges : (p, 2) int array
+        The two corners.
+    coherent : (p,) bool array
+        Whether both turn the same way: they run along the edge in opposite directions.
+    """
+    directed = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    owner = np.tile(np.arange(len(triangles)), 3)
+    unique, inverse, count = np.unique(np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True)
+    inverse = inverse.ravel()
+    order = np.argsort(inverse, kind="stable")
+    order = order[count[inverse[order]] == 2]
+    one, other = order[0::2], order[1::2]
+    coherent = directed[one, 0] != directed[other, 0]
+    return np.stack([owner[one], owner[other]], axis=1), unique[inverse[one]], coherent
+
+
+def flux(points: Array, triangles: Ints, origin: Array) -> float:
+    """⅓ ∮ (x − origin)·n da over triangles: the volume that they enclose, if they do."""
+    a, b, c = (points[triangles[:, i]] - origin for i in range(3))
+    return float(np.einsum("ti,ti->", a, np.cross(b, c)) / 6)
+
+
+def _unique(shapes: Any) -> list[Any]:
+    return list(dict.fromkeys(shapes))
+
+
+def weld(corners: Array) -> tuple[Array, Ints]:
+    """Join the corners of separate triangles, (3t, 3), to points (n, 3) and triangles (t, 3) that share them."""
+    points, index = np.unique(corners, axis=0, return_inverse=True)
+    reach = WELD * float(np.ptp(points, axis=0).max())
+    near = cKDTree(points).query_pairs(reach, output_type="ndarray")
+    graph = coo_array((np.ones(len(near)), (near[:, 0], near[:, 1])), shape=(len(points), len(points)))
+    label = connected_components(graph, directed=False)[1]
+    _, first = np.unique(label, return_index=True)
+    return points[first], label[index.ravel()].reshape(-1, 3).astype(np.int64)
+
+
+def _outward(points: Array, triangles: Ints, body: str) -> Ints:
+    """Turn the triangles of one body: its largest shell holds the volume, all others are voids."""
+    pairs, _, coherent = edge_pairs(triangles)
+    count = len(triangles)
+    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count)).tocsr()
+    shells, shell = connected_components(graph, directed=False)
+    turned = _turned(triangles, pairs, coherent, [int(np.argmax(shell == i)) for i in range(shells)])
+    origin = points[triangles].mean(axis=(0, 1))
+    volumes = np.array([flux(points, turned[shell == i], origin) for i in range(shells)])
+    if not np.abs(volumes).max() > 0:
+        raise TurgorError(f"'{body}' encloses no volume; export it as a solid.")
+    wanted = np.where(np.arange(shells) == np.abs(volumes).argmax(), 1.0, -1.0)
+    wrong = (volumes * wanted < 0)[shell]
+    return np.asarray(np.where(wrong[:, None], turned[:, ::-1], turned))
+
+
+def _turned(triangles: Ints, pairs: Ints, coherent: NDArray[np.bool_], starts: list[int]) -> Ints:
+    """Turn triangles so that neighbors run along their common edge in opposite directions."""
+    pairs, first = np.unique(pairs, axis=0, return_index=True)
+    sign = np.where(coherent[first], 1.0, 2.0)  # no entry of a sparse matrix may be zero
+    count = len(triangles)
+    both = np.concatenate([pairs, pairs[:, ::-1]])
+    graph = coo_array((np.tile(sign, 2), (both[:, 0], both[:, 1])), shape=(count, count)).tocsr()
+    steps = {(int(i), int(j)): bool(k == 2.0) for (i, j), k in zip(both, np.tile(sign, 2), strict=True)}
+    flipped = np.zeros(count, dtype=bool)
+    for start in starts:
+        order, before = breadth_first_order(graph, start, directed=False)
+        for i in order[1:]:
+            flipped[i] = flipped[before[i]] ^ steps[int(before[i]), int(i)]
+    return np.asarray(np.where(flipped[:, None], triangles[:, ::-1], triangles))

@@ -1,0 +1,187 @@
+"""Files: a STEP, BREP or STL file as named CAD bodies in millimeters."""
+
+import re
+from dataclasses import dataclass
+from math import prod
+from pathlib import Path
+from shutil import copyfile
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from netgen.occ import OCCGeometry, Pnt
+
+from turgor.errors import TurgorError, near_match
+from turgor.geometry.cad.stl import stl_solids
+from turgor.geometry.quiet import captured_output
+from turgor.units import UNITS, mm
+
+#: What can be read, and what such a file is.
+SUFFIXES = {".step": "STEP", ".stp": "STEP", ".brep": "BREP", ".brp": "BREP", ".stl": "STL"}
+
+#: Sides that an actuator can have [m].
+SMALLEST, LARGEST = 1 * mm, 2.0
+
+#: Names that programs write where the user gave none.
+_NO_NAMES = re.compile(r"(?i)|none|solid\d*|body|compound|shell|part|unnamed|open cascade.*|manifold_solid_brep.*")
+
+#: Meters of the prefixes and names of lengths in STEP.
+_PREFIXES = {"$": 1.0, ".MILLI.": 1e-3, ".CENTI.": 1e-2, ".MICRO.": 1e-6, ".DECI.": 0.1, ".KILO.": 1e3}
+_NAMED = {"INCH": 25.4e-3, "FOOT": 0.3048, "FEET": 0.3048, "MIL": 25.4e-6}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class FileContents:
+    """What a file holds.
+
+    Parameters
+    ----------
+    kind : str
+        STEP, BREP or STL.
+    bodies : list of CAD solids
+        In millimeters, as drawn: not glued yet.
+    names : list of str
+        Name of each body, empty where the file has none.
+    unit : str
+        How its unit is known, for the report.
+    """
+
+    kind: str
+    bodies: list[Any]
+    names: list[str]
+    unit: str
+
+
+def load_file(path: str | Path, unit: str | None = None) -> FileContents:
+    """Read the bodies of a CAD file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A file that ends in .step, .stp, .brep, .brp or .stl.
+    unit : str, optional
+        Unit of the numbers in the file, such as ``"mm"``, whatever the file says. A STEP file states its unit; for
+        the others it is millimeters unless this says otherwise.
+
+    Raises
+    ------
+    TurgorError
+        If the file is missing, is of no known kind, is damaged, holds no solid, or is of no possible size.
+    """
+    path = Path(path)
+    kind = _kind(path)
+    if unit is not None and unit not in UNITS["length"]:
+        raise TurgorError(f"unit is {unit!r}; allowed is one of {', '.join(UNITS['length'])}.")
+    if kind == "STL":
+        bodies = stl_solids(path)
+        names = [""] * len(bodies)
+    else:
+        bodies, names = _read(path, kind)
+    stated = _stated_unit(path) if kind == "STEP" else None
+    factor = 1.0 if unit is None else UNITS["length"][unit] / (stated or mm)
+    if factor != 1.0:
+        bodies = [body.Scale(Pnt(0, 0, 0), factor) for body in bodies]
+    _check_size(path, bodies, stated if unit is None else None, unit)
+    how = f"{unit}, as given" if unit else f"{_unit_name(stated)}, from the file" if stated else "mm, assumed"
+    return FileContents(kind=kind, bodies=bodies, names=names, unit=how)
+
+
+def _kind(path: Path) -> str:
+    kind = SUFFIXES.get(path.suffix.lower())
+    if kind is None:
+        raise TurgorError(f"'{path}' is no CAD file that can be read; allowed are {', '.join(SUFFIXES)}.")
+    if path.is_dir():
+        raise TurgorError(f"'{path}' is a folder; name a CAD file.")
+    if not path.exists():
+        there = [entry.name for entry in path.parent.glob("*") if entry.suffix.lower() in SUFFIXES]
+        hint = near_match(path.name, there) or "."
+        listed = f" CAD files there: {', '.join(sorted(there))}." if there else ""
+        raise TurgorError(f"there is no file '{path}'{hint}{listed}")
+    start = path.read_bytes()[:200].lstrip()
+    expected = {"STEP": b"ISO-10303-21", "BREP": b"DBRep_DrawableShape"}.get(kind)
+    if expected is not None and not start.startswith((expected, b"CASCADE Topology")):
+        begins = start[:20].decode(errors="replace").splitlines()
+        raise TurgorError(
+            f"'{path}' is no {kind} file: it begins with {begins[0] if begins else ''!r} instead of "
+            f"'{expected.decode()}'; export it again as {kind}."
+        )
+    return kind
+
+
+def _read(path: Path, kind: str) -> tuple[list[Any], list[str]]:
+    """Bodies and their names, from the bodies themselves or from the assembly."""
+    given = path
+    with captured_output() as text, TemporaryDirectory() as folder:
+        try:
+            if path.suffix not in (".step", ".stp", ".brep"):  # the kernel knows no others, and no capitals
+                path = Path(copyfile(path, Path(folder) / f"part.{kind.lower()}"))
+            geometry = OCCGeometry(str(path))
+            shape = geometry.shape
+            bodies = list(shape.solids)
+            names = _assembly_names(geometry, bodies) if kind == "STEP" else [""] * len(bodies)
+        except Exception as error:  # the kernel raises kinds of its own for damaged files
+            said = [line for line in text().splitlines() if "ERR" in line or "Error" in line]
+            said_text = re.sub(r"\x1b\[[\d;]*m|\*+", "", said[-1]).strip() if said else str(error)
+            raise TurgorError(
+                f"'{given}' cannot be read, the file seems damaged ({said_text}); export it again as {kind}."
+            ) from error
+    if not bodies:
+        what = f"{len(list(shape.faces))} faces" if shape is not None and list(shape.faces) else "nothing"
+        raise TurgorError(
+            f"'{given}' holds no solid, only {what}: its surfaces do not enclose a volume; close the body in the CAD "
+            "program (sew or stitch the surfaces, make a solid) and export solids."
+        )
+    return bodies, names
+
+
+def _assembly_names(geometry: Any, bodies: list[Any]) -> list[str]:
+    """Names of solids, else those of the products that hold one solid each; what programs invent is left out."""
+    products: dict[Any, str] = {}
+
+    def walk(node: Any) -> None:
+        shape = node.shape
+        held = list(shape.solids) if shape is not None and not node.is_assembly else []
+        if len(held) == 1:
+            products[held[0]] = node.name or ""
+        for child in node.children:
+            walk(child)
+
+    walk(geometry.GetAssemblyTree())
+    names = [body.name or products.get(body, "") for body in bodies]
+    return ["" if _NO_NAMES.fullmatch(name.strip()) else name.strip() for name in names]
+
+
+def _stated_unit(path: Path) -> float | None:
+    """Meters of the unit of length that a STEP file states."""
+    text = re.sub(r"\s+", "", path.read_bytes().decode("latin-1"))
+    named = re.search(r"CONVERSION_BASED_UNIT\('(\w+)',#\d+\)LENGTH_UNIT\(\)", text)
+    if named is not None and named[1].upper() in _NAMED:
+        return _NAMED[named[1].upper()]
+    used = re.search(r"LENGTH_UNIT\(\)NAMED_UNIT\(\*\)SI_UNIT\((\$|\.\w+\.),\.METRE\.\)", text)
+    return _PREFIXES.get(used[1]) if used is not None else None
+
+
+def _unit_name(unit: float | None) -> str:
+    known = {value: name for name, value in reversed(list(UNITS["length"].items()))}
+    return known.get(unit or mm, f"{unit} m")
+
+
+def _check_size(path: Path, bodies: list[Any], stated: float | None, unit: str | None) -> None:
+    """Refuse a part of impossible size and say which unit would make it possible."""
+    lows, highs = zip(*(body.bounding_box for body in bodies), strict=True)
+    low, high = ([pick(box[i] for box in boxes) for i in range(3)] for pick, boxes in ((min, lows), (max, highs)))
+    sides = [(b - a) * mm for a, b in zip(low, high, strict=True)]
+    longest = max(sides)
+    if prod(sides) > 0 and SMALLEST <= longest <= LARGEST:
+        return
+    used = UNITS["length"][unit] if unit else stated or mm
+    fits = [name for name in ("mm", "m", "in", "um") if SMALLEST <= longest / used * UNITS["length"][name] <= LARGEST]
+    shown = " x ".join(f"{side / mm:.4g}" for side in sides)
+    advice = (
+        f"; with unit='{fits[0]}' it would be {longest / used * UNITS['length'][fits[0]] / mm:.4g} mm long."
+        if fits
+        else "."
+    )
+    raise TurgorError(
+        f"'{path}' is a part of {shown} mm, if its numbers are in {_unit_name(used)}; allowed is a longest side of "
+        f"{SMALLEST / mm:g} mm to {LARGEST / mm:g} mm; is the unit right?{advice.replace('; w', ' W')}"
+    )

@@ -1,0 +1,249 @@
+"""Naming: which face of a CAD part is called what, and what there is to say about its cavities."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from turgor.errors import TurgorError
+from turgor.finding import Finding, Severity
+from turgor.geometry.cad.cavities import Hollow, find_hollows
+from turgor.geometry.cad.facets import Mirror, mirrored
+from turgor.geometry.cad.part import Part
+from turgor.geometry.cad.selectors import NearestTo, Selector
+from turgor.geometry.cad.volumes import measured
+from turgor.units import mm
+
+#: Names that later rooms know. A face that the file calls so keeps the name; any other name needs ``ByName``.
+STANDARD = ("fixed", "tip", "strain_limiting_layer", "symmetry_x", "symmetry_y", "symmetry_z")
+
+#: A pocket smaller than this share of the largest cavity is a hole for a screw or a mark, and no cavity.
+SMALL = 0.01
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Naming:
+    """Names of the faces of a part.
+
+    Parameters
+    ----------
+    names : tuple of str
+        Name of each face.
+    cavities : dict of str to Hollow
+        Cavities by name, measured; of the modeled part.
+    findings : tuple of Finding
+        What there is to know about them.
+    """
+
+    names: tuple[str, ...]
+    cavities: dict[str, Hollow]
+    findings: tuple[Finding, ...]
+
+
+def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | None) -> Naming:
+    """Name every face of a part.
+
+    A face that a selector picks gets the name of the selector; else its name in the file if that is a standard one;
+    else the name of the cavity of which it is a wall; else ``strain_limiting_layer`` or ``interface`` between two
+    bodies; else ``outside``.
+
+    Parameters
+    ----------
+    part : Part
+        Where the faces are.
+    selected : mapping of str to Selector
+        Faces that the user names. Where one of them is a cavity, only those are cavities.
+    interface : str or None
+        Name of the faces that a split made.
+
+    Raises
+    ------
+    TurgorError
+        If a selector finds nothing, or two of them the same face.
+    """
+    names = [item.name if _standard(item.name) else "" for item in part.items]
+    picked = {name: pick(part, name, selector) for name, selector in selected.items()}
+    mirrors, cuts = _mirrors(part, names, picked)
+    hollows, nested, passages = (_once(found) for found in find_hollows(mirrored(part.facets, mirrors, cuts)))
+    for name, selector in selected.items():
+        if name.startswith("cavity") and isinstance(selector, NearestTo):
+            around = [h for h in (*hollows, *passages) if picked[name][0] in h.faces]
+            picked[name] = list(around[0].faces) if around else picked[name]
+    _check_apart(part, picked)
+    for name, places in picked.items():
+        for i in places:
+            names[i] = name
+    findings: list[Finding] = []
+    if not any(name.startswith("cavity") for name in names):
+        cavities, findings = _found(part, hollows, nested, passages, mirrors)
+        for name, hollow in cavities.items():
+            for i in hollow.faces:
+                names[i] = names[i] or name
+    between = "strain_limiting_layer" if interface is None and set(part.regions) == {"body", "base"} else interface
+    for i, name in enumerate(names):
+        names[i] = name or ((between or "interface") if part.between[i] else "outside")
+    taken = sorted({name for name in names if name.startswith("cavity")})
+    walls = {name: tuple(i for i, n in enumerate(names) if n == name and not part.between[i]) for name in taken}
+    made = {
+        name: measured(Hollow(faces=faces, volume=0.0, openings=()), part.facets, part.faces, mirrors)
+        for name, faces in walls.items()
+        if faces
+    }
+    return Naming(names=tuple(names), cavities=made, findings=(*findings, *_missing(part, names)))
+
+
+def pick(part: Part, name: str, selector: Selector) -> list[int]:
+    """Return the faces that a selector picks; a message begins with the name of the face."""
+    try:
+        return selector.pick(part.items)
+    except TurgorError as error:
+        raise TurgorError(f"face '{name}': {error}") from error
+
+
+def in_order(hollows: Sequence[Hollow], part: Part) -> list[Hollow]:
+    """Order cavities along x; those side by side from +z counterclockwise, seen from the tip."""
+    points = {id(h): part.facets.corners(np.array(h.faces)).mean(axis=(0, 1)) for h in hollows}
+    middle = part.facets.points.min(axis=0) / 2 + part.facets.points.max(axis=0) / 2
+    step = 0.1 * float(np.ptp(part.facets.points, axis=0).max())
+
+    def place(hollow: Hollow) -> tuple[int, float]:
+        x, y, z = points[id(hollow)] - middle
+        angle = float(np.arctan2(-y, z)) % (2 * np.pi)
+        return round(float(x / step)), angle if angle < 2 * np.pi - 1e-3 else 0.0
+
+    return sorted(hollows, key=place)
+
+
+def _standard(name: str) -> bool:
+    return name in STANDARD or name.startswith("cavity")
+
+
+def _once(hollows: Sequence[Hollow]) -> list[Hollow]:
+    """Drop the images of hollows that no mirror plane cuts."""
+    return list({hollow.faces: hollow for hollow in hollows}.values())
+
+
+def _mirrors(part: Part, names: Sequence[str], picked: Mapping[str, Sequence[int]]) -> tuple[list[Mirror], list[int]]:
+    """The mirror planes, and the faces on them."""
+    places = [(name, i) for name, which in picked.items() for i in which]
+    places += [(name, i) for i, name in enumerate(names) if name]
+    mirrors, cuts = set(), []
+    for name, i in places:
+        if name.startswith("symmetry_"):
+            item = part.items[i]
+            if item.normal is None or max(map(abs, item.normal)) < 1 - 1e-6:
+                raise TurgorError(f"face '{name}' is no plane across x, y or z, as a mirror plane must be.")
+            axis = int(np.argmax(np.abs(item.normal)))
+            mirrors.add((axis, round(item.center[axis] / mm, 6)))
+            cuts.append(i)
+    return sorted(mirrors), cuts
+
+
+def _check_apart(part: Part, picked: Mapping[str, Sequence[int]]) -> None:
+    owner: dict[int, str] = {}
+    for name, places in picked.items():
+        for i in places:
+            if i in owner:
+                x, y, z = (value / mm for value in part.items[i].center)
+                raise TurgorError(
+                    f"the face at ({x:.4g}, {y:.4g}, {z:.4g}) mm is both '{owner[i]}' and '{name}'; make one of the "
+                    "selectors narrower."
+                )
+            owner[i] = name
+
+
+def _found(
+    part: Part,
+    hollows: Sequence[Hollow],
+    nested: Sequence[Hollow],
+    passages: Sequence[Hollow],
+    mirrors: Sequence[Mirror],
+) -> tuple[dict[str, Hollow], list[Finding]]:
+    """Names for the cavities that were found, and what was left out."""
+    largest = max((hollow.volume for hollow in hollows), default=0.0)
+    large = [hollow for hollow in hollows if hollow.volume >= SMALL * largest]
+    ordered = in_order(large, part)
+    named = {"cavity" if len(ordered) == 1 else f"cavity_{i + 1}": hollow for i, hollow in enumerate(ordered)}
+    small = [hollow for hollow in hollows if hollow.volume < SMALL * largest]
+    findings = [_nested(part, named, nested, mirrors)] if nested else []
+    if small:
+        findings.append(_pockets(small, largest))
+    if passages:
+        findings.append(_leaks(passages, bool(named)))
+    return named, findings
+
+
+def _nested(part: Part, named: Mapping[str, Hollow], nested: Sequence[Hollow], mirrors: Sequence[Mirror]) -> Finding:
+    lines = []
+    for name, hollow in named.items():
+        inner = next((h for h in nested if set(h.faces) < set(hollow.faces)), None)
+        if inner is not None:
+            exact = measured(hollow, part.facets, part.faces, mirrors)
+            lines.append(
+                f"{name} ({exact.volume:.4g} mm³, open at {where(exact)}) could also end further in, at {where(inner)}"
+            )
+    return Finding(
+        code="D02",
+        severity=Severity.NOTE,
+        message=f"Cavities can be closed at several places: {'; '.join(lines)}. The outermost is taken.",
+        advice="Nothing needs to be done unless the inlet must stay without pressure: then name the walls of the "
+        "cavity yourself, for example with InBox.",
+    )
+
+
+def _pockets(small: Sequence[Hollow], largest: float) -> Finding:
+    listed = ", ".join(f"{hollow.volume:.3g} mm³ at {where(hollow)}" for hollow in small[:3])
+    return Finding(
+        code="D04",
+        severity=Severity.NOTE,
+        message=f"Pockets below {SMALL:.0%} of the largest cavity ({largest:.4g} mm³) belong to the outside: "
+        f"{len(small)} of them, {listed}.",
+        advice="Name one cavity_1, … with NearestTo if it holds pressure.",
+    )
+
+
+def _leaks(passages: Sequence[Hollow], found: bool) -> Finding:
+    listed = "; ".join(
+        f"{p.volume:.4g} mm³, open at {' and at '.join(_place(o.center, o.area) for o in p.openings[:3])}"
+        for p in passages[:3]
+    )
+    return Finding(
+        code="D03",
+        severity=Severity.NOTE if found else Severity.WARNING,
+        message=f"{len(passages)} of the part's hollows ({listed}) lead from one opening to another: pressure would "
+        "leak, so they are no cavities.",
+        advice="Close all openings but one in the CAD program; or, if they are plugged in reality, name the hollow: "
+        "cavity = NearestTo(a point on its wall).",
+    )
+
+
+def where(hollow: Hollow) -> str:
+    """Say where a hollow is open."""
+    return ", ".join(_place(opening.center, opening.area) for opening in hollow.openings) or "no place"
+
+
+def _place(center: np.ndarray, area: float) -> str:
+    x, y, z = (round(float(value), 2) + 0.0 for value in center)
+    return f"({x:.4g}, {y:.4g}, {z:.4g}) mm with {area:.4g} mm²"
+
+
+def _missing(part: Part, names: Sequence[str]) -> list[Finding]:
+    cavity = any(name.startswith("cavity") for name in names)
+    lacking = [name for name in ("fixed", "tip") if name not in names] + ([] if cavity else ["cavity"])
+    if not lacking:
+        return []
+    return [
+        Finding(
+            code="D05",
+            severity=Severity.NOTE if cavity else Severity.WARNING,
+            message=f"'{part.path.name}' has no face named {' or '.join(lacking)}.",
+            advice="Supports and measures need these names: give a selector for each, such as fixed = "
+            "WithNormal('-x') and tip = WithNormal('+x'); `turgor inspect` lists the faces.",
+        )
+    ]
+
+
+def scaled(hollow: Hollow) -> Hollow:
+    """Return a hollow in meters."""
+    openings = tuple(replace(o, area=o.area * mm**2, center=o.center * mm) for o in hollow.openings)
+    return replace(hollow, volume=hollow.volume * mm**3, openings=openings)

@@ -1,0 +1,199 @@
+"""Parts: the glued bodies of a CAD file with everything that can be read off their faces."""
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from netgen.occ import Glue
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError
+from turgor.geometry.cad.colors import shown_color
+from turgor.geometry.cad.facets import Facets, find_facets
+from turgor.geometry.cad.files import FileContents, load_file
+from turgor.geometry.cad.selectors import Item, Selector, Vector
+from turgor.geometry.cad.split import SplitPlane, split_bodies
+from turgor.units import mm
+
+Array = NDArray[np.float64]
+
+#: Volume that may get lost where bodies are glued; more than that and they overlap.
+OVERLAP = 1e-6
+
+#: Normals of a plane face differ by less than this; the display has seven digits.
+PLANE = 1e-5
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Part:
+    """Bodies that share the faces where they touch.
+
+    Parameters
+    ----------
+    path : Path
+        Where it came from.
+    file : FileContents
+        What the file says.
+    shape : CAD shape
+        The glued bodies, in millimeters.
+    regions : tuple of str
+        Region of each body.
+    faces : list of CAD faces
+        Each once.
+    facets : Facets
+        Their triangles.
+    items : tuple of Item
+        What selectors need to know of each face.
+    between : (f,) bool array
+        Whether a face lies between two bodies.
+    """
+
+    path: Path
+    file: FileContents
+    shape: Any
+    regions: tuple[str, ...]
+    faces: list[Any]
+    facets: Facets
+    items: tuple[Item, ...]
+    between: NDArray[np.bool_]
+
+
+def load_part(
+    path: str | Path,
+    unit: str | None = None,
+    regions: Mapping[str, Selector] | None = None,
+    split: SplitPlane | None = None,
+) -> Part:
+    """Read a CAD file, name its bodies, split and glue them.
+
+    Parameters
+    ----------
+    path, unit
+        As for `load_file`.
+    regions : mapping of str to Selector, optional
+        Region for the bodies that each selector picks; the others keep the name that the file gives them.
+    split : SplitPlane, optional
+        A plane that cuts the bodies.
+
+    Raises
+    ------
+    TurgorError
+        If the file cannot be read, or its bodies overlap or do not touch.
+    """
+    file = load_file(path, unit)
+    bodies, names = file.bodies, _region_names(file, regions or {})
+    before = sum(body.mass for body in bodies)
+    if split is not None:
+        bodies, names = split_bodies(bodies, names, split)
+    for body, name in zip(bodies, names, strict=True):
+        body.name = name
+    shape = Glue(bodies)
+    solids = list(shape.solids)
+    if len(solids) != len(bodies) or abs(sum(s.mass for s in solids) - before) > OVERLAP * before:
+        lost = before - sum(solid.mass for solid in solids)
+        raise TurgorError(
+            f"the bodies of '{path}' ({', '.join(names)}) overlap by {abs(lost):.4g} mm³; cut one out of the other in "
+            "the CAD program, or join them."
+        )
+    faces = list(dict.fromkeys(shape.faces))
+    count = _owners(solids, faces)
+    _check_touching(path, solids)
+    facets = find_facets(shape, faces)
+    return Part(
+        path=Path(path),
+        file=file,
+        shape=shape,
+        regions=tuple(str(solid.name) for solid in solids),
+        faces=faces,
+        facets=facets,
+        items=tuple(_item(face, facets.corners(np.array([i])) * mm) for i, face in enumerate(faces)),
+        between=count > 1,
+    )
+
+
+def body_items(bodies: list[Any], names: list[str]) -> tuple[Item, ...]:
+    """Say of each body what selectors need to know."""
+    return tuple(
+        _item(body, find_facets(body, list(dict.fromkeys(body.faces))).corners() * mm, name)
+        for body, name in zip(bodies, names, strict=True)
+    )
+
+
+def _region_names(file: FileContents, regions: Mapping[str, Selector]) -> list[str]:
+    """Region of each body: as selected, as in the file, or body, body_1, body_2, the largest first."""
+    unnamed = [i for i, name in enumerate(file.names) if not name]
+    order = sorted(unnamed, key=lambda i: -file.bodies[i].mass)
+    alone = len(unnamed) == 1
+    names = [name or ("body" if alone else f"body_{order.index(i) + 1}") for i, name in enumerate(file.names)]
+    if regions:
+        items = body_items(file.bodies, file.names)
+        for region, selector in regions.items():
+            for place in _attempt(f"region '{region}'", selector, items):
+                names[place] = region
+    return names
+
+
+def _attempt(what: str, selector: Selector, items: tuple[Item, ...]) -> list[int]:
+    try:
+        return selector.pick(items)
+    except TurgorError as error:
+        raise TurgorError(f"{what}: {error}") from error
+
+
+def _item(shape: Any, triangles: Array, name: str | None = None) -> Item:
+    color = shape.col if str(shape.type).endswith("FACE") else _body_color(shape)
+    low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+    area = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]) / 2
+    size = np.linalg.norm(area, axis=1)
+    mean = area.sum(axis=0) / size.sum()
+    plane = 1 - float(np.linalg.norm(mean)) < PLANE
+    center = shape.center
+    return Item(
+        name=(shape.name or "") if name is None else name,
+        color=shown_color(color) if color is not None else None,
+        normal=as_vector(mean / np.linalg.norm(mean)) if plane else None,
+        center=(center.x * mm, center.y * mm, center.z * mm),
+        low=as_vector(low),
+        high=as_vector(high),
+        triangles=triangles,
+    )
+
+
+def _body_color(body: Any) -> Any:
+    """The color that most faces of a body have."""
+    colors = Counter(tuple(face.col) if face.col is not None else None for face in body.faces)
+    return colors.most_common(1)[0][0]
+
+
+def as_vector(values: Array) -> Vector:
+    """Return three numbers of an array as a tuple."""
+    return float(values[0]), float(values[1]), float(values[2])
+
+
+def _owners(solids: list[Any], faces: list[Any]) -> NDArray[np.int64]:
+    number = {face: i for i, face in enumerate(faces)}
+    owned = [number[face] for solid in solids for face in dict.fromkeys(solid.faces)]
+    return np.bincount(owned, minlength=len(faces))
+
+
+def _check_touching(path: str | Path, solids: list[Any]) -> None:
+    """Refuse bodies that share no face with the rest: what holds one would not hold the other."""
+    reached, left = set(solids[0].faces), list(solids[1:])
+    while left:
+        nearer = [solid for solid in left if reached & set(solid.faces)]
+        if not nearer:
+            break
+        for solid in nearer:
+            reached |= set(solid.faces)
+            left.remove(solid)
+    if left:
+        rest = [solid for solid in solids if solid not in left]
+        gap, lone, other = min(((a.Distance(b), a.name, b.name) for a in left for b in rest), key=lambda item: item[0])
+        how = f"there are {gap:.4g} mm between it and" if gap > 0 else "it shares no face, an edge at most, with"
+        raise TurgorError(
+            f"the body '{lone}' of '{path}' is not joined to the others: {how} '{other}', so a cavity between them "
+            "would leak and nothing would hold it; move the bodies together in the CAD program until their faces touch."
+        )

@@ -1,0 +1,87 @@
+"""Walls: how thin a part is, seen along rays into the material."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.geometry.cad.facets import Facets
+
+Array = NDArray[np.float64]
+
+#: Rays that are sent into a part: as many as are followed past this many triangles in a second or two, within limits.
+WORK, FEWEST, MOST = 3e7, 1_000, 3_000
+
+#: The opposite wall must look the other way to within 25°, so that corners and wedges are no walls.
+OPPOSED = 0.9
+
+#: This share of the surface may be thinner than the wall that is reported: chips, knife edges, ends of fillets.
+THINNER = 0.01
+
+#: A ray that leaves along a face, to within this sine, misses it.
+SLANTED = 1e-6
+
+#: Rays followed together.
+CHUNK = 200
+
+
+def smallest_wall(facets: Facets) -> float:
+    """Thickness that 99 % of the walls of a part exceed [CAD units].
+
+    Rays start evenly over the surface and go straight into the material until they leave it through a face that looks
+    the other way.
+
+    Parameters
+    ----------
+    facets : Facets
+        Surface of the part.
+
+    Returns
+    -------
+    float
+        At most the extent of the part, where nothing faces anything.
+    """
+    triangles = facets.corners()[facets.outer]
+    normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    area = np.linalg.norm(normal, axis=1)
+    solid = area > 0
+    triangles, normal, area = triangles[solid], normal[solid] / area[solid, None], area[solid]
+    start, of = _starts(triangles, area)
+    thickness = np.concatenate(
+        [_through(start[i : i + CHUNK], of[i : i + CHUNK], triangles, normal) for i in range(0, len(start), CHUNK)]
+    )
+    extent = float(np.ptp(facets.points, axis=0).max())
+    walls = thickness[np.isfinite(thickness)]
+    return min(float(np.quantile(walls, THINNER)), extent) if len(walls) else extent
+
+
+def _starts(triangles: Array, area: Array) -> tuple[Array, NDArray[np.int64]]:
+    """Points spread evenly over triangles, always the same ones."""
+    generator = np.random.default_rng(0)
+    rays = int(np.clip(WORK / len(area), FEWEST, MOST))
+    of = np.searchsorted(np.cumsum(area) / area.sum(), (np.arange(rays) + 0.5) / rays)
+    of = np.minimum(of, len(area) - 1)
+    u, v = generator.random((2, rays))
+    u, v = np.where(u + v > 1, 1 - u, u), np.where(u + v > 1, 1 - v, v)
+    a, b, c = (triangles[of, i] for i in range(3))
+    return a + u[:, None] * (b - a) + v[:, None] * (c - a), of
+
+
+def _through(start: Array, of: NDArray[np.int64], triangles: Array, normal: Array) -> Array:
+    """Length of each ray in the material; inf where it leaves through a face that does not oppose.
+
+    A line passes through a triangle when it passes all three edges on the same side: products of the line's and the
+    edges' coordinates (Plücker), which are matrix products.
+    """
+    along = -normal[of]
+    moment = np.cross(start, along)
+    size = float(np.ptp(triangles, axis=(0, 1)).max())
+    leaving = along @ normal.T
+    hit = leaving > SLANTED
+    for i in range(3):
+        p, q = triangles[:, i], triangles[:, (i + 1) % 3]
+        hit &= along @ np.cross(p, q).T + moment @ (q - p).T >= -1e-9 * size**2
+    height = np.einsum("ti,ti->t", normal, triangles[:, 0]) - start @ normal.T
+    distance = np.where(hit, height / np.where(hit, leaving, 1.0), np.inf)
+    distance[distance < 1e-6 * size] = np.inf
+    first = distance.argmin(axis=1)
+    rays = np.arange(len(start))
+    return np.where(leaving[rays, first] > OPPOSED, distance[rays, first], np.inf)

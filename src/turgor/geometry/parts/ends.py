@@ -1,0 +1,46 @@
+"""Ends: the names that actuators with their axis on x give to their faces, from where these lie."""
+
+from typing import Any
+
+from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.shapes.solids import PLANE_TOLERANCE, name_plane, name_rest
+
+#: Name of the faces between two regions.
+INTERFACE = "interface"
+
+
+def name_faces(shape: Any, *, end: float, clamp: float = 0.0, mirrors: str = "") -> None:
+    """Name the faces of a finished shape; those that touch a cavity carry its name already.
+
+    Parameters
+    ----------
+    shape : netgen.occ shape
+        All regions.
+    end : float [m]
+        Where the plane of the face ``tip`` is.
+    clamp : float [m]
+        Length of the clamped block: its sides up to there belong to ``fixed``, as the plane x = 0 does.
+    mirrors : str
+        Mirror planes that cut the modeled part: ``""``, ``"y"`` or ``"yz"``.
+
+    Examples
+    --------
+    >>> from turgor.geometry.shapes.solids import box, face_names
+    >>> part = box((0, 1e-3), (0, 1e-3), (0, 1e-3))
+    >>> name_faces(part, end=1e-3, mirrors="y")
+    >>> face_names(part)
+    ('fixed', 'outside', 'symmetry_y', 'tip')
+    """
+    name_plane(shape, 0, 0.0, "fixed")
+    name_plane(shape, 0, end, "tip")
+    for mirror in mirrors:
+        name_plane(shape, "xyz".index(mirror), 0.0, f"symmetry_{mirror}")
+    shared = [face for solid in shape.solids for face in solid.faces]
+    for face in shape.faces:
+        if face.name:
+            continue
+        if shared.count(face) > 1:
+            face.name = INTERFACE
+        elif face.bounding_box[1][0] <= clamp / METERS_PER_CAD_UNIT + PLANE_TOLERANCE:
+            face.name = "fixed"
+    name_rest(shape, "outside")

@@ -1,0 +1,43 @@
+"""Planar faces: outlines as one flat CAD shape, cut where they cross each other."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from netgen.occ import ArcOfCircle, Face, Glue, Pnt, Segment, Wire
+
+from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.shapes.sections import Outline, Point, edge_middle
+
+
+def planar_faces(outlines: Sequence[Outline]) -> Any:
+    """Lay outlines into the plane of the first two CAD axes and cut them where they cross.
+
+    Parameters
+    ----------
+    outlines : sequence of Outline
+        They may overlap, touch and lie within each other.
+
+    Returns
+    -------
+    netgen.occ shape
+        Faces that share their edges, in CAD units.
+
+    Examples
+    --------
+    >>> from turgor.geometry.shapes.sections import disc
+    >>> len(planar_faces([disc(2e-3), disc(1e-3)]).faces)
+    2
+    """
+    return Glue([_face(outline) for outline in outlines])
+
+
+def _face(outline: Outline) -> Any:
+    edges = []
+    for start, end, arc in outline.edges:
+        a, b = _point(start), _point(end)
+        edges.append(ArcOfCircle(a, _point(edge_middle(start, end, arc)), b) if arc else Segment(a, b))
+    return Face(Wire(edges))
+
+
+def _point(point: Point) -> Any:
+    return Pnt(point[0] / METERS_PER_CAD_UNIT, point[1] / METERS_PER_CAD_UNIT, 0)

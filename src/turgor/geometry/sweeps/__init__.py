@@ -1,0 +1,1 @@
+"""Families told as sweeps, for meshes of hexahedra."""

@@ -1,0 +1,34 @@
+"""Sweeps of bellows in a row: their profile is the same all across, so that layers run along y."""
+
+from typing import TYPE_CHECKING
+
+from turgor.geometry.shapes.sections import polygon, rectangle
+from turgor.geometry.sweep import Along, Part, Sweep, layers_of
+from turgor.geometry.sweeps.rows import pneunet_names
+
+if TYPE_CHECKING:
+    from turgor.geometry.parts.bellows_row import BellowsRow
+
+
+def bellows_sweep(row: "BellowsRow") -> Sweep | None:
+    """Tell a row of bellows as layers along y; None if it has an inlet, which is round along x.
+
+    Examples
+    --------
+    >>> from turgor.geometry import TrapezoidalPneuNet
+    >>> len(bellows_sweep(TrapezoidalPneuNet()._row).layers)  # of the half: air space, side wall
+    2
+    """
+    if row.inlet_diameter:
+        return None
+    end = row.clamp_length + row.length
+    outside, inside = ((0.0 if row.symmetric else -width / 2, width / 2) for width in (row.width, row.inner_width))
+    parts: list[Part] = [
+        ("base", rectangle((0.0, end), (0.0, row.base)), outside),
+        ("body", polygon(row.roof()), outside),
+    ]
+    if row.clamp_length:  # cells end where the clamped block does
+        parts.append(("base", rectangle((0.0, row.clamp_length), (0.0, row.base)), outside))
+        parts.append(("body", rectangle((0.0, row.clamp_length), (row.base, row.valley)), outside))
+    parts.append(("cavity", polygon(row.air_space()), inside))
+    return Sweep(layers=layers_of(parts), path=Along(axis=1), names=pneunet_names(row, row.base))

@@ -1,0 +1,151 @@
+"""convergence: solve the same question on three meshes or more and compare."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from math import isfinite
+
+import numpy as np
+
+from turgor.engine.runtime import EngineOptions
+from turgor.errors import TurgorError
+from turgor.job.job import Job
+from turgor.job.run import prepare
+from turgor.meshing.exchange.mesh_file import MeshFile
+from turgor.meshing.sizes import size_range
+from turgor.results.convergence import Convergence
+from turgor.results.measures import Measure, find_measure, measure
+from turgor.solvers.driver import Progress, solve
+from turgor.solvers.solution import Solution, SolveError
+from turgor.units import mm
+
+#: Sizes of a study differ by this factor: about three times the cells from one mesh to the next.
+RATIO = 1.4
+
+MOST_SIZES = 6
+
+Question = Job | Callable[[float], Solution]
+
+
+def convergence(
+    question: Question,
+    sizes: int | Sequence[float] = 3,
+    *,
+    wanted: str | Measure = "bending_angle",
+    notify: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
+) -> Convergence:
+    """Solve a question on finer and finer meshes, and extrapolate one measure at the whole load.
+
+    Parameters
+    ----------
+    question : Job or callable
+        A job, or ``function(size) -> Solution`` that meshes with this size [m] and solves.
+    sizes : int or sequence of float [m]
+        Mesh sizes, three or more; or, for a job, how many: they are then a constant factor of 1.4 apart, around the
+        size of the job. Sizes of faces change with them.
+    wanted : str or Measure
+        What to compare.
+    notify : callable, optional
+        ``notify(text)``, called with what is being done.
+    progress : callable, optional
+        Called by `solve` after every iteration and every accepted step of a job.
+
+    Returns
+    -------
+    Convergence
+
+    Raises
+    ------
+    TurgorError
+        If the sizes are too few, not positive, or not accepted by `mesh`, or if the meshes do not get finer.
+    SolveError
+        If a solve does not reach the whole load: only complete paths can be compared.
+    """
+    say = notify or _silent
+    compared = find_measure(wanted) if isinstance(wanted, str) else wanted
+    chosen = study_sizes(question, sizes)
+    counts, values = [], []
+    for number, size in enumerate(chosen, start=1):
+        say(f"mesh {number} of {len(chosen)}, size {size / mm:.4g} mm")
+        try:
+            solution = _solve_job(question, size, say, progress) if isinstance(question, Job) else question(size)
+            if not solution.converged:
+                raise SolveError(solution)
+        except SolveError as error:
+            error.add_note(f"This was the mesh of size {size / mm:.4g} mm; a study compares complete paths.")
+            raise
+        mesh = solution.model.mesh
+        counts.append((len(mesh.cells), mesh.unknown_count))
+        values.append(measure(solution, compared).column(compared.name)[-1])
+        say(f"{len(mesh.cells)} cells, {compared.name.replace('_', ' ')} {compared.text(values[-1])}")
+    cells, unknowns = np.array(counts).T
+    return Convergence(
+        measure=compared, sizes=np.array(chosen), cells=cells, unknowns=unknowns, values=np.array(values)
+    )
+
+
+def study_sizes(question: Question, sizes: int | Sequence[float]) -> tuple[float, ...]:
+    """Choose the mesh sizes of a study, from coarse to fine, and refuse what cannot be compared.
+
+    Parameters
+    ----------
+    question : Job or callable
+        As `convergence` takes it.
+    sizes : int or sequence of float [m]
+        Sizes, or how many.
+
+    Returns
+    -------
+    tuple of float [m]
+
+    Raises
+    ------
+    TurgorError
+        If there are fewer than 3 or more than 6, one is no positive length, two are equal, or the geometry of a job
+        allows no such size or is a mesh already.
+    """
+    count = sizes if isinstance(sizes, int) else len(sizes)
+    if isinstance(sizes, bool) or not 3 <= count <= MOST_SIZES:
+        raise TurgorError(f"{count} mesh sizes are asked for; allowed is 3 to {MOST_SIZES}.")
+    limits = _limits(question) if isinstance(question, Job) else None
+    if isinstance(sizes, int):
+        if limits is None:
+            raise TurgorError("a function needs its mesh sizes, such as (4*mm, 2.8*mm, 2*mm); only a job has one.")
+        coarsest = min(question.mesh_size * RATIO, limits[1])  # type: ignore[union-attr]
+        sizes = [float(f"{coarsest / RATIO**i:.4g}") for i in range(count)]
+    for size in sizes:
+        if not isfinite(size) or size <= 0:
+            raise TurgorError(f"mesh size is {size / mm:g} mm; allowed is more than 0.")
+        if limits is not None and not limits[0] <= size <= limits[1] * (1 + 1e-9):
+            low, high = limits[0] / mm, limits[1] / mm
+            raise TurgorError(
+                f"mesh size is {size / mm:.4g} mm; allowed for this job is {low:.3g} mm to {high:.4g} mm."
+            )
+    if len(set(sizes)) < len(sizes):
+        raise TurgorError("two of the mesh sizes are equal; sizes that differ by a factor of 1.3 or more compare well.")
+    return tuple(sorted(sizes, reverse=True))
+
+
+def _limits(job: Job) -> tuple[float, float]:
+    """Smallest and largest size that the geometry of a job allows."""
+    if isinstance(job.actuator, MeshFile):
+        raise TurgorError(
+            f"the actuator is the mesh file '{job.actuator.file}', which has one size; mesh the part at three "
+            "sizes and give a function of the size."
+        )
+    low, high = size_range(job.actuator.build())
+    return low, max(high, job.mesh_size)  # with two cells through every wall, the job may be coarser than its walls
+
+
+def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress | None) -> Solution:
+    share = size / job.mesh_size
+    faces = {name: length * share for name, length in job.mesh_face_sizes.items()}
+    model, _ = prepare(replace(job, mesh_size=size, mesh_face_sizes=faces), say)
+    options = EngineOptions(notify=say)
+    if job.threads is not None:
+        options = replace(options, threads=job.threads)
+    return solve(model, job.procedure, progress=progress, options=options)
+
+
+def _silent(_: str) -> None:
+    """Say nothing."""

@@ -1,0 +1,124 @@
+"""export_job: the actuator of a job as files for other programs, and for the workshop."""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from pathlib import Path
+
+from turgor.errors import TurgorError, unknown
+from turgor.geometry import FastPneuNet, Geometry, SlowPneuNet
+from turgor.geometry.mold import casting_mold
+from turgor.geometry.write_step import write_step
+from turgor.job.job import Job
+from turgor.job.meshes import mesh_of
+from turgor.meshing.exchange.mesh_file import MeshedShape
+from turgor.meshing.exchange.write_stl import write_stl
+from turgor.meshing.mesh import Mesh
+from turgor.model.model import Model
+from turgor.model.write_inp import PROGRAMS, compressible, write_inp
+
+#: What can be exported.
+KINDS = ("inp", "step", "stl", "mold")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InpOptions:
+    """How the .inp file of an export is written.
+
+    Parameters
+    ----------
+    program : str
+        ``"calculix"`` or ``"abaqus"``.
+    poisson : float or None [-]
+        Poisson's ratio at rest for incompressible materials, which CalculiX needs; None leaves them as they are.
+    """
+
+    program: str = "calculix"
+    poisson: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.program not in PROGRAMS:
+            raise unknown("program", self.program, PROGRAMS)
+
+
+def export_job(
+    job: Job, folder: str | Path, kinds: Collection[str], *, inp: InpOptions | None = None, force: bool = False
+) -> tuple[Path, ...]:
+    """Write the actuator of a job as files of other programs.
+
+    Parameters
+    ----------
+    job : Job
+        Usually from `turgor.job.read.read_job`.
+    folder : str or Path
+        Where to write; made if it is not there.
+    kinds : collection of str
+        ``"inp"``: the model for CalculiX or Abaqus. ``"step"``: the geometry. ``"stl"``: the whole body and each of
+        its cavities, cut from the mesh of the job. ``"mold"``: the parts of a casting mold, STEP and STL.
+    inp : InpOptions, optional
+        How the .inp file is written.
+    force : bool
+        Whether files that are there already are replaced.
+
+    Returns
+    -------
+    tuple of Path
+        What was written.
+
+    Raises
+    ------
+    TurgorError
+        If something has no form in the file, or a file is there already.
+    """
+    for kind in kinds:
+        if kind not in KINDS:
+            raise unknown("kind of export", kind, KINDS)
+    place, written = Path(folder), []
+    geometry = job.actuator.build()
+    mesh = mesh_of(job, geometry) if {"inp", "stl"} & set(kinds) else None
+    names = _names(job, geometry, mesh, kinds)
+    taken = [name for name in names if (place / name).exists()]
+    if taken and not force:
+        raise TurgorError(f"'{place / taken[0]}' is there already; choose another folder, or --force to replace it.")
+    place.mkdir(parents=True, exist_ok=True)
+    if mesh is not None and "inp" in kinds:
+        _write_model(job, mesh, place / f"{job.name}.inp", inp or InpOptions())
+    if "step" in kinds:
+        write_step(geometry, place / f"{job.name}.step")
+    if mesh is not None and "stl" in kinds:
+        write_stl(mesh, place / f"{job.name}.stl")
+        for cavity in mesh.cavities:
+            write_stl(mesh, place / f"{job.name}-{cavity}.stl", face=cavity)
+    if "mold" in kinds:
+        _write_mold(job, place)
+    written += [place / name for name in names]
+    return tuple(written)
+
+
+def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[str]) -> list[str]:
+    """Names of the files, and whether they can be written at all, before anything is."""
+    names = [f"{job.name}.inp"] if "inp" in kinds else []
+    if "step" in kinds:
+        if isinstance(geometry._shape, MeshedShape):
+            raise TurgorError("the actuator is a mesh, which has no form in STEP files; export it as stl.")
+        names.append(f"{job.name}.step")
+    if mesh is not None and "stl" in kinds:
+        names += [f"{job.name}.stl", *(f"{job.name}-{cavity}.stl" for cavity in mesh.cavities)]
+    if "mold" in kinds:
+        parts = ("cup", "core", "tray")
+        names += [f"{job.name}-mold-{part}.{ending}" for part in parts for ending in ("step", "stl")]
+    return names
+
+
+def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
+    model = Model(mesh, materials=job.materials, supports=job.supports, loads=job.loads)
+    if options.poisson is not None:
+        model = compressible(model, options.poisson)
+    write_inp(model, file, program=options.program, at=sorted({*job.procedure.at, 1.0}))
+
+
+def _write_mold(job: Job, folder: Path) -> None:
+    if not isinstance(job.actuator, FastPneuNet | SlowPneuNet):
+        raise TurgorError("a mold can be made for the actuator types fast_pneunet and slow_pneunet only.")
+    for name, part in casting_mold(job.actuator).items():
+        write_step(part, folder / f"{job.name}-mold-{name}.step")
+        write_stl(part, folder / f"{job.name}-mold-{name}.stl")

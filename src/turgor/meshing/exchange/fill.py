@@ -1,0 +1,118 @@
+"""mesh_surfaces: tetrahedra between closed surfaces, an outer one and those of cavities."""
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+from netgen.meshing import Element2D, FaceDescriptor, MeshPoint, NgException, Pnt, SetMessageImportance
+from netgen.meshing import Mesh as NetgenMesh
+
+from turgor.errors import TurgorError
+from turgor.meshing.exchange.frame import Frame
+from turgor.meshing.exchange.names import Wishes
+from turgor.meshing.exchange.raw import KINDS, Block, RawMesh
+from turgor.meshing.exchange.read import named_mesh
+from turgor.meshing.exchange.selectors import Choice
+from turgor.meshing.exchange.solids import place_of
+from turgor.meshing.exchange.stl import Triangles, read_stl
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.quiet import captured_output
+
+_CROSSING = re.compile(r"Intersecting elements (\d+) and (\d+)")
+
+
+def mesh_surfaces(
+    path: str | Path,
+    *,
+    unit: str = "mm",
+    regions: Mapping[str, Choice] | None = None,
+    faces: Mapping[str, Choice] | None = None,
+    cavities: Mapping[str, str | Path] | None = None,
+    axes: tuple[str, str, str] = ("x", "y", "z"),
+) -> Mesh:
+    """Fill the space between closed STL surfaces with tetrahedra, keeping their triangles as they are.
+
+    Parameters
+    ----------
+    path : str or Path
+        STL file of the outer surface; it may hold the cavities as further shells.
+    unit : str
+        Unit of length of all files.
+    regions, faces : mappings, optional
+        As for `read_mesh`, by selectors.
+    cavities : mapping of str to str or Path, optional
+        Names of cavities with STL files of their surfaces, where these are files of their own.
+    axes : (str, str, str)
+        Directions in the file of our x, y and z, as for `read_mesh`.
+
+    Returns
+    -------
+    Mesh
+
+    Raises
+    ------
+    TurgorError
+        If a surface is open, or surfaces cross themselves or each other.
+    """
+    file = Path(path)
+    outer = read_stl(file).shells()
+    found = [shell for cavity in (cavities or {}).values() for shell in read_stl(cavity).shells()]
+    inner = [shell for shell in found if not any(_same(shell, other) for other in outer)]
+    for shell, where in ((shell, file) for shell in (*outer, *inner)):
+        if shell.open_edges:
+            raise TurgorError(f"a surface of '{where}' is open: {shell.open_edges} edges have not two triangles.")
+    shells = [_wound(shell, outward=i == 0) for i, shell in enumerate((*outer, *inner))]
+    frame = Frame(unit=unit, axes=axes)
+    wishes = Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame)
+    return named_mesh(_filled(file, shells, frame), wishes)
+
+
+def _same(a: Triangles, b: Triangles) -> bool:
+    """Whether two shells are the same surface, one perhaps wound the other way."""
+    boxes = [np.stack([shell.points.min(axis=0), shell.points.max(axis=0)]) for shell in (a, b)]
+    near = 1e-5 * float(np.ptp(boxes[0], axis=0).max())
+    volumes = abs(a.volume), abs(b.volume)
+    return bool(np.abs(boxes[0] - boxes[1]).max() <= near and abs(volumes[0] - volumes[1]) <= 1e-4 * volumes[0])
+
+
+def _wound(shell: Triangles, outward: bool) -> Triangles:
+    """Turn a shell so that its normals point out of the solid: outwards on the largest one, inwards on cavities."""
+    if (shell.volume > 0) == outward:
+        return shell
+    return Triangles(points=shell.points, triangles=shell.triangles[:, ::-1])
+
+
+def _filled(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh:
+    before = SetMessageImportance(0)
+    with captured_output() as text:
+        made = NetgenMesh(dim=3)
+        made.Add(FaceDescriptor(surfnr=1, domin=1, domout=0, bc=1))
+        for shell in shells:
+            numbers = [made.Add(MeshPoint(Pnt(*position))) for position in shell.points.tolist()]
+            for triangle in shell.triangles.tolist():
+                made.Add(Element2D(1, [numbers[i] for i in triangle]))
+        try:
+            made.GenerateVolumeMesh()
+        except NgException:
+            pass  # no cells were made, which is told below with the places
+        finally:
+            SetMessageImportance(before)
+        said = text()
+    cells = made.Elements3D().NumPy()["nodes"]
+    if not len(cells):
+        raise _not_filled(file, shells, said, frame)
+    block = Block(kind=KINDS["tetrahedron4"], nodes=cells[:, :4].astype(np.int64) - 1)
+    return RawMesh(path=file, points=np.array(made.Coordinates(), dtype=np.float64), blocks=(block,), named=False)
+
+
+def _not_filled(file: Path, shells: Sequence[Triangles], text: str, frame: Frame) -> TurgorError:
+    corners = np.concatenate([shell.points[shell.triangles] for shell in shells])
+    pairs = {tuple(sorted((int(a) - 1, int(b) - 1))) for a, b in _CROSSING.findall(text)}
+    if not pairs:
+        return TurgorError(f"the space between the surfaces of '{file}' could not be filled with cells.")
+    places = ", ".join(place_of(frame.meters(corners[list(pair)].reshape(-1, 3))) for pair in sorted(pairs)[:3])
+    return TurgorError(
+        f"the surfaces of '{file}' and its cavities cross themselves or each other in {len(pairs)} places, around "
+        f"{places}; repair them where they were made."
+    )

@@ -1,0 +1,220 @@
+"""Names of regions and faces of an imported mesh: from the file, from the user, and from the shape of the boundary."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from turgor.errors import TurgorError, unknown
+from turgor.finding import Finding, Severity
+from turgor.meshing.exchange.boundary import Sides, components, enclosed_volume, find_sides, is_cavity
+from turgor.meshing.exchange.cavities import sides_on_stl
+from turgor.meshing.exchange.frame import Frame
+from turgor.meshing.exchange.raw import Ints, RawMesh
+from turgor.meshing.exchange.selectors import Choice, parts_of, picked_cells, picked_sides
+from turgor.meshing.exchange.solids import Solids
+from turgor.units import mm
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wishes:
+    """What the user asked for.
+
+    Parameters
+    ----------
+    regions, faces : mapping of str to Choice
+        Names with what they mean.
+    cavities : mapping of str to str or Path
+        Names of cavities with the STL files of their surfaces.
+    frame : Frame
+        Unit and axes of all files.
+    """
+
+    regions: Mapping[str, Choice] = field(default_factory=dict)
+    faces: Mapping[str, Choice] = field(default_factory=dict)
+    cavities: Mapping[str, str | Path] = field(default_factory=dict)
+    frame: Frame = field(default_factory=Frame)
+
+
+def name_regions(raw: RawMesh, solids: Solids, wishes: Wishes) -> tuple[dict[str, Ints], list[Finding]]:
+    """Give every cell one region.
+
+    Parameters
+    ----------
+    raw : RawMesh
+    solids : Solids
+    wishes : Wishes
+
+    Returns
+    -------
+    regions : dict of str to (k,) int array
+    findings : list of Finding
+        G22 where groups of the file could not become regions.
+
+    Raises
+    ------
+    TurgorError
+        If a wish names an unknown group or picks no cell.
+    """
+    given, findings = _regions_of_file(raw, solids)
+    owner = np.full(len(solids.cells), -1, dtype=np.int64)
+    names = list(given)
+    for place, rows in enumerate(given.values()):
+        owner[rows] = place
+    centers = solids.points[solids.cells[:, : solids.kind.corners]].mean(axis=1)
+    for name, choice in wishes.regions.items():
+        group, selectors = parts_of(choice)
+        rows = _group(solids.groups, group, "region in the file") if group else picked_cells(selectors, centers)
+        if not len(rows):
+            raise TurgorError(f"region '{name}' picks no cell of '{raw.path}'; {_bounds(solids)}.")
+        if name not in names:
+            names.append(name)
+        owner[rows] = names.index(name)
+    rest = np.flatnonzero(owner < 0)
+    if len(rest):
+        if "body" not in names:
+            names.append("body")
+        owner[rest] = names.index("body")
+    regions = {name: np.flatnonzero(owner == place) for place, name in enumerate(names)}
+    return {name: rows for name, rows in regions.items() if len(rows)}, findings
+
+
+def _regions_of_file(raw: RawMesh, solids: Solids) -> tuple[dict[str, Ints], list[Finding]]:
+    """Groups of cells that do not overlap: those with a material, else all but the ones that hold everything."""
+    if not raw.named or not solids.groups:
+        return {}, []
+    found = {name: solids.groups[name] for name in raw.sections if name in solids.groups}
+    if not found:
+        parts = {name: rows for name, rows in solids.groups.items() if len(rows) < len(solids.cells)}
+        found = parts or dict(list(solids.groups.items())[:1])
+    count = np.zeros(len(solids.cells), dtype=np.int64)
+    for rows in found.values():
+        count[rows] += 1
+    if count.max(initial=0) <= 1:
+        return found, []
+    return {}, [
+        _note(
+            f"The groups {_listed(found)} of '{raw.path.name}' overlap, so they are not regions; all cells are 'body'.",
+            "Say which ones are regions, for example regions={'base': 'NAME'}.",
+        )
+    ]
+
+
+def name_faces(raw: RawMesh, solids: Solids, sides: Sides, wishes: Wishes) -> tuple[dict[str, Ints], list[Finding]]:
+    """Name the boundary: faces of the file, wishes, cavities, and ``outside`` for the rest.
+
+    Parameters
+    ----------
+    raw : RawMesh
+    solids : Solids
+    sides : Sides
+    wishes : Wishes
+
+    Returns
+    -------
+    faces : dict of str to (f,) int array
+        Rows of ``sides.nodes``.
+    findings : list of Finding
+        G22 about guessed names, G23 about surfaces of cavities.
+
+    Raises
+    ------
+    TurgorError
+        If a wish names an unknown face or picks no side.
+    """
+    given = faces_of_file(raw, solids, sides)
+    renamed = {parts_of(choice)[0] for choice in wishes.faces.values()}
+    faces = {name: rows for name, rows in given.items() if raw.named and name not in renamed}
+    outer = np.flatnonzero(sides.outer)
+    for name, choice in wishes.faces.items():
+        group, selectors = parts_of(choice)
+        rows = _group(given, group, "face in the file") if group else picked_sides(selectors, sides, outer)
+        if not len(rows):
+            raise TurgorError(f"face '{name}' picks no side of '{raw.path}'; {_bounds(solids)}.")
+        faces[name] = rows
+    mirrors = [rows for name, rows in faces.items() if name.startswith("symmetry_")]
+    findings = []
+    for name, path in wishes.cavities.items():
+        faces[name], finding = sides_on_stl(sides, name, path, wishes.frame, mirrors)
+        findings.append(finding)
+    findings += _name_rest(sides, faces, mirrors)
+    return dict(sorted(faces.items())), findings
+
+
+def faces_of_file(raw: RawMesh, solids: Solids, sides: Sides) -> dict[str, Ints]:
+    """Sides of each named surface, group of flat cells, and set of nodes that holds a whole side.
+
+    Parameters
+    ----------
+    raw : RawMesh
+    solids : Solids
+    sides : Sides
+
+    Returns
+    -------
+    dict of str to (f,) int array
+        Rows of ``sides.nodes``.
+    """
+    count = sides.kind.side.corners
+    gone = np.append(solids.renumbered, -1)
+    found: dict[str, Ints] = {}
+    surfaces = {name: corners[(corners[:, 3] < 0) == (count == 3), :count] for name, corners in raw.surfaces.items()}
+    for block in raw.blocks:
+        if block.kind.dimension == 2 and block.kind.corners == count:
+            for name, rows in block.groups.items():
+                surfaces[name] = np.concatenate(
+                    [surfaces.get(name, block.nodes[:0, :count]), block.nodes[rows, :count]]
+                )
+    for name, corners in surfaces.items():
+        rows = find_sides(sides, gone[corners])
+        found[name] = np.unique(rows[rows >= 0])
+    outer = np.flatnonzero(sides.outer)
+    for name, nodes in raw.node_sets.items():
+        members = solids.renumbered[nodes]
+        whole = np.isin(sides.corners[outer], members[members >= 0]).all(axis=1)
+        if name not in found and not whole.all():  # a set of all nodes is no face
+            found[name] = outer[whole]
+    return {name: rows for name, rows in found.items() if len(rows)}
+
+
+def _name_rest(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> list[Finding]:
+    """Split what has no name yet into parts: closed inner ones are cavities, all others are outside."""
+    free = np.setdiff1d(np.flatnonzero(sides.outer), np.concatenate([np.zeros(0, dtype=np.int64), *faces.values()]))
+    parts = components(sides, free)
+    inner = [rows for rows in parts if is_cavity(sides, rows, mirrors)]
+    inner.sort(key=lambda rows: tuple(np.round(sides.positions[rows].mean(axis=(0, 1)), 9)))
+    taken = [name for name in faces if name.startswith("cavity")]
+    numbered = [f"cavity_{i}" for i in range(1, len(inner) + len(taken) + 1) if f"cavity_{i}" not in taken]
+    names = ["cavity"] if len(inner) == 1 and not taken else numbered[: len(inner)]
+    faces.update(zip(names, inner, strict=True))
+    outside = [rows for rows in parts if not any(rows is one for one in inner)]
+    if outside:
+        faces["outside"] = np.unique(np.concatenate([faces.get("outside", free[:0]), *outside]))
+    if not names:
+        return []
+    volumes = [-enclosed_volume(sides, rows, sides.points.mean(axis=0)) / mm**3 for rows in inner]
+    held = ", ".join(f"'{name}' ({volume:.5g} mm³)" for name, volume in zip(names, volumes, strict=True))
+    if mirrors:
+        held = _listed(names)
+    return [_note(f"Closed inner surfaces without a name became {held}.", "Name them yourself if they are none.")]
+
+
+def _group(groups: Mapping[str, Ints], name: str, what: str) -> Ints:
+    if name not in groups:
+        raise unknown(what, name, groups)
+    return groups[name]
+
+
+def _listed(names: Mapping[str, Ints] | Sequence[str]) -> str:
+    return ", ".join(f"'{name}'" for name in names)
+
+
+def _bounds(solids: Solids) -> str:
+    low, high = solids.points.min(axis=0) / mm, solids.points.max(axis=0) / mm
+    spans = (f"{axis} {a:.4g} to {b:.4g}" for axis, a, b in zip("xyz", low, high, strict=True))
+    return f"the mesh lies at {', '.join(spans)} mm"
+
+
+def _note(message: str, advice: str) -> Finding:
+    return Finding(code="G22", severity=Severity.NOTE, message=message, advice=advice)

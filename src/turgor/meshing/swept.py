@@ -1,0 +1,114 @@
+"""Swept meshes: 27-node hexahedra of a section moved along a line or turned about an axis."""
+
+from collections.abc import Mapping, Sequence
+from math import pi
+
+from turgor.errors import TurgorError, unknown
+from turgor.geometry.geometry import Geometry
+from turgor.geometry.shapes.sections import Outline
+from turgor.geometry.sweep import Sweep, Turned
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.sweeping.axis import core_outline, core_radius, reaches_axis, with_core, without_core
+from turgor.meshing.sweeping.general import general_section
+from turgor.meshing.sweeping.grid import grid_section
+from turgor.meshing.sweeping.hexahedra import fill
+from turgor.meshing.sweeping.naming import assemble
+from turgor.meshing.sweeping.polar import polar_section
+from turgor.meshing.sweeping.section import Fineness, SectionMesh
+
+QUARTER = pi / 2
+
+#: Kinds of cells that a mesh can be made of.
+KINDS = ("tetrahedra", "hexahedra")
+
+
+def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
+    """Generate 27-node hexahedra that fill a geometry which is a swept section, and carry its names.
+
+    All nodes lie on the true shape. Where the section is a grid or rings, walls get one cell unless more are asked
+    for; sections of other outlines get two.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        What to mesh; its family tells how it is swept.
+    fine : Fineness
+        How fine the cells are.
+
+    Returns
+    -------
+    Mesh
+
+    Raises
+    ------
+    TurgorError
+        If the geometry is no sweep, or its section cannot be meshed.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> made = swept_mesh(FastPneuNet(chambers=2, length=20e-3).build(), Fineness(size=4e-3))
+    >>> len(made.cells), made.cell_type.name, sorted(made.faces)[0]
+    (227, '27-node hexahedron', 'cavity')
+    """
+    sweep = _sweep_of(geometry)
+    section = _section(sweep, sweep.outlines, fine)
+    if not reaches_axis(sweep, section):
+        return assemble(fill(sweep, section, fine), geometry, sweep)
+    radius = core_radius(sweep)
+    section = without_core(_section(sweep, (*sweep.outlines, core_outline(sweep)), fine), radius)
+    quarters = round((sweep.layers[-1].end - sweep.layers[0].start) / QUARTER)
+    return assemble(
+        with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine), geometry, sweep
+    )
+
+
+def check_cells(geometry: Geometry, cells: object, face_sizes: Mapping[str, float]) -> str:
+    """Return a kind of cells, refusing what is none and hexahedra where these cannot be made.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    cells : str
+        As `turgor.mesh` takes it.
+    face_sizes : mapping of str to float [m]
+        Sizes of some faces; hexahedra allow none.
+
+    Raises
+    ------
+    TurgorError
+        If the kind is unknown, the geometry is no sweep, or a face has a size of its own.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> check_cells(FastPneuNet().build(), "hexahedrons", {})
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: unknown kind of cells 'hexahedrons'; did you mean 'hexahedra'? Known: ...
+    """
+    if cells not in KINDS:
+        raise unknown("kind of cells", str(cells), KINDS)
+    if cells == "hexahedra":
+        _sweep_of(geometry)
+        if face_sizes:
+            name = next(iter(face_sizes))
+            raise TurgorError(f"mesh size of face '{name}' is given, but only tetrahedra can follow sizes of faces.")
+    return str(cells)
+
+
+def _sweep_of(geometry: Geometry) -> Sweep:
+    if geometry._sweep is None:
+        raise TurgorError(
+            f"'{geometry.name}' cannot be filled with hexahedra: it is not built as a section moved along a line or "
+            'turned about an axis. Use cells = "tetrahedra"; hexahedra fill PneuNets, tubes, benders, omnidirectional '
+            "actuators and bellows of revolution, in most of their forms."
+        )
+    sweep: Sweep = geometry._sweep
+    return sweep
+
+
+def _section(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
+    section = grid_section(outlines, fine)
+    if section is None and not isinstance(sweep.path, Turned):
+        section = polar_section(sweep.layers, outlines, fine)
+    return general_section(outlines, fine) if section is None else section

@@ -1,0 +1,87 @@
+"""Drive: which pressures act at a load factor, as numbers and in words."""
+
+from turgor.model.loads import RAMP, Pressure
+from turgor.model.model import Model
+from turgor.units import kPa
+
+
+def common_pressure(model: Model) -> Pressure | None:
+    """Return the first pressure where all faces under pressure share its value and history; None otherwise.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    Pressure or None
+    """
+    different = {(load.pressure, load.history) for load in model.pressures}
+    return model.pressures[0] if len(different) == 1 else None
+
+
+def pressures_at(model: Model, load_factor: float) -> dict[str, float]:
+    """Return the gauge pressure on every pressed face and in every cavity at a load factor [Pa].
+
+    Parameters
+    ----------
+    model : Model
+    load_factor : float
+
+    Returns
+    -------
+    dict of str to float [Pa]
+        Cavities first, in the order of the mesh; zero in a cavity without load.
+    """
+    found = dict.fromkeys(model.mesh.cavities, 0.0)
+    for load in model.pressures:
+        found[load.face] = found.get(load.face, 0.0) + load.at(load_factor)
+    return found
+
+
+def kinks(model: Model) -> tuple[float, ...]:
+    """Return the load factors between 0 and 1 at which a history has a point, rising.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    tuple of float
+    """
+    return tuple(sorted({factor for load in model.pressures for factor, _ in load.history if 0 < factor < 1}))
+
+
+def drive_text(model: Model, load_factor: float, digits: int = 4) -> str:
+    """Write the pressures at a load factor for a person: ``"20 kPa"``, or each with its face where they differ.
+
+    Parameters
+    ----------
+    model : Model
+    load_factor : float
+    digits : int
+        Significant digits.
+
+    Returns
+    -------
+    str
+        Empty where no pressure acts.
+    """
+    common = common_pressure(model)
+    if common is not None:
+        return f"{common.at(load_factor) / kPa:.{digits}g} kPa"
+    if not model.pressures:
+        return ""
+    return ", ".join(f"{face} {p / kPa:.{digits}g} kPa" for face, p in pressures_at(model, load_factor).items())
+
+
+def rises(load: Pressure) -> bool:
+    """Whether a pressure grows in proportion to the load factor.
+
+    Examples
+    --------
+    >>> rises(Pressure("cavity", 1e3)), rises(Pressure("cavity", 1e3, history=[(0, 0), (0.5, 1), (1, 0)]))
+    (True, False)
+    """
+    return load.history == RAMP

@@ -1,0 +1,29 @@
+"""Solve an example job of `examples/actuators` in memory."""
+
+from pathlib import Path
+
+from turgor.job.job import Job
+from turgor.job.read import read_job
+from turgor.job.run import prepare
+from turgor.response import Response
+from turgor.results.measures import find_measure, measure
+from turgor.solvers.driver import solve
+
+JOBS = Path(__file__).parents[2] / "examples" / "actuators"
+
+
+def run_example(name: str) -> Response:
+    """Return the measures of `examples/actuators/<name>.toml` along its path; raise SolveError unless it is done."""
+    return solve_job(example(name))
+
+
+def example(name: str) -> Job:
+    """Read `examples/actuators/<name>.toml`, so that a test can change it before it is solved."""
+    return read_job(JOBS / f"{name}.toml")
+
+
+def solve_job(job: Job) -> Response:
+    """Return the measures of a job along its path; raise SolveError unless it is done."""
+    model, _ = prepare(job)
+    solution = solve(model, job.procedure)
+    return measure(solution, *(find_measure(each) for each in job.output.measures))

@@ -1,0 +1,81 @@
+"""The example jobs of bellows and of actuators with several cavities solve; they move the way the review says."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import pytest
+from run_example import JOBS, run_example
+
+from turgor.job.job import Job
+from turgor.job.read import read_job
+from turgor.job.run import prepare
+from turgor.model.loads import Pressure
+from turgor.results.measures import find_measure, measure
+from turgor.solvers.driver import solve
+from turgor.solvers.procedures import Static
+from turgor.units import deg, kPa, mm
+
+
+def at_the_end(job: Job) -> Mapping[str, float]:
+    """Solve a job and return its measures at the last state."""
+    model, _ = prepare(job)
+    response = measure(solve(model, job.procedure), *(find_measure(name) for name in job.output.measures))
+    return {name: float(response.column(name)[-1]) for name in response.names}
+
+
+def driven(name: str, *pressures: float, size: float | None = None, **dimensions: float) -> Mapping[str, float]:
+    """Solve an example with other pressures in its cavities, and perhaps other dimensions."""
+    job = read_job(JOBS / f"{name}.toml")
+    loads = tuple(Pressure(f"cavity_{i}", each) for i, each in enumerate(pressures, start=1))
+    actuator = replace(job.actuator, **dimensions)
+    few = Static(first_step=0.5, max_step=0.5)
+    return at_the_end(replace(job, actuator=actuator, loads=loads, procedure=few, mesh_size=size or job.mesh_size))
+
+
+def test_a_bellows_extends_by_a_fifth_of_its_length() -> None:
+    response = run_example("bellows_of_revolution")
+    assert response.column("tip_displacement_x")[-1] == pytest.approx(9.9 * mm, rel=0.03)
+    assert response.column("cavity_volume")[-1] > 1.4 * response.column("cavity_volume")[0]
+
+
+def test_a_quarter_of_a_bellows_moves_as_its_half_does() -> None:
+    job = read_job(JOBS / "bellows_of_revolution.toml")
+    quarter = replace(job, actuator=replace(job.actuator, folds=1))
+    half = replace(quarter, actuator=replace(quarter.actuator, quarter=False))
+    of_quarter, of_half = at_the_end(quarter), at_the_end(half)
+    for name in ("tip_displacement_x", "cavity_volume"):
+        assert of_half[name] == pytest.approx(of_quarter[name], rel=0.005)
+
+
+def test_one_chamber_bends_an_omnidirectional_actuator_away_from_it() -> None:
+    response = run_example("omnidirectional_actuator")
+    assert response.column("bending_angle")[-1] == pytest.approx(1.07 * deg, rel=0.03)
+    assert response.column("tip_displacement_z")[-1] < 0
+    assert response.column("tip_displacement_x")[-1] > 0
+
+
+def test_two_chambers_bend_it_back_and_three_stretch_it() -> None:
+    one, two, all_three = (
+        driven("omnidirectional_actuator", *pressures, size=3.4 * mm, length=25 * mm)
+        for pressures in ((6 * kPa, 0.0), (0.0, 6 * kPa), (6 * kPa, 6 * kPa))
+    )
+    assert one["bending_angle"] > 0.2 * deg
+    assert two["bending_angle"] == pytest.approx(-one["bending_angle"], rel=0.05)
+    assert abs(all_three["bending_angle"]) < 0.01 * one["bending_angle"]
+    assert all_three["tip_displacement_x"] > 2 * one["tip_displacement_x"] > 0
+
+
+@pytest.mark.parametrize(
+    ("name", "pressure", "angle"), [("three_extenders", 3 * kPa, 0.92), ("parallel_bellows", 1.5 * kPa, 6.29)]
+)
+def test_one_cylinder_tilts_the_plate_away_and_three_push_it_straight_on(name, pressure, angle) -> None:
+    one, all_three = driven(name, pressure, 0.0), driven(name, pressure, pressure)
+    assert one["bending_angle"] == pytest.approx(angle * deg, rel=0.03)
+    assert one["tip_displacement_z"] < 0
+    assert abs(all_three["bending_angle"]) < 0.01 * one["bending_angle"]
+    assert all_three["tip_displacement_x"] > 2 * one["tip_displacement_x"] > 0
+
+
+def test_a_revolute_joint_turns_both_ways() -> None:
+    assert run_example("revolute_joint").column("bending_angle")[-1] == pytest.approx(1.54 * deg, rel=0.03)
+    assert driven("revolute_joint", 0.0, 5 * kPa, size=6 * mm)["bending_angle"] == pytest.approx(-1.54 * deg, rel=0.1)

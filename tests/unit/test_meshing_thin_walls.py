@@ -1,0 +1,66 @@
+"""Thin walls among thick ones get smaller cells where they are, and nowhere else."""
+
+import numpy as np
+import pytest
+from meshing_cases import thin_roof, thin_tube
+
+from turgor.errors import TurgorError
+from turgor.meshing import generate
+from turgor.meshing.checks import check_mesh
+from turgor.meshing.generate import mesh
+from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
+from turgor.meshing.surface import outer_triangles
+from turgor.meshing.thin_walls import find_thin_walls
+from turgor.units import mm
+
+SIZE = 5 * mm
+
+
+@pytest.fixture(scope="module")
+def suited() -> Mesh:
+    return mesh(thin_roof(), size=SIZE, wall_cells=2)
+
+
+def edges_near(made: Mesh, x: tuple[float, float], z: float) -> np.ndarray:
+    """Lengths of the edges on a horizontal piece of surface."""
+    surface = outer_triangles(made)
+    middle = made.points[surface[:, :3]].mean(axis=1) / mm
+    chosen = (abs(middle[:, 2] - z) < 1e-6) & (middle[:, 0] > x[0]) & (middle[:, 0] < x[1])
+    chosen &= abs(middle[:, 1] - 10) < 4  # over the cavity
+    corners = made.points[surface[chosen, :3]]
+    return np.concatenate([np.linalg.norm(corners[:, a] - corners[:, b], axis=1) for a, b in TRIANGLE_EDGES])
+
+
+def test_cells_suit_the_thin_roof_and_stay_large_elsewhere(suited: Mesh) -> None:
+    assert check_mesh(suited) == ()
+    assert len(find_thin_walls(suited, SIZE).points) == 0
+    assert edges_near(suited, (22, 28), 20).max() < 3.01 * mm  # six times 0.5 mm
+    assert edges_near(suited, (22, 58), 0).max() > 4 * mm
+
+
+def test_the_thickness_is_measured_through_the_solid(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(generate, "ROUNDS", 0)
+    plain = mesh(thin_roof(), size=SIZE, wall_cells=2)
+    walls = find_thin_walls(plain, SIZE)
+    assert walls.thickness == pytest.approx(np.full(len(walls.points), 0.5 * mm))
+    x, y, z = (walls.points / mm).T
+    assert ((x > 18) & (x < 32) & (y > 3) & (y < 17)).all()
+    assert set(np.round(z, 6)) == {19.5, 20.0}  # seen from both sides
+    assert (walls.sizes(1) < walls.sizes(0)).all()
+    (finding,) = check_mesh(plain)
+    assert finding.code == "G09"
+    assert f"In {len(walls.points)} places cells are more than six times as long" in finding.message
+    assert "0.5 mm thick" in finding.message
+
+
+def test_the_thickness_of_a_curved_wall_is_along_its_normal() -> None:
+    coarse = mesh(thin_tube(), size=2 * mm)
+    found = find_thin_walls(coarse, 100 * mm)
+    assert len(found.points) == 0 or found.thickness == pytest.approx(0.5 * mm, rel=0.2)
+
+
+def test_without_wall_cells_the_size_must_suit_the_thinnest_wall() -> None:
+    with pytest.raises(TurgorError, match=r"mesh size is 5 mm, too coarse for the wall of 0\.5 mm"):
+        mesh(thin_roof(), size=SIZE)
+    with pytest.raises(TurgorError, match="mesh size is 100 mm, larger than the part"):
+        mesh(thin_roof(), size=100 * mm, wall_cells=2)

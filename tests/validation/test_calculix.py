@@ -1,0 +1,105 @@
+"""The same model solved by CalculiX and by this package, on the same mesh with the same cells.
+
+CalculiX has displacements only, so the pure-displacement formulation stands against it here, at a Poisson's ratio of
+0.475 at rest; docs/calculix.md shows what that formulation loses where rubber is nearly incompressible.
+Tolerance: 1 % in the tip displacement is asked; 0.1 % is what remains of CalculiX's own tolerance.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from calculix import displacements, needs_calculix, run_ccx
+
+import turgor as tg
+from turgor.geometry import FastPneuNet
+from turgor.model.write_inp import write_inp
+from turgor.units import MPa, kPa, mm
+
+POISSON = 0.475
+
+
+def rubber(law):
+    mu = law.shear_modulus
+    return tg.Material(name="rubber", law=law, bulk_modulus=mu * 2 * (1 + POISSON) / (3 * (1 - 2 * POISSON)))
+
+
+def finger(chambers=2):
+    return FastPneuNet(chambers=chambers, length=10 * chambers * mm, wall=1.5 * mm)
+
+
+def question(mesh, pressure, paper=False):
+    materials = {
+        "body": rubber(tg.Yeoh(C10=0.05 * MPa, C20=0.001 * MPa)),
+        "base": rubber(tg.NeoHooke(C10=0.2 * MPa)),
+    }
+    if paper:
+        sheet = tg.Material(name="paper", law=tg.Hooke(E=100 * MPa, nu=0.2))
+        materials["strain_limiting_layer"] = tg.Membrane(sheet, thickness=0.1 * mm)
+    return tg.Model(
+        mesh,
+        materials=materials,
+        supports=[tg.Fixed("fixed")],
+        loads=[tg.Pressure("cavity", pressure)],
+        formulation="displacement",
+    )
+
+
+def with_twenty_nodes(mesh):
+    """The 20-node hexahedra inside 27-node ones."""
+    used = np.unique(mesh.cells[:, :20])
+    number = np.full(len(mesh.points), -1)
+    number[used] = np.arange(len(used))
+    faces = {name: number[sides[:, :8]] for name, sides in mesh.faces.items()}
+    return replace(mesh, points=mesh.points[used], cells=number[mesh.cells[:, :20]], faces=faces)
+
+
+def compare(model, folder, at=(1.0,)):
+    """Mean displacement of the tip [m], by both."""
+    tip = np.unique(model.mesh.faces["tip"])
+    solution = tg.solve(model, tg.Static(at=at))
+    file = folder / "finger.inp"
+    write_inp(model, file, at=at)
+    run_ccx(file)
+    pairs = []
+    for time, u in displacements(file, len(model.mesh.points)):
+        (ours,) = [state for state in solution.states if abs(state.load_factor - time) < 1e-6]
+        pairs.append((ours.displacement[tip].mean(axis=0), u[tip].mean(axis=0)))
+    return pairs
+
+
+@needs_calculix
+def test_ten_node_tetrahedra(tmp_path):
+    model = question(tg.mesh(finger().build(), size=4 * mm), 4 * kPa)
+    pairs = compare(model, tmp_path, at=(0.5, 1.0))
+    assert len(pairs) == 2
+    for ours, theirs in pairs:
+        assert np.linalg.norm(ours) > 0.5 * mm
+        assert np.linalg.norm(ours - theirs) < 1e-3 * np.linalg.norm(theirs)
+
+
+@needs_calculix
+def test_twenty_node_hexahedra_with_eight_points(tmp_path):
+    mesh = with_twenty_nodes(tg.mesh(finger().build(), size=4 * mm, cells="hexahedra"))
+    ((ours, theirs),) = compare(question(mesh, 4 * kPa), tmp_path)
+    assert np.linalg.norm(ours) > 0.5 * mm
+    assert np.linalg.norm(ours - theirs) < 1e-3 * np.linalg.norm(theirs)
+
+
+@pytest.mark.slow
+@needs_calculix
+def test_membrane_on_a_layer(tmp_path):
+    """CalculiX makes thin wedges of a membrane, which bends 2 % further than ours with its three points a triangle."""
+    model = question(tg.mesh(finger().build(), size=4 * mm), 2 * kPa, paper=True)
+    ((ours, theirs),) = compare(model, tmp_path)
+    assert np.linalg.norm(ours - theirs) < 4e-2 * np.linalg.norm(theirs)
+
+
+@pytest.mark.slow
+@needs_calculix
+def test_mixed_cells_do_not_agree_with_it(tmp_path):
+    """What it would look like if the comparison above could not fail: the mixed cells bend 3 % further."""
+    model = question(tg.mesh(finger().build(), size=4 * mm), 1 * kPa)
+    mixed = tg.Model(model.mesh, model.materials, model.supports, model.loads)
+    ((ours, theirs),) = compare(mixed, tmp_path)
+    assert 0.01 < np.linalg.norm(ours - theirs) / np.linalg.norm(theirs) < 0.2
