@@ -100,6 +100,8 @@ if TYPE_CHECKING:
     from turgor.meshing.generate import mesh as mesh
     from turgor.meshing.mesh import Mesh as Mesh
     from turgor.meshing.sizes import default_size as default_size
+    from turgor.model.fibers import Fibers as Fibers
+    from turgor.model.fibers import Winding as Winding
     from turgor.model.loads import BodyForce as BodyForce
     from turgor.model.loads import Gravity as Gravity
     from turgor.model.loads import Pressure as Pressure
@@ -108,20 +110,27 @@ if TYPE_CHECKING:
     from turgor.model.model import Model as Model
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
+    from turgor.model.supports import Radial as Radial
     from turgor.model.supports import Symmetry as Symmetry
     from turgor.model.write_inp import compressible as compressible
     from turgor.model.write_inp import write_inp as write_inp
     from turgor.response import Response as Response
     from turgor.response import read_response as read_response
     from turgor.results.convergence import Convergence as Convergence
+    from turgor.results.fibers import FiberResult as FiberResult
+    from turgor.results.fibers import fiber_results as fiber_results
     from turgor.results.measures import bending_angle as bending_angle
     from turgor.results.measures import cavity_volume as cavity_volume
+    from turgor.results.measures import maximum_fiber_tension as maximum_fiber_tension
     from turgor.results.measures import maximum_principal_stretch as maximum_principal_stretch
     from turgor.results.measures import maximum_von_mises as maximum_von_mises
     from turgor.results.measures import measure as measure
     from turgor.results.measures import reaction as reaction
     from turgor.results.measures import smallest_gap as smallest_gap
     from turgor.results.measures import tip_displacement as tip_displacement
+    from turgor.results.measures import tip_displacement_x as tip_displacement_x
+    from turgor.results.measures import tip_displacement_y as tip_displacement_y
+    from turgor.results.measures import tip_displacement_z as tip_displacement_z
     from turgor.results.measures import twist_angle as twist_angle
     from turgor.results.measures import volume_of as volume_of
     from turgor.solvers.driver import solve as solve
@@ -160,6 +169,11 @@ _ROOMS = {
     "turgor.geometry.actuators.twisting_tube": ("TwistingTube",),
     "turgor.geometry.actuators.two_material_bender": ("TwoMaterialBender",),
     "turgor.geometry.geometry": ("Geometry",),
+    "turgor.model.fibers": (
+        "Fibers",
+        "Winding",
+    ),
+    "turgor.results.fibers": ("FiberResult", "fiber_results"),
     "turgor.geometry.cad.read": ("read_cad",),
     "turgor.geometry.cad.inspection": (
         "Inspection",
@@ -256,17 +270,21 @@ _ROOMS = {
     "turgor.meshing.mesh": ("Mesh",),
     "turgor.model.loads": ("BodyForce", "Gravity", "Pressure", "Traction"),
     "turgor.model.model": ("Membrane", "Model"),
-    "turgor.model.supports": ("Displacement", "Fixed", "Symmetry"),
+    "turgor.model.supports": ("Displacement", "Fixed", "Radial", "Symmetry"),
     "turgor.response": ("Response", "read_response"),
     "turgor.results.measures": (
         "bending_angle",
         "cavity_volume",
+        "maximum_fiber_tension",
         "maximum_principal_stretch",
         "maximum_von_mises",
         "measure",
         "reaction",
         "smallest_gap",
         "tip_displacement",
+        "tip_displacement_x",
+        "tip_displacement_y",
+        "tip_displacement_z",
         "twist_angle",
         "volume_of",
     ),

@@ -6,6 +6,7 @@ from importlib import import_module
 from pathlib import Path
 
 import turgor as tg
+from turgor.job.fibers import FibersTable
 
 ROOT = Path(__file__).parents[2]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
@@ -61,3 +62,14 @@ def test_job_of_the_guide_on_materials_is_read(tmp_path):
     names = {}
     exec("\n".join(blocks("docs/howto/own-material.md", "python")), names)
     assert names["rubber"] == materials["body"]
+
+
+def test_jobs_of_the_guides_on_reinforcement_are_read(tmp_path):
+    file = tmp_path / "job.toml"
+    for page, name in (("fibers", "braid"), ("strain-limiting-layer", None)):
+        file.write_text(blocks(f"docs/howto/{page}.md", "toml")[0], encoding="utf-8")
+        job = tg.read_job(file)
+        assert list(job.fibers) == ([name] if name else [])
+    assert job.materials["strain_limiting_layer"].bending
+    keys = set(re.findall(r"`(\w+)`", "".join(re.findall(r"(?m)^\| (.*?) \|", read("docs/howto/fibers.md")))))
+    assert keys - {"E"} == set(FibersTable.model_fields) - {"name", "law", "E", "nu", "density", "source"}

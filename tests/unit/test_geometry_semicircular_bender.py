@@ -101,3 +101,16 @@ def test_what_cannot_be_is_said(field, value, message):
     with pytest.raises(TurgorError) as error:
         SemicircularBender(**{field: value})
     assert str(error.value) == message
+
+
+def test_a_layer_with_a_thickness_is_a_region():
+    bender = SemicircularBender(layer=0.5 * mm)
+    assert_shape(
+        bender,
+        solid=SemicircularBender().solid_volume * 1e9 + 0.5 * 10 * 100,
+        cavities={"cavity": pi * 8**2 / 4 * 90},
+        regions={"body", "base", "strain_limiting_layer"},
+        faces={"cavity", "fixed", "interface", "outside", "tip", "symmetry_y"},
+    )
+    with pytest.raises(TurgorError, match=r"layer is 11 mm; allowed is 0 \(none\) or 0.01 mm to 10 mm"):
+        SemicircularBender(layer=11 * mm)

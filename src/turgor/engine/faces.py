@@ -1,14 +1,19 @@
-"""Terms on named faces: follower pressures and membranes."""
+"""Terms on named faces: follower pressures, membranes and fibers."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.engine import membranes, surfaces
+from turgor.engine import fibers, membranes, surfaces
+from turgor.engine import thread_bending as bending
 from turgor.engine.pattern import Pattern, locate, scatter_add
 from turgor.engine.reference import side_tables
+from turgor.engine.shells import shear_layers, shear_moduli, shell_layers
+from turgor.engine.threads import Threads, lay
+from turgor.materials.laws import Hooke
 from turgor.model.loads import History, Pressure
 from turgor.model.model import Model
 
@@ -42,8 +47,28 @@ class _Sheet:
     positions: NDArray[np.int32]
 
 
+@dataclass(slots=True, eq=False)
+class _Threads:
+    """Fibers: their pieces, in scaled units."""
+
+    pieces: fibers.Pieces
+    positions: NDArray[np.int32]
+
+    @property
+    def triangles(self) -> Triangles:
+        return self.pieces.sides
+
+
+@dataclass(slots=True, eq=False)
+class _Bent:
+    """Joints of threads that resist bending, in scaled units."""
+
+    joints: bending.Joints
+    positions: NDArray[np.int32]
+
+
 class FaceTerms:
-    """Forces and tangents of pressures and membranes, in scaled units.
+    """Forces and tangents of pressures, membranes and fibers, in scaled units.
 
     Parameters
     ----------
@@ -60,20 +85,47 @@ class FaceTerms:
         self._pressed = _group_pressures(model, points, held, stress)
         self._sheets = []
         for name, membrane in model.membranes.items():
-            triangles = np.ascontiguousarray(model.mesh.face(name))
-            gradients, areas = membranes.surface_gradients(points, triangles)
-            law = membrane.material.law
-            moduli = membranes.plane_stress_moduli(law) * membrane.thickness / (length * stress)  # type: ignore[arg-type]
-            self._sheets.append(_Sheet(triangles, gradients, areas, moduli, np.empty(0, np.int32)))
+            law, scale = membrane.material.law, membrane.thickness / (length * stress)
+            assert isinstance(law, Hooke)
+            moduli = membranes.plane_stress_moduli(law) * scale
+            if membrane.bending:
+                layers = shell_layers(model.mesh, name, membrane.thickness, length)
+                across = shear_layers(model.mesh, name, length)
+                shear = shear_moduli(law) * scale
+                self._sheets += [_Sheet(*layer, shear, np.empty(0, np.int32)) for layer in across]
+            else:
+                triangles = np.ascontiguousarray(model.mesh.face(name))
+                layers = [(triangles, *membranes.surface_gradients(points, triangles))]
+            self._sheets += [_Sheet(*layer, moduli, np.empty(0, np.int32)) for layer in layers]
+
+        self._threads, self._bent = [], []
+        for each in model.reinforcements:
+            laid = lay(model.mesh, each)
+            pieces = laid.pieces if isinstance(laid, Threads) else laid
+            self._threads.append(_Threads(_scaled(pieces, length, stress), np.empty(0, np.int32)))
+            if each.bending and isinstance(laid, Threads):
+                joints = bending.joints_of(laid, each, model.mesh.points).scaled(length, stress)
+                self._bent.append(_Bent(joints, np.empty(0, np.int32)))
 
     @property
     def symmetric(self) -> bool:
         """Whether all pressures derive from a potential."""
         return all(group.symmetric for group in self._pressed)
 
+    @property
+    def couplings(self) -> list[Triangles]:
+        """Unknowns that are tied across the borders of cells, a row for each tie."""
+        return [bent.joints.unknowns for bent in self._bent]
+
     def locate(self, pattern: Pattern) -> None:
         """Find where the entries of the triangles go in the tangent."""
-        terms: list[_Pressed | _Sheet] = [*self._pressed, *self._sheets]
+        for bent in self._bent:
+            unknowns = bent.joints.unknowns
+            rows, columns = np.tril_indices(unknowns.shape[1])
+            bent.positions = locate(
+                pattern.indptr, pattern.indices, unknowns[:, rows].ravel(), unknowns[:, columns].ravel()
+            )
+        terms: list[_Pressed | _Sheet | _Threads] = [*self._pressed, *self._sheets, *self._threads]
         for term in terms:
             unknowns = _unknowns(term.triangles)
             rows, columns = np.tril_indices(unknowns.shape[1])
@@ -90,7 +142,30 @@ class FaceTerms:
         for sheet, stress in zip(self._sheets, self.membrane_stresses(position), strict=True):
             local = membranes.membrane_forces(position, sheet.triangles, sheet.gradients, sheet.areas, stress)
             _add_at_nodes(internal, sheet.triangles, local)
+        for threads, tension in zip(self._threads, self.fiber_tensions(position), strict=True):
+            p = threads.pieces
+            _add_at_nodes(internal, p.sides, fibers.fiber_forces(position, p.sides, p.along, p.weights, tension))
+        for bent in self._bent:
+            _add_at_nodes(internal, bent.joints.nodes, bending.bending_forces(bent.joints, position))
         return internal, external
+
+    def fiber_tensions(self, position: Array, update: Array | None = None) -> list[Array]:
+        """Scaled tensions (k,) of the pieces of each winding, linearized for an update where one is given."""
+        return [tension for _, tension in self._stretched(position, update)]
+
+    def _stretched(self, position: Array, update: Array | None = None) -> list[tuple[Array, Array]]:
+        """Stretch and tension of the pieces of each winding."""
+        update = np.zeros_like(position) if update is None else update
+        pieces = [threads.pieces for threads in self._threads]
+        return [fibers.fiber_tensions(position, update, p.sides, p.along, p.stiffness, p.pushed) for p in pieces]
+
+    def fiber_energy(self, position: Array) -> float:
+        """Scaled energy of all fibers: ½ N (λ − 1) for each reference length, and that of bending."""
+        bent = sum(bending.bending_energy(each.joints, position) for each in self._bent)
+        return bent + sum(
+            0.5 * float((threads.pieces.weights * tension * (stretch - 1)).sum())
+            for threads, (stretch, tension) in zip(self._threads, self._stretched(position), strict=True)
+        )
 
     def membrane_stresses(self, position: Array, update: Array | None = None) -> list[Array]:
         """Scaled stress times thickness (f, q, 3) of each membrane, linearized for an update where one is given."""
@@ -104,24 +179,37 @@ class FaceTerms:
         """Scaled energy of all membranes, ½ S : ℂ⁻¹ : S."""
         total = 0.0
         for sheet, stress in zip(self._sheets, self.membrane_stresses(position), strict=True):
-            strain = stress @ np.linalg.inv(sheet.moduli)
+            strain = stress @ np.linalg.pinv(sheet.moduli)
             total += 0.5 * float((sheet.areas[..., None] * stress * strain).sum())
         return total
 
-    def add_tangents(self, data: Array, position: Array, load_factor: float, stresses: list[Array] | None) -> None:
-        """Add the symmetric parts of all tangents to the lower triangle; ``stresses`` enter the geometric stiffness."""
+    def add_tangents(self, data: Array, position: Array, load_factor: float, given: "FaceStresses | None") -> None:
+        """Add the symmetric parts of all tangents to the lower triangle; the given stresses enter the geometric one."""
         for group in self._pressed:
             local = surfaces.pressure_tangents(position, group.triangles, *_tables(group.triangles))
             local *= group.at(load_factor)
             local = 0.5 * (local + local.transpose(0, 2, 1))
             scatter_add(data, group.positions, _lower(local))
-        if stresses is None:
-            stresses = self.membrane_stresses(position)
-        for sheet, stress in zip(self._sheets, stresses, strict=True):
+        stresses = given or self.stresses(position)
+        for sheet, stress in zip(self._sheets, stresses.membranes, strict=True):
             local = membranes.membrane_tangents(
                 position, sheet.triangles, sheet.gradients, sheet.areas, sheet.moduli, stress
             )
             scatter_add(data, sheet.positions, _lower(local))
+        for threads, (stretch, _), tension in zip(
+            self._threads, self._stretched(position), stresses.fibers, strict=True
+        ):
+            p = threads.pieces
+            kept = np.where(stretch >= 1, 1.0, np.maximum(p.pushed, fibers.SLACK_TANGENT)) * p.stiffness
+            local = fibers.fiber_tangents(position, p.sides, p.along, p.weights, kept, tension)
+            scatter_add(data, threads.positions, _lower(local))
+        for bent in self._bent:
+            local = bending.bending_tangents(bent.joints, position)
+            scatter_add(data, bent.positions, bending.lower_of_doubled(local, bent.joints.unknowns))
+
+    def stresses(self, position: Array, update: Array | None = None) -> "FaceStresses":
+        """Stresses of membranes and tensions of fibers, linearized for an update where one is given."""
+        return FaceStresses(self.membrane_stresses(position, update), self.fiber_tensions(position, update))
 
     def skew_matrix(self, position: Array, load_factor: float, size: int) -> sp.csc_matrix | None:
         """Skew part of the tangents of pressures without potential; None where there are none."""
@@ -139,6 +227,37 @@ class FaceTerms:
             part = sp.csc_matrix((local.ravel(), (rows, columns)), shape=(size, size))
             total = part if total is None else (total + part).tocsc()
         return total
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FaceStresses:
+    """Scaled stresses (f, q, 3) of each membrane and tensions (k,) of each winding."""
+
+    membranes: list[Array]
+    fibers: list[Array]
+
+    @staticmethod
+    def combine(parts: "Sequence[tuple[float, FaceStresses]]") -> "FaceStresses":
+        """Weighted sum, for extrapolation."""
+        return FaceStresses(
+            _combined([(weight, part.membranes) for weight, part in parts]),
+            _combined([(weight, part.fibers) for weight, part in parts]),
+        )
+
+
+def _combined(parts: Sequence[tuple[float, list[Array]]]) -> list[Array]:
+    columns = zip(*(arrays for _, arrays in parts), strict=True)
+    return [np.asarray(sum(w * a for (w, _), a in zip(parts, column, strict=True))) for column in columns]
+
+
+def _scaled(pieces: fibers.Pieces, length: float, stress: float) -> fibers.Pieces:
+    """Pieces in scaled units: the product of weight and stiffness is a force times a length, along is 1 / length."""
+    return replace(
+        pieces,
+        along=np.ascontiguousarray(pieces.along * length),
+        weights=pieces.weights,
+        stiffness=pieces.stiffness / (stress * length**3),
+    )
 
 
 def _group_pressures(model: Model, points: Array, held: NDArray[np.bool_], stress: float) -> list[_Pressed]:

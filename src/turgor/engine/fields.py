@@ -160,4 +160,5 @@ def strain_energy(model: Model, displacement: Array, mean_stress: Array) -> floa
     density = materials.energy(I1, I2, F) + 0.5 * mean**2 * materials.compliance[:, None]
     held = np.zeros((len(mesh.points), 3), dtype=bool)
     sheets = FaceTerms(model, mesh.points, held, 1.0, 1.0)
-    return float((weight * density).sum()) + sheets.membrane_energy(mesh.points + displacement)
+    position = mesh.points + displacement
+    return float((weight * density).sum()) + sheets.membrane_energy(position) + sheets.fiber_energy(position)

@@ -6,6 +6,8 @@ tests/verification/test_membrane_locking.py a hundred times the stiffness change
 three points, and by −1.7 % with six, which tie more strains than a bent quadratic triangle can keep at zero: locking.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 from numba import njit, prange
 from numpy.typing import NDArray
@@ -25,21 +27,49 @@ def plane_stress_moduli(law: Hooke) -> Array:
     return factor * np.array([[1, law.nu, 0], [law.nu, 1, 0], [0, 0, (1 - law.nu) / 2]])
 
 
-def surface_gradients(points: Array, triangles: NDArray[np.int64]) -> tuple[Array, Array]:
-    """Shape function gradients in an orthonormal frame of the reference surface (f, q, n, 2), areas (f, q)."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Frames:
+    """Orthonormal frames of a reference surface at its integration points.
+
+    Parameters
+    ----------
+    e1, e2, normal : (f, q, 3) arrays
+        Two directions in the surface and the normal.
+    gradients : (f, q, n, 2) array
+        Derivatives of the shape functions along e1 and e2.
+    areas : (f, q) array
+        Area that each point stands for.
+    """
+
+    e1: Array
+    e2: Array
+    normal: Array
+    gradients: Array
+    areas: Array
+
+
+def surface_frames(points: Array, triangles: NDArray[np.int64]) -> Frames:
+    """Compute the frames at the points where membranes are integrated."""
     nodes = triangles.shape[1]
     reference = reference_cell(nodes, MEMBRANE_QUADRATURE_DEGREE[side_type(nodes).corners])
     tangents = np.einsum("qad,fai->fqid", reference.dN, points[triangles])
     r, s = tangents[..., 0], tangents[..., 1]
     normal = np.cross(r, s)
     size = np.linalg.norm(normal, axis=-1)
+    normal = normal / size[..., None]
     e1 = r / np.linalg.norm(r, axis=-1)[..., None]
-    e2 = np.cross(normal / size[..., None], e1)
+    e2 = np.cross(normal, e1)
     jacobian = np.empty((*r.shape[:-1], 2, 2))  # local coordinates by reference coordinates
     jacobian[..., 0, 0], jacobian[..., 0, 1] = (e1 * r).sum(-1), (e1 * s).sum(-1)
     jacobian[..., 1, 0], jacobian[..., 1, 1] = (e2 * r).sum(-1), (e2 * s).sum(-1)
     gradients = np.einsum("qad,fqdk->fqak", reference.dN, np.linalg.inv(jacobian))
-    return np.ascontiguousarray(gradients), size * reference.weights
+    return Frames(e1, e2, normal, np.ascontiguousarray(gradients), size * reference.weights)
+
+
+def surface_gradients(points: Array, triangles: NDArray[np.int64]) -> tuple[Array, Array]:
+    """Shape function gradients in an orthonormal frame of the reference surface (f, q, n, 2), areas (f, q)."""
+    frames = surface_frames(points, triangles)
+    return frames.gradients, frames.areas
 
 
 @njit(cache=True, parallel=True)

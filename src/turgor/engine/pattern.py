@@ -45,14 +45,18 @@ class Pattern:
         return (lower + sp.tril(lower, -1).T).tocsc()
 
 
-def build_pattern(cell_unknowns: NDArray[np.int64], size: int) -> Pattern:
-    """Build the lower triangle from the (c, n) unknowns of the cells."""
-    count, width = cell_unknowns.shape
-    rows = np.repeat(np.arange(count), width)
-    incidence = sp.csr_matrix((np.ones(rows.size, dtype=np.int32), (rows, cell_unknowns.ravel())), shape=(count, size))
+def build_pattern(cell_unknowns: NDArray[np.int64], size: int, *more: NDArray[np.int64]) -> Pattern:
+    """Build the lower triangle from the (c, n) unknowns of the cells, and of anything else that ties unknowns."""
+    incidence = sp.vstack([_incidence(unknowns, size) for unknowns in (cell_unknowns, *more)], format="csr")
     graph = sp.tril(incidence.T @ incidence + sp.identity(size, dtype=np.int32), format="csc")
     graph.sort_indices()
     return Pattern(size, graph.indptr.astype(np.int64), graph.indices.astype(np.int32))
+
+
+def _incidence(unknowns: NDArray[np.int64], size: int) -> sp.csr_matrix:
+    count, width = unknowns.shape
+    rows = np.repeat(np.arange(count), width)
+    return sp.csr_matrix((np.ones(rows.size, dtype=np.int32), (rows, unknowns.ravel())), shape=(count, size))
 
 
 @njit(cache=True, parallel=True)

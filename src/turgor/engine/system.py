@@ -16,7 +16,7 @@ from turgor.engine.boundary import held_components
 from turgor.engine.cell_materials import CellMaterials, Isochoric
 from turgor.engine.dead_loads import dead_forces
 from turgor.engine.element import element_of
-from turgor.engine.faces import FaceTerms
+from turgor.engine.faces import FaceStresses, FaceTerms
 from turgor.engine.pattern import build_pattern, locate, scatter_add
 from turgor.errors import TurgorError
 from turgor.model.drive import kinks
@@ -38,19 +38,18 @@ class Stresses:
     Parameters
     ----------
     cells : (c, q, 6) array
-    membranes : list of (f, q, 3) arrays
+    faces : FaceStresses
+        Those of membranes and fibers.
     """
 
     cells: Array
-    membranes: list[Array]
+    faces: FaceStresses
 
     @staticmethod
     def combine(parts: "Sequence[tuple[float, Stresses]]") -> "Stresses":
         """Weighted sum, for extrapolation."""
         cells = sum(weight * part.cells for weight, part in parts)
-        columns = zip(*(part.membranes for _, part in parts), strict=True)
-        sheets = [sum(w * s for (w, _), s in zip(parts, column, strict=True)) for column in columns]
-        return Stresses(np.asarray(cells), [np.asarray(sheet) for sheet in sheets])
+        return Stresses(np.asarray(cells), FaceStresses.combine([(weight, part.faces) for weight, part in parts]))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,7 +59,7 @@ class Evaluation:
     Parameters
     ----------
     unknowns : (size,) array
-        Scaled displacement, node by node, then scaled mean stress.
+        Scaled displacement, node by node along the directions of each, then scaled mean stress.
     load_factor : float
     residual : (size,) array
         Internal minus external force; then the violation of the volume constraint.
@@ -123,8 +122,9 @@ class System:
         self._stretch_Jinv = self.Jinv if len(stretch_cells) == len(self.cells) else self.Jinv[stretch_cells]
         supports = held_components(model)
         self._supports = supports
+        self._frames = supports.frames
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool)])
-        self.faces = FaceTerms(model, self.points, supports.mask, self.length, self.stress)
+        self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress)
         self._dead = dead_forces(model, self.points, self.dV, r.N, (self.length, self.stress))
         self.full_force = max(self._applied(factor) for factor in (*kinks(model), 1.0))
         self._cell_unknowns = _cell_unknowns(self.cells, self.element.mean, self.node_count)
@@ -133,11 +133,12 @@ class System:
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest."""
         _, external = self.faces.forces(self.points, load_factor)
-        return float(np.linalg.norm((external + load_factor * self._dead).ravel()[~self.held[: 3 * self.node_count]]))
+        forces = self._frames.to_local(external + load_factor * self._dead)
+        return float(np.linalg.norm(forces.ravel()[~self.held[: 3 * self.node_count]]))
 
     def _build_pattern(self) -> None:
         unknowns = self._cell_unknowns
-        self.pattern = build_pattern(unknowns, self.size)
+        self.pattern = build_pattern(unknowns, self.size, *self.faces.couplings)
         rows, columns = np.tril_indices(unknowns.shape[1])
         self._positions = np.empty((len(unknowns), len(rows)), dtype=np.int32)
         for chunk in self._chunks():
@@ -159,7 +160,8 @@ class System:
 
     def split(self, unknowns: Array) -> tuple[Array, Array]:
         """Scaled displacement (n, 3) and scaled mean stress (m,)."""
-        return unknowns[: 3 * self.node_count].reshape(-1, 3), unknowns[3 * self.node_count :]
+        components = unknowns[: 3 * self.node_count].reshape(-1, 3)
+        return self._frames.to_global(components), unknowns[3 * self.node_count :]
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
         """Displacement (n, 3) [m] and mean stress (m,) [Pa]."""
@@ -203,9 +205,10 @@ class System:
         internal: Array = np.bincount(self._cell_unknowns.ravel(), by_cell.ravel(), minlength=self.size).astype(float)
         position = self.points + u
         forces, external = self.faces.forces(position, load_factor)
-        internal[: 3 * self.node_count] += forces.ravel()
+        by_node = internal[: 3 * self.node_count].reshape(-1, 3) + forces
+        internal[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         outer = np.zeros(self.size)
-        outer[: 3 * self.node_count] = (external + load_factor * self._dead).ravel()
+        outer[: 3 * self.node_count] = self._frames.to_local(external + load_factor * self._dead).ravel()
         total = internal - outer
         if not np.isfinite(total).all():
             return None
@@ -239,14 +242,16 @@ class System:
                 geometric is not None,
             )
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
-        sheets = None if geometric is None else geometric.membranes
-        self.faces.add_tangents(data, self.points + u, at.load_factor, sheets)
+        given = None if geometric is None else geometric.faces
+        self.faces.add_tangents(data, self.points + u, at.load_factor, given)
+        self._frames.turn_tangent(self.pattern, data, self.node_count)
         return data
 
     def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
         """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""
         u, _ = self.split(at.unknowns)
-        return self.faces.skew_matrix(self.points + u, at.load_factor, self.size)
+        matrix = self.faces.skew_matrix(self.points + u, at.load_factor, self.size)
+        return None if matrix is None else self._frames.turn_matrix(matrix)
 
     def apply_supports(self, data: Array) -> None:
         """Replace the equations of held unknowns by identities, in place."""
@@ -277,7 +282,7 @@ class System:
             laws.tangent,
             self.materials.compliance,
         )
-        return Stresses(cells, self.faces.membrane_stresses(self.points + u, du))
+        return Stresses(cells, self.faces.stresses(self.points + u, du))
 
     def residual(self, unknowns: Array, load_factor: float) -> Array:
         """Residual (size,) at a point, for checks of the tangent."""

@@ -35,9 +35,10 @@ from turgor.geometry import (
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.materials.material import Material
 from turgor.meshing.exchange.mesh_file import MeshFile
+from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
-from turgor.model.supports import Fixed
+from turgor.model.supports import Fixed, Radial
 from turgor.solvers.procedures import Static
 
 
@@ -153,10 +154,12 @@ class Job:
         ``"tetrahedra"`` or ``"hexahedra"``.
     materials : mapping of str to Material or Membrane
         A material for every region and a membrane for every face that is reinforced.
-    supports : tuple of Fixed
+    supports : tuple of Fixed or Radial
         What holds the actuator; mirror planes hold themselves.
     loads : tuple of Pressure or Gravity
         What drives it.
+    fibers : mapping of str to Fibers
+        Windings by a name of their own.
     procedure : Static
         How the path is followed.
     output : Output
@@ -173,8 +176,9 @@ class Job:
     mesh_wall_cells: int = 1
     mesh_cells: str = "tetrahedra"
     materials: Mapping[str, Material | Membrane]
-    supports: tuple[Fixed, ...] = (Fixed("fixed"),)
+    supports: tuple[Fixed | Radial, ...] = (Fixed("fixed"),)
     loads: tuple[Pressure | Gravity, ...]
+    fibers: Mapping[str, Fibers] = field(default_factory=dict)
     procedure: Static = field(default_factory=Static)
     output: Output = field(default_factory=Output)
     threads: int | None = None

@@ -9,10 +9,12 @@ import tomlkit
 
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.job.cad import cad_file_table
+from turgor.job.fibers import fibers_tables
 from turgor.job.job import Job, actuator_type
 from turgor.job.loads import loads_table, only_pressure
 from turgor.job.mesh_files import mesh_file_table
 from turgor.job.sections import PROCEDURES
+from turgor.job.supports import held_text
 from turgor.materials.material import Material
 from turgor.materials.records import DIMENSIONLESS, LAWS
 from turgor.meshing.exchange.mesh_file import MeshFile
@@ -43,7 +45,8 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "actuator": {"type": actuator_type(job.actuator)} | dimensions(job.actuator),
         "mesh": _mesh(job),
         "materials": {name: _material(entry) for name, entry in job.materials.items()},
-        "supports": {support.face: support.directions for support in job.supports},
+        "fibers": fibers_tables(job.fibers),
+        "supports": {support.face: held_text(support) for support in job.supports},
         "loads": loads_table(job.loads),
         "procedure": _procedure(job),
         "output": {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)},
@@ -99,6 +102,7 @@ def _material(entry: Material | Membrane) -> dict[str, Any]:
         values["stretch_range"] = list(material.stretch_range)
     if isinstance(entry, Membrane):
         values["thickness"] = format_quantity(entry.thickness, "mm")
+        values["form"] = "shell" if entry.bending else "membrane"
     source = material.source
     return values | {"source": {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}}
 

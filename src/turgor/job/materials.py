@@ -10,12 +10,19 @@ from turgor.errors import unknown
 from turgor.geometry import Geometry
 from turgor.job.lines import Key
 from turgor.job.problems import Problems
-from turgor.job.tables import LibraryTable, StatedTable, law_table, read_table, shown
-from turgor.materials.laws import GeneralizedRivlin, Hooke
+from turgor.job.tables import LibraryTable, MeshTable, StatedTable, law_table, read_table, shown
+from turgor.materials.laws import GeneralizedRivlin, Hooke, NeoHooke
 from turgor.materials.material import Material
 from turgor.materials.records import LAWS, from_library, library
 from turgor.model.model import Membrane
 from turgor.source import Source
+
+#: What a strain-limiting layer can be: a sheet that bends freely or like a plate, a thin solid region of its own, or
+#: the constants of the whole region below it.
+MEMBRANE, SHELL, SOLID, COMBINED = FORMS = ("membrane", "shell", "solid", "combined")
+
+#: The region that combined constants stand for.
+BASE = "base"
 
 
 def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -> dict[str, Material | Membrane]:
@@ -25,6 +32,9 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
         problems.add(key, f"{shown(values)} is not a table; write [materials] and one material per region below it.")
         return {}
     found: dict[str, Material | Membrane] = {}
+    combined = [name for name, entry in values.items() if _form_of(entry) == COMBINED]
+    if BASE in values and combined:
+        problems.add((*key, BASE), f"the combined constants of {combined[0]} stand for this region; leave one out.")
     for name, entry in values.items():
         if geometry is not None and name not in (*geometry.regions, *geometry.faces):
             known = (*geometry.regions, *(face for face in geometry.faces if not face.startswith("symmetry_")))
@@ -33,9 +43,11 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
         made = _read_material(entry, (*key, name), geometry, problems)
         if made is not None:
             # parts of the same material share one object, so that a report describes it once
-            found[name] = next((other for other in found.values() if other == made), made)
+            region = BASE if _form_of(entry) == COMBINED else name
+            found[region] = next((other for other in found.values() if other == made), made)
     if geometry is not None:
-        missing = [region for region in geometry.regions if region not in values]
+        given = {BASE if _form_of(entry) == COMBINED else name for name, entry in values.items()}
+        missing = [region for region in geometry.regions if region not in given]
         if missing:
             problems.add(key, f"no material for region {', '.join(missing)}; give each region one.")
     return found
@@ -53,24 +65,87 @@ def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: P
         table = read_table(LibraryTable, values, key, problems)
     if table is None:
         return None
+    if table.form is not None and table.form not in FORMS:
+        problems.add((*key, "form"), str(unknown("form", table.form, FORMS)))
+        return None
     stated = isinstance(table, StatedTable)
     material = _stated(table, key, problems) if stated else _from_library(table, key, problems)
-    if material is None or not _suits(material, table.thickness, key, geometry, problems):
+    if material is None or not _form_fits(table.form, material, table.thickness, key, geometry, problems):
+        return None
+    if table.form == COMBINED:
+        return material
+    if table.form == SOLID:
+        return as_solid(material)
+    if not _suits(material, table.thickness, key, geometry, problems):
         return None
     if table.thickness is None:
         return material
-    return problems.attempt(key, lambda: Membrane(material, thickness=table.thickness), fields=("thickness",))
+    bending = table.form == SHELL
+    return problems.attempt(key, lambda: Membrane(material, table.thickness, bending), fields=("thickness",))
+
+
+def as_solid(material: Material) -> Material:
+    """A linear elastic material as a region: neo-Hookean of the same moduli, alike while strains are small.
+
+    Examples
+    --------
+    >>> paper = as_solid(from_library("paper", record="hooke-polygerinos-2020"))
+    >>> round(paper.law.shear_modulus / 1e6), round(paper.bulk_modulus / 1e6)
+    (2708, 3611)
+    """
+    law = material.law
+    if not isinstance(law, Hooke):
+        return material
+    shear, bulk = law.E / (2 * (1 + law.nu)), inf if law.nu == 0.5 else law.E / (3 * (1 - 2 * law.nu))
+    return replace(material, law=NeoHooke(C10=shear / 2), bulk_modulus=bulk)
+
+
+def _form_of(entry: Any) -> Any:
+    return entry.get("form") if isinstance(entry, Mapping) else None
+
+
+def _form_fits(
+    form: str | None,
+    material: Material,
+    thickness: float | None,
+    key: Key,
+    geometry: Geometry | None,
+    problems: Problems,
+) -> bool:
+    """Whether a form that is not a sheet suits the name, and has no thickness of its own."""
+    name = key[-1]
+    if geometry is None or form is None:
+        return True
+    region = name in geometry.regions
+    if form in (MEMBRANE, SHELL) and region:
+        problems.add((*key, "form"), f"'{name}' is a region; \"{form}\" is for sheets on faces.")
+    elif form == SOLID and not region:
+        problems.add((*key, "form"), f"'{name}' is a face; a solid layer needs a thickness, actuator.layer.")
+    elif form == COMBINED and (region or BASE not in geometry.regions):
+        why = f"'{name}' is a region" if region else f"the actuator has no region '{BASE}'"
+        problems.add((*key, "form"), f"{why}; \"combined\" gives a face's constants to the region '{BASE}' below it.")
+    elif form in (SOLID, COMBINED) and thickness is not None:
+        problems.add((*key, "thickness"), f'form = "{form}" takes the thickness of its region; leave thickness out.')
+    elif form == COMBINED and isinstance(material.law, Hooke):
+        problems.add(key, f"'{material.name}' is linear elastic; combined constants are those of a rubber's law.")
+    else:
+        return True
+    return False
 
 
 def _from_library(table: LibraryTable, key: Key, problems: Problems) -> Material | None:
-    wrong = "record" if table.library in library() else "library"
-    name = table.library
+    return read_library(table.library, table.record, table.density, key, problems)
+
+
+def read_library(name: str, record: str | None, density: float | None, key: Key, problems: Problems) -> Material | None:
+    """Take a material of the library or of a file beside the job, with a density of its own where one is stated."""
+    wrong = "record" if name in library() else "library"
     if name.endswith(".toml"):
         name = str(Path(problems.file).parent / name)  # beside the job
-    material = problems.attempt((*key, wrong), lambda: from_library(name, record=table.record))
-    if material is None or table.density is None:
+    material = problems.attempt((*key, wrong), lambda: from_library(name, record=record))
+    if material is None or density is None:
         return material
-    return problems.attempt(key, lambda: replace(material, density=table.density), fields=("density",))
+    return problems.attempt(key, lambda: replace(material, density=density), fields=("density",))
 
 
 def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
@@ -100,6 +175,13 @@ def _law(kind: Any, constants: Mapping[str, Any]) -> Any:
     if kind is GeneralizedRivlin:
         return GeneralizedRivlin.from_names(constants["coefficients"])
     return kind(**constants)
+
+
+def refuse_shells(materials: Mapping[str, Material | Membrane], mesh: MeshTable | None, problems: Problems) -> None:
+    """Note every sheet that resists bending where the mesh cannot carry it."""
+    for name, entry in materials.items():
+        if mesh is not None and mesh.cells != "hexahedra" and isinstance(entry, Membrane) and entry.bending:
+            problems.add(("materials", name, "form"), '"shell" needs hexahedra; add cells = "hexahedra" to [mesh].')
 
 
 def _suits(

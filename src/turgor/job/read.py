@@ -8,10 +8,11 @@ from typing import Any
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry import Geometry
+from turgor.job.fibers import read_fibers
 from turgor.job.job import Actuator, Job
 from turgor.job.lines import key_lines
 from turgor.job.loads import read_loads
-from turgor.job.materials import read_materials
+from turgor.job.materials import read_materials, refuse_shells
 from turgor.job.mesh_files import MESH_FILE
 from turgor.job.problems import JobError, Problems
 from turgor.job.sections import (
@@ -20,16 +21,29 @@ from turgor.job.sections import (
     read_mesh,
     read_output,
     read_procedure,
-    read_supports,
 )
+from turgor.job.supports import read_supports
 from turgor.job.tables import shown
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
-SECTIONS = ("name", "actuator", "mesh", "materials", "supports", "loads", "procedure", "output", "engine", "written_by")
+SECTIONS = (
+    "name",
+    "actuator",
+    "mesh",
+    "materials",
+    "fibers",
+    "supports",
+    "loads",
+    "procedure",
+    "output",
+    "engine",
+    "written_by",
+)
 
 #: Sections that may be left out, and what stands in for them.
 DEFAULTS: Mapping[str, Mapping[str, Any]] = {
     "mesh": {},
+    "fibers": {},
     "supports": {"fixed": "xyz"},
     "procedure": {"type": "static"},
     "output": {},
@@ -87,11 +101,13 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     geometry = _build(actuator, problems)
     mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
+    fibers = read_fibers(given["fibers"], geometry, problems)
     loads = read_loads(given["loads"], geometry, materials, problems) if given["loads"] is not None else ()
     supports = read_supports(given["supports"], geometry, problems)
     procedure = read_procedure(given["procedure"], loads, problems)
     output = read_output(given["output"], problems)
     threads = read_engine(given["engine"], problems)
+    refuse_shells(materials, mesh, problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
         return None
     assert mesh.size is not None  # chosen where it was not given
@@ -105,6 +121,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
         mesh_cells=mesh.cells,
         materials=materials,
         supports=supports,
+        fibers=fibers,
         loads=loads,
         procedure=procedure,
         output=output,

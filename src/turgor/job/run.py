@@ -18,6 +18,7 @@ from turgor.model.model import Model
 from turgor.results.measures import check_measures, find_measure, measure
 from turgor.solvers.checks import check_supports, unloaded_cavities
 from turgor.solvers.driver import Progress, solve
+from turgor.solvers.fiber_checks import check_fibers
 
 Notify = Callable[[str], None]
 
@@ -50,10 +51,17 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     say("meshing")
     made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
-    model = Model(made, materials=job.materials, supports=job.supports, loads=job.loads)
+    wound = tuple(job.fibers.values())
+    model = Model(made, materials=job.materials, supports=job.supports, loads=job.loads, reinforcements=wound)
     check_supports(model)
     check_measures(model, [find_measure(name) for name in job.output.measures])
-    return model, (*geometry.findings, *constants_in_doubt(model), *check_mesh(made), *unloaded_cavities(model))
+    return model, (
+        *geometry.findings,
+        *constants_in_doubt(model),
+        *check_mesh(made),
+        *unloaded_cavities(model),
+        *check_fibers(model),
+    )
 
 
 def run_job(

@@ -25,7 +25,6 @@ from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.sizes import check_face_sizes, check_settings, default_size
 from turgor.meshing.swept import check_cells
 from turgor.model.loads import Gravity, Pressure
-from turgor.model.supports import Fixed
 from turgor.solvers.procedures import Static
 
 PROCEDURES: Mapping[str, type[Static]] = {"static": Static}
@@ -84,23 +83,6 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     problems.attempt((*key, "face_sizes"), lambda: check_face_sizes(geometry, table.face_sizes, size))
     problems.attempt((*key, "cells"), lambda: check_cells(geometry, table.cells, table.face_sizes))
     return table.model_copy(update={"size": size})
-
-
-def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[Fixed, ...]:
-    """Read ``[supports]``: for each face the directions in which it is held."""
-    if not isinstance(values, Mapping):
-        problems.add(("supports",), f"{shown(values)} is not a table; write [supports] and faces below it.")
-        return ()
-    supports = []
-    for face, directions in values.items():
-        key = ("supports", face)
-        if geometry is not None and face not in geometry.faces:
-            problems.add(key, str(unknown("face", face, geometry.faces)))
-        elif not isinstance(directions, str) or not directions or not set(directions) <= set("xyz"):
-            problems.add(key, f"{shown(directions)} is not allowed; name the held directions, such as 'xyz' or 'z'.")
-        else:
-            supports.append(Fixed(face, directions))
-    return tuple(supports)
 
 
 def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems: Problems) -> Static | None:

@@ -91,6 +91,7 @@ class LibraryTable(Table):
     library: str
     record: str | None = None
     thickness: Length | None = None
+    form: str | None = None
     density: Density | None = None
 
 
@@ -108,6 +109,7 @@ class StatedTable(Table):
     law: str
     name: str | None = None
     thickness: Length | None = None
+    form: str | None = None
     density: Density | None = None
     stretch_range: list[float] | None = None
     source: SourceTable | None = None

@@ -10,6 +10,7 @@ from turgor.errors import TurgorError, unknown
 from turgor.materials.laws import Hooke
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
+from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Load, Pressure, Traction
 from turgor.model.supports import Displacement, Support, Symmetry
 
@@ -19,7 +20,7 @@ MIXED, DISPLACEMENT = "mixed", "displacement"
 
 @dataclass(frozen=True, slots=True)
 class Membrane:
-    """A thin sheet on a face: stretches and shears like its material, bends freely.
+    """A thin sheet on a face: stretches and shears like its material, and bends freely or like a plate.
 
     Parameters
     ----------
@@ -27,10 +28,14 @@ class Membrane:
         Its law must be `Hooke`.
     thickness : float [m]
         Thickness of the sheet, in (0, 1 cm].
+    bending : bool
+        Whether it resists bending like a plate of its thickness (a shell); paper of 0.1 mm between layers of silicone
+        hardly does, a sheet of 0.5 mm does.
     """
 
     material: Material
     thickness: float
+    bending: bool = False
 
     def __post_init__(self) -> None:
         if not isinstance(self.material.law, Hooke):
@@ -60,6 +65,9 @@ class Model:
         ``"mixed"``: a mean stress is an unknown beside the displacement, and cells do not lock, however incompressible
         the rubber. ``"displacement"``: there is none, as in codes without mixed elements; for comparisons with these.
 
+    reinforcements : sequence of Fibers
+        Threads wound on faces.
+
     Raises
     ------
     TurgorError
@@ -71,6 +79,7 @@ class Model:
     supports: tuple[Support, ...]
     loads: tuple[Load, ...]
     formulation: str
+    reinforcements: tuple[Fibers, ...]
 
     def __init__(
         self,
@@ -79,6 +88,7 @@ class Model:
         supports: Sequence[Support],
         loads: Sequence[Load],
         formulation: str = MIXED,
+        reinforcements: Sequence[Fibers] = (),
     ) -> None:
         mirrored = {s.face for s in supports if isinstance(s, Symmetry)}
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
@@ -87,6 +97,7 @@ class Model:
         object.__setattr__(self, "supports", tuple(supports) + added)
         object.__setattr__(self, "loads", tuple(loads))
         object.__setattr__(self, "formulation", formulation)
+        object.__setattr__(self, "reinforcements", tuple(reinforcements))
         self._check_materials()
         self._check_faces()
         self._check_formulation()
@@ -115,6 +126,9 @@ class Model:
         for support in self.supports:
             if not (isinstance(support, Displacement) and support.face == "*"):
                 self.mesh.face(support.face)
+        for fibers in self.reinforcements:
+            for name in fibers.faces:
+                self.mesh.face(name)
         for load in self.loads:
             if isinstance(load, Pressure | Traction):
                 self.mesh.face(load.face)

@@ -52,4 +52,23 @@ class Displacement:
     directions: str = "xyz"
 
 
-Support = Fixed | Symmetry | Displacement
+@dataclass(frozen=True, slots=True)
+class Radial:
+    """Hold the radius of a cylindrical face: no displacement normal to its axis and to the face; it may slide.
+
+    This is what a dense winding of hoops does that cannot stretch: the face keeps its radius, whatever the pressure,
+    and is free to stretch along the axis and to turn about it.
+
+    Parameters
+    ----------
+    face : str
+        Name of a face that lies on one cylinder, or on a half or a quarter of it.
+    axis : (3,) floats
+        Direction of the axis of the cylinder; where it lies is found from the face.
+    """
+
+    face: str
+    axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
+
+
+Support = Fixed | Symmetry | Displacement | Radial

@@ -16,7 +16,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.model.inp_materials import material_lines
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane, Model
-from turgor.model.supports import Fixed, Symmetry
+from turgor.model.supports import Fixed, Radial, Symmetry
 from turgor.units import MPa, mm
 
 PROGRAMS = ("calculix", "abaqus")
@@ -65,6 +65,7 @@ def write_inp(
     if program not in PROGRAMS:
         raise unknown("program", program, PROGRAMS)
     _check_factors(at)
+    _check_reinforcements(model)
     lines = [
         f"** {_plain(model.mesh.name)}, written by turgor for {program}",
         "** units: mm, N, MPa, tonne, s; the time is the load factor",
@@ -76,6 +77,14 @@ def write_inp(
         *_step_lines(model, at, program),
     ]
     Path(path).write_text("\n".join(lines) + "\n", encoding="ascii", errors="replace")
+
+
+def _check_reinforcements(model: Model) -> None:
+    bent = [name for name, membrane in model.membranes.items() if membrane.bending]
+    what = [f"winding of fibers on '{fibers.name}'" for fibers in model.reinforcements]
+    what += [f"the sheet on '{name}', which resists bending," for name in bent]
+    if what:
+        raise TurgorError(f"{what[0]} has no form in .inp files; leave it out to compare the rest.")
 
 
 def compressible(model: Model, poisson: float) -> Model:
@@ -217,6 +226,10 @@ def _support_lines(model: Model) -> list[str]:
             lines += [f"{_plain(support.face)}, {'xyz'.index(axis) + 1}" for axis in sorted(support.directions)]
         elif isinstance(support, Symmetry):
             lines.append(f"{_plain(support.face)}, {_normal_axis(model.mesh, support.face) + 1}")
+        elif isinstance(support, Radial):
+            raise TurgorError(
+                f"'{support.face}' is held radially, which this .inp file cannot say; hold other directions."
+            )
         else:
             raise TurgorError(f"the displacement of '{support.face}' is a function, which has no form in .inp files.")
     return lines

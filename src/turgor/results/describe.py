@@ -10,10 +10,11 @@ from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality import MeshQuality
 from turgor.model.drive import rises
+from turgor.model.fibers import Fibers
 from turgor.model.loads import BodyForce, Gravity, Pressure, Traction
 from turgor.model.model import Membrane, Model
-from turgor.model.supports import Displacement, Fixed
-from turgor.units import GPa, MPa, kPa, mm
+from turgor.model.supports import Displacement, Fixed, Radial
+from turgor.units import GPa, MPa, deg, kPa, mm
 
 Rows = list[tuple[str, str]]
 
@@ -65,6 +66,8 @@ def supports(model: Model) -> list[str]:
                 said.append(f"{face} held in {', '.join(directions)}.")
             case Displacement(face, _, directions):
                 said.append(f"{'The whole surface' if face == '*' else face} moved in {', '.join(directions)}.")
+            case Radial(face, axis):
+                said.append(f"{face} held radially, around the axis {axis}.")
             case _:
                 said.append(f"{support.face} is a mirror plane.")
     return said
@@ -100,7 +103,32 @@ def materials(model: Model) -> list[MaterialText]:
             shared.append((used, [name]))
         else:
             names.append(name)
-    return [_material(names, used) for used, names in shared]
+    return [*(_material(names, used) for used, names in shared), *(_fibers(each) for each in model.reinforcements)]
+
+
+def _fibers(fibers: Fibers) -> MaterialText:
+    """Threads: their modulus, diameter and how they are wound."""
+    winding, law = fibers.winding, fibers.material.law
+    values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(law)))]
+    values.append(("diameter", f"{fibers.diameter / mm:.4g} mm"))
+    units = {"angle_from_axis": deg, "angle_from_circumference": deg, "pitch": mm, "spacing": mm}
+    for name in ("angle_from_axis", "angle_from_circumference", "turns", "pitch", "spacing", "starts"):
+        value = getattr(winding, name)
+        if value is not None:
+            unit = {deg: "°", mm: " mm"}.get(units.get(name, 1.0), "")
+            values.append((name.replace("_", " "), f"{value / units.get(name, 1.0):.4g}{unit}"))
+    hand = "both hands" if winding.hand == "both" else f"{winding.hand}-handed"
+    straight = winding.angle_from_axis == 0 or winding.angle_from_circumference == 0
+    values += [] if straight else [("helix", hand)]
+    if fibers.compression:
+        values.append(("in compression", f"{100 * fibers.compression:g} % of the stiffness"))
+    if fibers.bending:
+        values.append(("bending", "resisted"))
+    where = f"{fibers.name.replace('_', ' ')} ({fibers.form} fibers)"
+    source = fibers.material.source
+    return MaterialText(
+        where, fibers.material.name, "Threads, stiff along themselves.", values, str(source), source.doubts
+    )
 
 
 def _material(names: list[str], used: Material | Membrane) -> MaterialText:
@@ -108,7 +136,7 @@ def _material(names: list[str], used: Material | Membrane) -> MaterialText:
     where = ", ".join(name.replace("_", " ") for name in names)
     values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(held.law)))]
     if isinstance(used, Membrane):
-        where += " (membrane)"
+        where += " (sheet that resists bending)" if used.bending else " (membrane)"
         values.append(("thickness", f"{used.thickness / mm:g} mm"))
     else:
         kappa = "infinite: fully incompressible" if isinf(held.bulk_modulus) else _modulus(held.bulk_modulus)

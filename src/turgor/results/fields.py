@@ -8,9 +8,11 @@ from numpy.typing import NDArray
 
 from turgor.engine.fields import CellFields, cell_fields, nodal_average
 from turgor.engine.reference import reference_nodes, tables_at
+from turgor.engine.threads import Threads, discrete_threads
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.proximity import FacingWalls, find_facing_walls
 from turgor.meshing.surface import outer_triangles
+from turgor.model.fibers import Fibers
 from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.solution import State
 
@@ -25,10 +27,11 @@ class MirrorPlane(NamedTuple):
 
 
 class MeshFacts:
-    """What the states of one path share: the mirror planes and the walls that may meet."""
+    """What the states of one path share: the mirror planes, the walls that may meet, and the threads at rest."""
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
+        self._threads: list[tuple[Fibers, Threads]] = []
 
     @cached_property
     def mirrors(self) -> tuple[MirrorPlane, ...]:
@@ -44,6 +47,14 @@ class MeshFacts:
     def walls(self) -> FacingWalls:
         """Pairs of outer walls that may meet."""
         return find_facing_walls(self.mesh)
+
+    def threads(self, fibers: Fibers) -> Threads:
+        """Threads of a winding where they lie at rest; found once."""
+        for known, threads in self._threads:
+            if known is fibers:
+                return threads
+        self._threads.append((fibers, discrete_threads(self.mesh, fibers)))
+        return self._threads[-1][1]
 
     @cached_property
     def surface(self) -> NDArray[np.int64]:

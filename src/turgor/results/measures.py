@@ -18,6 +18,7 @@ from turgor.model.model import Model
 from turgor.model.supports import Fixed
 from turgor.response import COLUMN_UNITS, Column, Response
 from turgor.results.cavities import enclosed_volume
+from turgor.results.fibers import maximum_tension
 from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.rotations import face_rotation, twist
 from turgor.solvers.solution import Solution, State
@@ -278,6 +279,10 @@ smallest_gap = Measure(
     function=lambda at: float(smallest_gap_between(at.facts.walls, at.displacement)),
     definition="smallest distance between outer walls that face each other; negative once they have passed through",
 )  # fmt: skip
+maximum_fiber_tension = Measure(
+    name="maximum_fiber_tension", unit="N", function=maximum_tension,
+    definition="largest tension of any thread, averaged over a crossing of a side where threads are discrete",
+)  # fmt: skip
 
 #: What a run writes unless it is told otherwise.
 STANDARD_MEASURES: tuple[Measure, ...] = (
@@ -295,6 +300,7 @@ MEASURES: Mapping[str, Measure] = MappingProxyType(
             tip_displacement_z,
             twist_angle,
             smallest_gap,
+            maximum_fiber_tension,
         )
     }
 )

@@ -17,10 +17,12 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.response import Response
 from turgor.results.drive import face_of, pressures_in
+from turgor.results.fibers import drawn_threads
 from turgor.results.fields import StateFields
 from turgor.results.raycast import Camera, Hits, Raster, Scene, camera
 from turgor.results.shading import GHOST, INK, Look, draw_lines, find_lines, paint, reduced
 from turgor.results.skin import Skin, visible_skin
+from turgor.results.thread_lines import draw_threads, visible_threads
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 
@@ -133,7 +135,7 @@ def write_picture(
     shown = [at] if ghost is None else [at, _fields(ghost)]
     view = view or shared_view(shown)
     skins = [visible_skin(each, each.von_mises) for each in shown]
-    figure = _compose(render(skins, view), view, title)
+    figure = _compose(render(skins, view, threads=drawn_threads(at)), view, title)
     figure.savefig(path, metadata={"Software": None})
 
 
@@ -179,8 +181,10 @@ def _color_map() -> Colormap:
     return LinearSegmentedColormap.from_list("stress", (1 - share) * to_rgba(RUBBER) + share * colors)
 
 
-def render(skins: list[Skin], view: View, colors: Colormap | None = None) -> NDArray[np.uint8]:
-    """Image of the first skin with the lines of the others behind it, (h, w, 3)."""
+def render(
+    skins: list[Skin], view: View, colors: Colormap | None = None, threads: Sequence[Array] = ()
+) -> NDArray[np.uint8]:
+    """Image of the first skin, with threads (k, 3) on it and the lines of the others behind it, (h, w, 3)."""
     heights = np.concatenate([view.eye.project(skin.points)[:, 1] for skin in skins])
     rows = int(np.ceil(np.ptp(heights) / view.pixel)) + MARGIN
     raster = Raster(
@@ -197,7 +201,9 @@ def render(skins: list[Skin], view: View, colors: Colormap | None = None) -> NDA
         samples = slice(first * SAMPLES, last * SAMPLES)
         band = raster.band(samples.start, samples.stop)
         hits = [scene.look(band, where[samples]) for scene, where in zip(scenes, near, strict=True)]
-        drawn = reduced(_draw(scenes, hits, look), SAMPLES)
+        fine = _draw(scenes, hits, look)
+        draw_threads(fine, visible_threads(scenes[0], hits[0], band, threads), 1.6 * SAMPLES)
+        drawn = reduced(fine, SAMPLES)
         image[start : start + BAND] = drawn[start - first : start - first + BAND]
     return image
 

@@ -126,6 +126,10 @@ class Scene:
         depth[near] = np.where(seen, found["tfar"], 0) * np.float32(self._size)
         return Hits(triangle=triangle, depth=depth, u=found["u"][seen], v=found["v"][seen])
 
+    def depth(self, points: Array) -> Array:
+        """Distance along the view at which a ray would meet points, (p,) [m], to compare with that of `Hits`."""
+        return np.asarray((points - self._center) @ self.eye.forward + 2 * self._size)
+
     def near(self, raster: Raster) -> NDArray[np.bool_]:
         """Samples that a triangle may cover, (rows, columns), tile by tile; the others see nothing and need no ray."""
         flat = self.eye.project(self.skin.points)[:, :2][self.skin.triangles]

@@ -113,11 +113,11 @@ def _mark(mask: Mask, where: Mask, axis: int) -> None:
 def draw_lines(image: Bytes, lines: tuple[Mask, Mask], ink: tuple[int, int, int], width: float) -> None:
     """Draw outline and inner edges into an image; ``width`` in samples is that of the outline."""
     for mask, share, opacity in zip(lines, (1.0, 0.6), (0.95, 0.6), strict=True):
-        place = _thickened(mask, width * share / 2)
+        place = thickened(mask, width * share / 2)
         image[place] = (image[place] * (1 - opacity) + np.array(ink) * opacity).astype(np.uint8)
 
 
-def _thickened(mask: Mask, radius: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def thickened(mask: Mask, radius: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Rows and columns of the samples within a radius of those that are set, each once."""
     rows, columns = np.nonzero(mask)
     reach = int(np.ceil(radius))

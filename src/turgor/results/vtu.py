@@ -17,13 +17,17 @@ from numpy.typing import NDArray
 
 from turgor.meshing.mesh import Mesh
 from turgor.model.drive import common_pressure, rises
-from turgor.results.fields import StateFields
+from turgor.results.fibers import fiber_results
+from turgor.results.fields import MeshFacts, StateFields
 from turgor.solvers.solution import Solution, State
 from turgor.units import kPa
 
 #: Rows and columns of the six components of a symmetric tensor, in VTK's order.
 SYMMETRIC = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 SYMMETRIC_NAMES = ("XX", "YY", "ZZ", "XY", "YZ", "XZ")
+
+#: Number of a straight line in VTK files.
+VTK_LINE = 3
 
 #: Bytes of a block that is compressed by itself, as VTK's own writer has it.
 BLOCK = 32768
@@ -125,6 +129,8 @@ def grid_text(
 def write_series(folder: str | Path, solution: Solution, name: str = "state") -> Path:
     """Write every state of a path as VTU, and a PVD file that lists them for ParaView.
 
+    Discrete threads go to files of their own, ``state_threads_0000.vtu`` … listed in ``state_threads.pvd``.
+
     The time of the PVD is the pressure in kPa where one pressure acts and grows along the path, or else the load
     factor; a comment in the file says which.
 
@@ -146,16 +152,66 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
     common = common_pressure(solution.model)
     grows = common is not None and rises(common)
     scale, meaning = (common.pressure / kPa, "pressure [kPa]") if common and grows else (1.0, "load factor")
-    entries = []
+    facts = MeshFacts(solution.model.mesh)
+    entries: dict[str, list[str]] = {name: []}
     for number, state in enumerate(solution.states):
-        file = f"{name}_{number:04d}.vtu"
-        write_vtu(folder / file, state)
-        time = f"{state.load_factor * scale:.12g}"
-        entries.append(f'<DataSet timestep="{time}" part="0" file={quoteattr(file)}/>')
-    lines = [*_opening("Collection"), f"<!-- timestep is the {meaning} -->", "<Collection>", *entries]
-    path = folder / f"{name}.pvd"
-    path.write_text("\n".join([*lines, "</Collection>", "</VTKFile>"]) + "\n", encoding="utf-8")
-    return path
+        at = StateFields(state, facts)
+        texts = {name: "", f"{name}_threads": threads_text(at)}
+        for kind in [key for key, text in texts.items() if text or key == name]:
+            file = f"{kind}_{number:04d}.vtu"
+            if kind == name:
+                write_vtu(folder / file, at)
+            else:
+                (folder / file).write_text(texts[kind], encoding="utf-8")
+            time = f"{state.load_factor * scale:.12g}"
+            entries.setdefault(kind, []).append(f'<DataSet timestep="{time}" part="0" file={quoteattr(file)}/>')
+    for kind, listed in entries.items():
+        lines = [*_opening("Collection"), f"<!-- timestep is the {meaning} -->", "<Collection>", *listed]
+        text = "\n".join([*lines, "</Collection>", "</VTKFile>"]) + "\n"
+        (folder / f"{kind}.pvd").write_text(text, encoding="utf-8")
+    return folder / f"{name}.pvd"
+
+
+def threads_text(at: StateFields) -> str:
+    """Write the discrete threads of a state as the text of a VTU file; empty where there are none.
+
+    Every truss is a line between current positions, thread after thread. Cell data: ``tension`` [N], ``stretch``,
+    ``winding`` and ``thread``, counted from 0.
+
+    Parameters
+    ----------
+    at : StateFields
+        The modeled part, not mirrored.
+    """
+    found = [(number, each, each.threads) for number, each in enumerate(fiber_results(at)) if each.threads is not None]
+    if not found:
+        return ""
+    ends = [threads.ends(at.points) for _, _, threads in found]
+    points = np.concatenate([pair.reshape(-1, 3) for pair in ends])
+    count = len(points) // 2
+    lines = [
+        VtuArray("connectivity", np.arange(2 * count, dtype="i4")),
+        VtuArray("offsets", 2 * (np.arange(count, dtype="i4") + 1)),
+        VtuArray("types", np.full(count, VTK_LINE, dtype="u1")),
+    ]
+    cell_data = [
+        VtuArray("tension", np.concatenate([each.tension for _, each, _ in found]).astype("f4"), "N"),
+        VtuArray("stretch", np.concatenate([each.stretch for _, each, _ in found]).astype("f4")),
+        VtuArray("winding", np.concatenate([np.full(len(t.thread), n, dtype="i4") for n, _, t in found])),
+        VtuArray("thread", np.concatenate([threads.thread.astype("i4") for _, _, threads in found])),
+    ]
+    text = [
+        *_opening("UnstructuredGrid"),
+        "<UnstructuredGrid>",
+        f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{count}">',
+        *_section("CellData", cell_data),
+        *_section("Points", [VtuArray("points", points.astype("f8"), "m", ("X", "Y", "Z"))]),
+        *_section("Cells", lines),
+        "</Piece>",
+        "</UnstructuredGrid>",
+        "</VTKFile>",
+    ]
+    return "\n".join(text) + "\n"
 
 
 def _opening(kind: str) -> list[str]:

@@ -17,15 +17,16 @@ from turgor.solvers.solution import State
 
 def check_supports(model: Model) -> None:
     """Refuse a model whose supports leave a rigid motion or the mean stress free (B01)."""
-    mask = held_components(model).mask
+    supports = held_components(model)
+    mask, local = supports.mask, supports.frames.to_local
     points = model.mesh.points - model.mesh.points.mean(axis=0)
     size = float(np.abs(points).max())
     motions = []
     for axis in range(3):
         translation = np.zeros_like(points)
         translation[:, axis] = 1.0
-        motions.append(translation[mask])
-        motions.append(np.cross(np.eye(3)[axis], points / size)[mask])
+        motions.append(local(translation)[mask])
+        motions.append(local(np.cross(np.eye(3)[axis], points / size))[mask])
     held = np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(mask.sum()))) if mask.any() else 0
     if held < 6:
         raise TurgorError(

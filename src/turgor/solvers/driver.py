@@ -231,7 +231,7 @@ def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Star
 
 def _state(system: System, at: Evaluation, modes: int | None) -> State:
     displacement, mean_stress = system.physical(at.unknowns)
-    force = at.residual[: 3 * system.node_count].reshape(-1, 3) * system.stress * system.length**2
+    force = system.split(at.residual)[0] * system.stress * system.length**2
     return State(
         model=system.model,
         load_factor=at.load_factor,

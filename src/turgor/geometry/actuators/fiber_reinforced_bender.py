@@ -15,8 +15,7 @@ from turgor.units import m, mm
 class FiberReinforcedBender:
     """Half-round bender to be wound with fibers: they keep it from ballooning, the fabric below makes it bend.
 
-    Fibers are not modeled yet: a job solves the silicone with its strain-limiting layer, so keep to small pressures.
-    They will be wound around ``outside`` and ``strain_limiting_layer`` together, or with a skin around ``winding`` and
+    Fibers are wound around ``outside`` and ``strain_limiting_layer`` together, or with a skin around ``winding`` and
     ``strain_limiting_layer``. Radius, wall, base and length are about those of Polygerinos et al. 2015 from memory and
     not checked ([MEM]); end walls and skin are chosen here.
 

@@ -16,10 +16,9 @@ class FiberReinforcedCylinder:
     """Round tube to be wound with fibers, and a thin skin around them.
 
     Hoops make it extend, two opposite helices extend or contract it, one helix twists it (review, section 7.2,
-    guidelines 6 to 8; a single helix has no mirror plane, see `TwistingTube`). Fibers are not modeled yet: a job
-    solves the bare silicone, so keep to small pressures. They will be wound on the face ``outside``, or on the face
-    ``winding`` below the skin. Radius, wall and length are those of Connolly et al. 2015 from memory and not checked
-    ([MEM]); caps and skin are chosen here.
+    guidelines 6 to 8; a single helix has no mirror plane, see `TwistingTube`). They are wound on the face
+    ``outside``, or on the face ``winding`` below the skin. Radius, wall and length are those of Connolly et al.
+    2015 from memory and not checked ([MEM]); caps and skin are chosen here.
 
     Axes: x from the fixed end to the tip, on the axis of the tube.
 

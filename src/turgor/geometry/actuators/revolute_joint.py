@@ -19,8 +19,8 @@ class RevoluteJoint:
     about the y axis through the hinge. Two cylinders turn it both ways. This is a simple model of the published
     joint, not its drawing; all dimensions are chosen here.
 
-    In the published device fibers keep the cylinders from ballooning. Fibers are not modeled yet: a job solves the
-    bare silicone, so keep to small pressures.
+    In the published device fibers keep the cylinders from ballooning. The example job solves the bare silicone,
+    so keep to small pressures.
 
     Axes: x from the lower link (the fixed end) to the upper one (the tip), y along the hinge. The first cylinder lies
     at +z, the second at −z.

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.ducts import check_inlet
 from turgor.geometry.parts.layout import Layout, Prism, check_ends, check_fields
-from turgor.geometry.rules import check_length
+from turgor.geometry.rules import check_length, check_option
 from turgor.geometry.shapes.sections import arch, half_disc, rectangle
 from turgor.units import m, mm
 
@@ -32,6 +32,9 @@ class SemicircularBender:
         Thickness of the silicone between the chamber and the strain-limiting layer.
     base : float [m]
         Thickness of the silicone below the strain-limiting layer.
+    layer : float [m]
+        Thickness of the strain-limiting layer as a thin solid region between floor and base; 0 for a sheet without
+        thickness, a face.
     length : float [m]
         Length from the fixed end to the tip, end walls included; 1 mm to 2 m.
     end_wall : float [m]
@@ -67,6 +70,7 @@ class SemicircularBender:
     wall: float = 2 * mm
     floor: float = 1.5 * mm
     base: float = 1.5 * mm
+    layer: float = 0.0
     length: float = 100 * mm
     end_wall: float = 5 * mm
     clamp_length: float = 0.0
@@ -78,6 +82,7 @@ class SemicircularBender:
         check_fields(self)
         for name in ("radius", "wall", "floor", "base"):
             check_length(name, getattr(self, name), high=0.5 * m)
+        check_option("layer", self.layer, high=10 * mm)
         check_ends(self, "end_wall")
         check_inlet(
             self, end=2 * half_disc(self.radius).centroid[1], above=self.radius, inside=self.length - 2 * self.end_wall
@@ -104,7 +109,8 @@ class SemicircularBender:
         Returns
         -------
         Geometry
-            Regions ``body`` and ``base``; faces ``cavity``, ``strain_limiting_layer`` (between body and base),
+            Regions ``body`` and ``base``; faces ``cavity``, ``strain_limiting_layer`` (between body and base; a region
+            of that name where it has a thickness),
             ``fixed`` (the plane x = 0, or the block), ``tip`` (x = length), ``outside`` (the rest)
             and, for a half, ``symmetry_y``.
 
@@ -117,18 +123,24 @@ class SemicircularBender:
 
     @property
     def _layout(self) -> Layout:
-        floor_top, half_width, whole = self.base + self.floor, self.radius + self.wall, (0.0, self.length)
-        body, base = arch(half_width, floor_top, self.base), rectangle((-half_width, half_width), (0.0, self.base))
+        top, half_width, whole = self.base + self.layer, self.radius + self.wall, (0.0, self.length)
+        floor_top, across = top + self.floor, (-half_width, half_width)
+        body, base = arch(half_width, floor_top, top), rectangle(across, (0.0, self.base))
+        sheet = Prism(name="strain_limiting_layer", outline=rectangle(across, (self.base, top)), along=whole)
         inside = (self.end_wall, self.length - self.end_wall)
         return Layout(
             title="semicircular bender",
-            pieces=(Prism(name="body", outline=body, along=whole), Prism(name="base", outline=base, along=whole)),
+            pieces=(
+                Prism(name="body", outline=body, along=whole),
+                *((sheet,) if self.layer else ()),
+                Prism(name="base", outline=base, along=whole),
+            ),
             air=(Prism(name="cavity", outline=half_disc(self.radius, (0.0, floor_top)), along=inside),),
             length=self.length,
             clamp_length=self.clamp_length,
             inlet_diameter=self.inlet_diameter,
             inlet_side=self.inlet_side,
-            layer=self.base,
+            layer=None if self.layer else self.base,
             mirrors="y" if self.symmetric else "",
             smallest_wall=self.smallest_wall,
         )

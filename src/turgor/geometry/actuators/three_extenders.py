@@ -22,8 +22,8 @@ class ThreeExtenders:
     straight on. Radius, wall, length and caps of the cylinders are the review's reference extender (6.35 mm, 2 mm,
     100 mm, 5 mm); all other defaults are chosen here.
 
-    In the published devices fibers keep the cylinders from ballooning. Fibers are not modeled yet: a job solves the
-    bare silicone, so keep to small pressures; they will lie on the face ``winding``.
+    In the published devices fibers keep the cylinders from ballooning; they lie on the face ``winding``. The
+    example job solves the bare silicone, so keep to small pressures.
 
     Axes: x from the lower plate (the fixed end) to the upper one (the tip). The first cylinder lies at +z, the others
     follow counterclockwise seen from the tip.

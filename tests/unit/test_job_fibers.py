@@ -1,0 +1,291 @@
+"""Fibers, the forms of a strain-limiting layer and radial supports in jobs: what they become, every mistake."""
+
+import re
+import tomllib
+from dataclasses import replace
+from math import inf, pi
+from pathlib import Path
+
+import pytest
+
+from turgor.errors import TurgorError
+from turgor.job.job import Job
+from turgor.job.lock import lock_text
+from turgor.job.problems import JobError
+from turgor.job.read import read_job
+from turgor.job.run import prepare
+from turgor.materials.laws import Hooke, NeoHooke
+from turgor.materials.records import from_library
+from turgor.model.fibers import Fibers, Winding
+from turgor.model.model import Membrane, Model
+from turgor.model.supports import Fixed, Radial
+from turgor.model.write_inp import write_inp
+from turgor.units import deg, mm
+
+TUBE = """\
+[actuator]
+type = "fiber_reinforced_cylinder"
+length = "40 mm"
+
+[mesh]
+size = "4 mm"
+cells = "hexahedra"
+
+[materials]
+body = { law = "neo_hooke", C10 = "0.12 MPa" }
+
+[fibers.braid]
+face = "outside"
+library = "kevlar-fiber"
+angle_from_axis = "60 deg"
+spacing = "2 mm"
+hand = "both"
+
+[loads]
+pressure = "20 kPa"
+
+[output]
+measures = ["tip_displacement_x"]
+"""
+
+
+def read(tmp_path: Path, text: str) -> Job:
+    file = tmp_path / "tube.toml"
+    file.write_text(text, encoding="utf-8")
+    return read_job(file)
+
+
+def problems(tmp_path: Path, text: str) -> list[str]:
+    with pytest.raises(JobError) as caught:
+        read(tmp_path, text)
+    return [line.replace(f"{tmp_path}/", "") for line in caught.value.problems]
+
+
+def again(tmp_path: Path, job: Job) -> Job:
+    """Write the lock file of a job and read it."""
+    return read(tmp_path, lock_text(job, {"turgor": "0"}))
+
+
+def test_a_winding_reaches_the_job(tmp_path):
+    fibers = read(tmp_path, TUBE).fibers["braid"]
+    assert fibers == Fibers(
+        face="outside",
+        material=from_library("kevlar-fiber"),
+        diameter=0.1778 * mm,  # of the record
+        winding=Winding(angle_from_axis=60 * deg, spacing=2 * mm, hand="both"),
+    )
+
+
+def test_every_key_of_a_winding_comes_back_from_the_lock_file(tmp_path):
+    braid = TUBE[TUBE.index("[fibers") : TUBE.index("[loads")]
+    many = """\
+[fibers.rods]
+face = ["outside", "tip"]
+E = "5 GPa"
+diameter = "0.5 mm"
+angle_from_circumference = "90 deg"
+starts = 12
+axis = "z"
+form = "discrete"
+compression = 0.5
+bending = true
+within = { x_from = "1 mm", z_to = 0 }
+
+[fibers.screw]
+face = "outside"
+E = "5 GPa"
+nu = 0.1
+name = "wire"
+density = "7.8 g/cm³"
+source = { text = "our own tests", doubts = ["one specimen only"] }
+diameter = "0.5 mm"
+pitch = "7 mm"
+starts = 2
+hand = "left"
+
+[fibers.turned]
+face = "outside"
+E = "5 GPa"
+diameter = "0.5 mm"
+turns = 3.5
+spacing = "3 mm"
+
+"""
+    text = TUBE.replace(braid, many).replace('"40 mm"', '"40 mm"\nsymmetric = false')
+    job = read(tmp_path, text)
+    assert again(tmp_path, job) == job
+    rods, screw, turned = (job.fibers[name] for name in ("rods", "screw", "turned"))
+    assert (rods.faces, rods.form, rods.compression, rods.bending) == (("outside", "tip"), "discrete", 0.5, True)
+    assert rods.within == ((1 * mm, -inf, -inf), (inf, inf, 0.0))
+    assert (rods.winding.angle_from_circumference, rods.winding.starts) == (pytest.approx(pi / 2), 12)
+    assert rods.winding.axis == (0.0, 0.0, 1.0)
+    assert (screw.material.law, screw.material.name) == (Hooke(E=5e9, nu=0.1), "wire")
+    assert (screw.winding.pitch, screw.winding.hand) == (7 * mm, "left")
+    assert (turned.winding.turns, turned.winding.spacing) == (3.5, 3 * mm)
+    stated = tomllib.loads(lock_text(job, {}))["fibers"]["screw"]
+    assert (stated["pitch"], stated["compression"], stated["form"]) == ("7 mm", 0.0, "smeared")
+
+
+MISTAKES = [
+    # (what stands in the file, what it is changed to, problem)
+    ("angle_from_axis", "angle", "15: fibers.braid.angle: '60 deg' does not say from where it is counted; write "
+     "angle_from_axis (0 deg runs along the axis) or angle_from_circumference (0 deg runs around it)."),
+    ("angle_from_axis", "angle_from_axes", "15: fibers.braid.angle_from_axes: unknown key 'angle_from_axes'; did "
+     "you mean 'angle_from_axis'? Known keys: face, library"),
+    ('"60 deg"', '"100 deg"', "15: fibers.braid.angle_from_axis: 100 deg; allowed is 0 deg to 90 deg."),
+    ('"60 deg"', '"60 mm"', "15: fibers.braid.angle_from_axis: '60 mm' is a length, but an angle is needed."),
+    ('"60 deg"', "60", "15: fibers.braid.angle_from_axis: 60 needs a unit, for example '90 deg'."),
+    ('angle_from_axis = "60 deg"', "", "12: fibers.braid: a winding has no direction; give exactly one of "),
+    ('"60 deg"', '"60 deg"\nturns = 3.0', "12: fibers.braid: a winding has angle_from_axis and turns; give"),
+    ('spacing = "2 mm"', "", "12: fibers.braid: a winding has no density; give exactly one of spacing, starts."),
+    ('spacing = "2 mm"', 'spacing = "-2 mm"', "16: fibers.braid.spacing: -2 mm; a positive value is needed."),
+    ('spacing = "2 mm"', "starts = 0", "16: fibers.braid.starts: 0; a positive value is needed."),
+    ('spacing = "2 mm"', "starts = 1.5", "16: fibers.braid.starts: 1.5 is not a whole number."),
+    ('angle_from_axis = "60 deg"', 'pitch = "0.1 mm"', "15: fibers.braid.pitch: 0.1 mm, less than the diameter"),
+    ('hand = "both"', 'hand = "bot"', "12: fibers.braid: unknown hand of a winding 'bot'; did you mean 'both'?"),
+    ('hand = "both"', 'hand = "left"', "17: fibers.braid.hand: the mirror plane symmetry_"),
+    ('hand = "both"', 'axis = "w"', "17: fibers.braid.axis: unknown axis of a winding 'w'. Known: x, y, z."),
+    ('hand = "both"', 'form = "smered"', "12: fibers.braid: unknown form of fibers 'smered'; did you mean 'smear"),
+    ('hand = "both"', 'compression = 2', "17: fibers.braid.compression: 2; allowed is 0 (slack) to 1"),
+    ('hand = "both"', 'diameter = "12 mm"', "17: fibers.braid.diameter: 12 mm; allowed is more than 0 up to 10"),
+    ('hand = "both"', 'within = { x_form = "1 mm" }', "17: fibers.braid.within.x_form: unknown key 'x_form'; did "
+     "you mean 'x_from'? Known keys: x_from, x_to"),
+    ('hand = "both"', 'within = { x_from = "3 mm", x_to = "1 mm" }', "17: fibers.braid.within: "),
+    ('face = "outside"', 'face = "outsid"', "13: fibers.braid.face: unknown face 'outsid'; did you mean 'outside'"),
+    ('face = "outside"', "face = []", "13: fibers.braid.face: the list is empty; name the face"),
+    ('face = "outside"', "", "12: fibers.braid.face: 'face' is missing, and it has no default."),
+    ('"kevlar-fiber"', '"kevlar-fibre"', "14: fibers.braid.library: unknown library material 'kevlar-fibre'; did "
+     "you mean 'kevlar-fiber'?"),
+    ('"kevlar-fiber"', '"kevlar-fiber"\nrecord = "connolly"', "15: fibers.braid.record: unknown record 'connolly'"),
+    ('"kevlar-fiber"', '"fiber-yarn"', "12: fibers.braid.diameter: 'diameter' of a thread is missing, and the rec"),
+    ('"kevlar-fiber"', '"kevlar-fiber"\nE = "1 GPa"', "12: fibers.braid: the threads have both library and E;"),
+    ('library = "kevlar-fiber"', "", "12: fibers.braid: the threads have neither library nor E; name a material"),
+    ('library = "kevlar-fiber"', 'E = "-1 GPa"\ndiameter = "1 mm"', "14: fibers.braid.E: "),
+    ('"kevlar-fiber"', '"ecoflex-00-30"\nrecord = "yeoh-elsayed-2014"', "1"),
+    ("[fibers.braid]", "[fibers]", "13: fibers.face: a winding needs a name of its own; write [fibers.winding]"),
+    ("[fibers.braid]", "[fibres.braid]", "12: fibres: unknown key 'fibres'; did you mean 'fibers'?"),
+    ("[loads]", '[supports]\nfixed = "xyz"\noutside = "radal"\n[loads]', "21: supports.outside: 'radal' is not "
+     "allowed; name the held directions, such as 'xyz' or 'z', or one of 'radial', 'radial about y'"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "problem"), MISTAKES, ids=[f"{new}"[:40] for _, new, _ in MISTAKES])
+def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, problem):
+    assert old in TUBE
+    found = problems(tmp_path, TUBE.replace(old, new))
+    assert any(line.startswith(f"tube.toml:{problem}") for line in found), "\n".join(found)
+    assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
+
+
+def test_windings_that_do_not_fit_the_face_are_found_before_solving(tmp_path):
+    with pytest.raises(TurgorError, match="fibers on 'tip': parts of this face look along the axis"):
+        prepare(read(tmp_path, TUBE.replace('face = "outside"', 'face = "tip"')))
+    with pytest.raises(TurgorError, match="less than their diameter of 0"):
+        prepare(read(tmp_path, TUBE.replace('"2 mm"', '"0.1 mm"')))
+
+
+def test_findings_about_fibers(tmp_path):
+    def codes(text):
+        return {finding.code: finding.message for finding in prepare(read(tmp_path, text))[1]}
+
+    assert not {"B04", "B05"} & set(codes(TUBE))
+    assert "keep 50 % of their stiffness" in codes(TUBE.replace("hand", "compression = 0.5\nhand"))["B04"]
+    assert "are 7 mm apart, with cells of 3." in codes(TUBE.replace('"2 mm"', '"7 mm"'))["B05"]
+    thick = TUBE.replace('"2 mm"', '"7 mm"').replace("hand", 'form = "discrete"\nhand')
+    assert "B05" not in codes(thick)
+
+
+def test_a_radial_support_reaches_the_job_and_comes_back(tmp_path):
+    text = TUBE.replace("[loads]", '[supports]\nfixed = "xyz"\noutside = "radial"\ntip = "radial about z"\n[loads]')
+    job = read(tmp_path, text)
+    assert job.supports == (Fixed("fixed"), Radial("outside"), Radial("tip", (0.0, 0.0, 1.0)))
+    assert again(tmp_path, job) == job
+
+
+# --- forms of the strain-limiting layer ---------------------------------------------------------------------------
+
+BENDER = """\
+[actuator]
+type = "semicircular_bender"
+length = "40 mm"
+
+[mesh]
+size = "4 mm"
+cells = "hexahedra"
+
+[materials]
+body = { law = "neo_hooke", C10 = "0.12 MPa" }
+base = { law = "neo_hooke", C10 = "0.12 MPa" }
+strain_limiting_layer = { library = "paper", record = "hooke-polygerinos-2020", thickness = "0.1 mm" }
+
+[loads]
+pressure = "10 kPa"
+"""
+LAYER = re.search("(?m)^strain_limiting_layer.*\n", BENDER)[0]
+COMBINED = 'strain_limiting_layer = { library = "fiberglass", form = "combined" }\n'
+SOLID = 'strain_limiting_layer = { library = "paper", record = "hooke-polygerinos-2020", form = "solid" }\n'
+
+
+def test_forms_of_the_layer(tmp_path):
+    bare = read(tmp_path, BENDER).materials["strain_limiting_layer"]
+    assert isinstance(bare, Membrane) and not bare.bending
+    assert (
+        read(tmp_path, BENDER.replace('"0.1 mm"', '"0.1 mm", form = "membrane"')).materials["strain_limiting_layer"]
+        == bare
+    )
+    shell = read(tmp_path, BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell"'))
+    assert shell.materials["strain_limiting_layer"] == replace(bare, bending=True)
+    assert again(tmp_path, shell) == shell
+
+
+def test_combined_constants_go_to_the_base(tmp_path):
+    text = re.sub("(?m)^base.*\n", "", BENDER.replace(LAYER, COMBINED))
+    job = read(tmp_path, text)
+    assert set(job.materials) == {"body", "base"}
+    assert job.materials["base"] == from_library("fiberglass")
+    assert again(tmp_path, job) == job
+
+
+def test_a_solid_layer_has_the_moduli_of_its_material(tmp_path):
+    job = read(tmp_path, BENDER.replace(LAYER, SOLID).replace('"40 mm"', '"40 mm"\nlayer = "0.5 mm"'))
+    layer = job.materials["strain_limiting_layer"]
+    assert layer.law == NeoHooke(C10=6.5e9 / 2.4 / 2)
+    assert layer.bulk_modulus == pytest.approx(6.5e9 / 3 / 0.6)
+    assert again(tmp_path, job) == job
+
+
+FORMS = [
+    (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shel"'), ".form: unknown form 'shel'"),
+    (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell"').replace('"hexahedra"', '"tetrahedra"'),
+     'materials.strain_limiting_layer.form: "shell" needs hexahedra; add cells = "hexahedra" to [mesh].'),
+    (BENDER.replace(LAYER, COMBINED), "materials.base: the combined constants of strain_limiting_layer stand "),
+    (BENDER.replace(LAYER, COMBINED.replace("fiberglass", "paper\", record = \"hooke-yang-2020")),
+     "materials.strain_limiting_layer: 'Paper' is linear elastic; combined constants are those of a rubber's law."),
+    (BENDER.replace(LAYER, COMBINED.replace("form", 'thickness = "1 mm", form')),
+     'materials.strain_limiting_layer.thickness: form = "combined" takes the thickness of its region;'),
+    (BENDER.replace(LAYER, SOLID), "materials.strain_limiting_layer.form: 'strain_limiting_layer' is a face; "
+     "a solid layer "
+     "needs a thickness, actuator.layer."),
+    (BENDER.replace('C10 = "0.12 MPa" }', 'C10 = "0.12 MPa", form = "shell" }'),
+     "materials.body.form: 'body' is a region; \"shell\" is for sheets on faces."),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "problem"), FORMS, ids=range(len(FORMS)))
+def test_mistakes_with_forms(tmp_path, text, problem):
+    found = problems(tmp_path, text)
+    assert any(problem in line for line in found), "\n".join(found)
+
+
+def test_what_inp_files_cannot_say_is_refused(tmp_path):
+    model = prepare(read(tmp_path, TUBE))[0]
+    with pytest.raises(TurgorError, match="winding of fibers on 'outside' has no form"):
+        write_inp(model, tmp_path / "a.inp", program="abaqus")
+    held = [Fixed("fixed"), Radial("outside")]
+    plain = Model(model.mesh, model.materials, held, model.loads)
+    with pytest.raises(TurgorError, match="'outside' is held radially"):
+        write_inp(plain, tmp_path / "a.inp", program="abaqus")
+    sheet = Membrane(from_library("kevlar-fiber"), 0.1 * mm, bending=True)
+    bent = Model(model.mesh, {**model.materials, "outside": sheet}, [Fixed("fixed")], model.loads)
+    with pytest.raises(TurgorError, match="the sheet on 'outside', which resists bending, has no form"):
+        write_inp(bent, tmp_path / "a.inp", program="abaqus")

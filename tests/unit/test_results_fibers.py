@@ -1,0 +1,90 @@
+"""Threads in results: their files for ParaView and their lines in pictures."""
+
+from dataclasses import replace
+
+import matplotlib.image
+import numpy as np
+import pytest
+import results_cases as cases
+
+import turgor as tg
+from turgor.errors import TurgorError
+from turgor.geometry import FiberReinforcedCylinder
+from turgor.materials.laws import Hooke, NeoHooke
+from turgor.meshing.generate import mesh
+from turgor.model.fibers import Fibers, Winding
+from turgor.results.fibers import fiber_results
+from turgor.results.fields import StateFields
+from turgor.results.measures import find_measure
+from turgor.results.pictures import shared_view, write_picture
+from turgor.results.vtu import threads_text, write_series
+from turgor.solvers.solution import State
+from turgor.units import deg, kPa, mm
+
+KEVLAR = tg.Material(name="kevlar", law=Hooke(E=31067e6, nu=0.36))
+RUBBER = tg.Material(name="rubber", law=NeoHooke(C10=0.12e6))
+
+
+@pytest.fixture(scope="module")
+def body():
+    return mesh(FiberReinforcedCylinder(length=30 * mm).build(), size=8 * mm, cells="hexahedra")
+
+
+def state_of(body, form="discrete", *, wound=True):
+    winding = Winding(angle_from_circumference=30 * deg, spacing=4 * mm, hand="both")
+    fibers = Fibers(face="outside", material=KEVLAR, diameter=0.2 * mm, winding=winding, form=form)
+    model = tg.Model(
+        body, {"body": RUBBER}, [tg.Fixed("fixed")], [tg.Pressure("cavity", 10 * kPa)],
+        reinforcements=[fibers] if wound else [],
+    )  # fmt: skip
+    return State(
+        model=model, load_factor=1.0, displacement=body.points * np.array([0.01, 0.1, 0.1]),
+        mean_stress=np.zeros(body.vertex_count), nodal_force=np.zeros_like(body.points),
+    )  # fmt: skip
+
+
+def test_vtk_reads_the_threads_and_their_tension(body, tmp_path):
+    vtk_io = pytest.importorskip("vtkmodules.vtkIOXML")
+    numpy_support = pytest.importorskip("vtkmodules.util.numpy_support")
+    state = state_of(body)
+    pvd = write_series(tmp_path, cases.solution([replace(state, load_factor=0.0), state]))
+    assert "state_threads_0001.vtu" in (tmp_path / "state_threads.pvd").read_text()
+    assert "threads" not in pvd.read_text()
+    reader = vtk_io.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(tmp_path / "state_threads_0001.vtu"))
+    reader.Update()
+    grid = reader.GetOutput()
+    result = fiber_results(state)[0]
+    assert grid.GetNumberOfCells() == len(result.tension)
+    assert {grid.GetCellType(k) for k in range(grid.GetNumberOfCells())} == {3}
+    tension = numpy_support.vtk_to_numpy(grid.GetCellData().GetArray("tension"))
+    assert tension == pytest.approx(result.tension, rel=1e-5)
+    points = numpy_support.vtk_to_numpy(grid.GetPoints().GetData()).reshape(-1, 2, 3)
+    line = result.threads.polylines(body.points + state.displacement)[0]
+    assert points[: len(line) - 1, 0] == pytest.approx(line[:-1])
+    assert np.linalg.norm(line[:, 1:], axis=1) == pytest.approx(1.1 * 8.35 * mm, rel=1e-3)
+
+
+def test_smeared_fibers_have_a_tension_but_no_file(body):
+    state = state_of(body, "smeared")
+    assert threads_text(StateFields(state)) == ""
+    smeared, discrete = (find_measure("maximum_fiber_tension")(state_of(body, f)) for f in ("smeared", "discrete"))
+    stretch = np.hypot(1.01 * np.cos(60 * deg), 1.1 * np.cos(30 * deg))
+    exact = state.model.reinforcements[0].stretching_stiffness * (stretch - 1)
+    assert [smeared, discrete] == pytest.approx([exact, exact], rel=0.01)
+    with pytest.raises(TurgorError, match="the model has no fibers"):
+        find_measure("maximum_fiber_tension")(state_of(body, wound=False))
+
+
+@pytest.mark.parametrize("form", ["smeared", "discrete"])
+def test_pictures_show_the_threads(body, form, tmp_path):
+    images = []
+    for wound in (True, False):
+        path = tmp_path / f"{wound}.png"
+        state = state_of(body, form, wound=wound)
+        write_picture(path, state, shared_view([state], width=600))
+        images.append(matplotlib.image.imread(path)[:, :, :3])
+    darker = np.abs(images[1] - images[0]).sum(axis=2) > 0.05
+    seen = images[1].min(axis=2) < 0.99
+    assert 0.01 < darker.sum() / seen.sum() < 0.3
+    assert (darker & ~seen).sum() < 0.05 * darker.sum()  # half their width beyond the outline

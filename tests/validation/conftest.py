@@ -1,0 +1,67 @@
+"""What the targets share: the slices of tests/verification, and `record_validation`, which makes docs/validation.md.
+
+A target calls ``record_validation(claim=..., source=..., expected=..., got=..., tolerance=...)`` beside its own
+assertions. ``pytest tests/validation -k targets -m "slow or not slow" --write-validation`` writes the rows to the page,
+if every target ran and passed; every other run leaves the working tree alone.
+"""
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from verification_page import HEAD, Row, page
+
+TESTS = Path(__file__).parent
+PAGE = TESTS.parents[1] / "docs" / "validation.md"
+ROWS = pytest.StashKey[list[Row]]()
+OUTCOME = pytest.StashKey[str]()
+
+# the targets ask physical questions of the same tubes and benders whose equations the verification tests check
+sys.path.append(str(TESTS.parent / "verification"))
+
+TITLE = """\
+# Validation
+
+What the literature on soft fluidic actuators says about reinforcement, asked of turgor. Written by
+`pytest tests/validation -k targets -m "slow or not slow" --write-validation` from the rows that the targets record, and
+only when all of them pass; to repeat one, run `pytest tests/validation/<file> -m "slow or not slow"`. Claims are those
+of the review by Xavier, Fleming and Yong (2021), section 7.2; expected numbers were computed for this project by
+independent semi-analytic or converged solvers. Each file says what it models and why its tolerance is what it is.
+"""
+
+
+@pytest.fixture
+def record_validation(request: pytest.FixtureRequest) -> Callable[..., None]:
+    """Return the function that records one row of the validation page; it asserts nothing."""
+    file, line, _ = request.node.location
+    rows = request.config.stash.setdefault(ROWS, [])
+
+    def record(*, claim: str, source: str, expected: object, got: object, tolerance: object) -> None:
+        values = {"claim": claim, "source": source, "expected": expected, "got": got, "tolerance": tolerance}
+        rows.append(Row(file=Path(file).name, line=line or 0, **values))
+
+    return record
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--write-validation", action="store_true", help="write docs/validation.md from the targets")
+
+
+def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
+    if not session.config.getoption("--write-validation", default=False):
+        return
+    rows = session.config.stash.get(ROWS, [])
+    not_run = {path.name for path in TESTS.glob("test_*targets*.py")} - {row.file for row in rows}
+    if exitstatus != 0 or not_run or "slow or not slow" not in session.config.getoption("markexpr"):
+        outcome = "not written: every target must run, slow ones too, and pass"
+    else:
+        PAGE.write_text(TITLE.rstrip() + page(rows).removeprefix(HEAD.rstrip()), encoding="utf-8")
+        outcome = f"written to {PAGE}: {len(rows)} rows"
+    session.config.stash[OUTCOME] = outcome
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    if OUTCOME in config.stash:
+        terminalreporter.write_line(f"validation page {config.stash[OUTCOME]}")
