@@ -4,14 +4,14 @@ import turgor as tg
 from turgor.units import deg, kPa, mm
 
 finger = tg.FastPneuNet()
-mesh = tg.mesh(finger.build(), size=2.2 * mm)
+mesh = tg.mesh(finger.build(), size=3 * mm)
 rubber = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
 paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
 model = tg.Model(
     mesh,
     materials={"body": rubber, "base": rubber, "strain_limiting_layer": paper},
     supports=[tg.Fixed("fixed")],
-    loads=[tg.Pressure("cavity", 6 * kPa)],
+    loads=[tg.Pressure("cavity", 22.5 * kPa)],
 )
 solution = tg.solve(model, tg.Static())
 response = tg.measure(solution, tg.bending_angle, tg.cavity_volume)

@@ -49,6 +49,8 @@ if TYPE_CHECKING:
     from turgor.geometry.geometry import Geometry as Geometry
     from turgor.geometry.mold import MoldSettings as MoldSettings
     from turgor.geometry.mold import casting_mold as casting_mold
+    from turgor.geometry.solids import Block as Block
+    from turgor.geometry.solids import RoundBar as RoundBar
     from turgor.geometry.write_step import write_step as write_step
     from turgor.job.convergence import convergence as convergence
     from turgor.job.export import export_job as export_job
@@ -93,13 +95,17 @@ if TYPE_CHECKING:
     from turgor.materials.records import library as library
     from turgor.materials.records import records as records
     from turgor.materials.stability import first_instability as first_instability
+    from turgor.meshing.combine import together as together
     from turgor.meshing.exchange import MeshFile as MeshFile
     from turgor.meshing.exchange import mesh_surfaces as mesh_surfaces
     from turgor.meshing.exchange import read_mesh as read_mesh
     from turgor.meshing.exchange import write_stl as write_stl
     from turgor.meshing.generate import mesh as mesh
     from turgor.meshing.mesh import Mesh as Mesh
+    from turgor.meshing.placing import mirrored as mirrored
+    from turgor.meshing.placing import placed as placed
     from turgor.meshing.sizes import default_size as default_size
+    from turgor.model.contact import Contact as Contact
     from turgor.model.fibers import Fibers as Fibers
     from turgor.model.fibers import Winding as Winding
     from turgor.model.loads import BodyForce as BodyForce
@@ -108,6 +114,14 @@ if TYPE_CHECKING:
     from turgor.model.loads import Traction as Traction
     from turgor.model.model import Membrane as Membrane
     from turgor.model.model import Model as Model
+    from turgor.model.obstacles import Box as Box
+    from turgor.model.obstacles import Cylinder as Cylinder
+    from turgor.model.obstacles import Obstacle as Obstacle
+    from turgor.model.obstacles import Plane as Plane
+    from turgor.model.obstacles import RigidSurface as RigidSurface
+    from turgor.model.obstacles import SelfContact as SelfContact
+    from turgor.model.obstacles import Sphere as Sphere
+    from turgor.model.rigid import read_rigid as read_rigid
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
     from turgor.model.supports import Radial as Radial
@@ -116,6 +130,20 @@ if TYPE_CHECKING:
     from turgor.model.write_inp import write_inp as write_inp
     from turgor.response import Response as Response
     from turgor.response import read_response as read_response
+    from turgor.results.contact import ContactResult as ContactResult
+    from turgor.results.contact import contact_results as contact_results
+    from turgor.results.contact_measures import area_on as area_on
+    from turgor.results.contact_measures import blocked_force as blocked_force
+    from turgor.results.contact_measures import blocked_force_x as blocked_force_x
+    from turgor.results.contact_measures import blocked_force_y as blocked_force_y
+    from turgor.results.contact_measures import blocked_force_z as blocked_force_z
+    from turgor.results.contact_measures import contact_area as contact_area
+    from turgor.results.contact_measures import deepest_penetration as deepest_penetration
+    from turgor.results.contact_measures import force_on as force_on
+    from turgor.results.contact_measures import grip_force as grip_force
+    from turgor.results.contact_measures import holding_force as holding_force
+    from turgor.results.contact_measures import maximum_contact_pressure as maximum_contact_pressure
+    from turgor.results.contact_measures import pull_distance as pull_distance
     from turgor.results.convergence import Convergence as Convergence
     from turgor.results.fibers import FiberResult as FiberResult
     from turgor.results.fibers import fiber_results as fiber_results
@@ -133,25 +161,32 @@ if TYPE_CHECKING:
     from turgor.results.measures import tip_displacement_z as tip_displacement_z
     from turgor.results.measures import twist_angle as twist_angle
     from turgor.results.measures import volume_of as volume_of
+    from turgor.results.reading import Measure as Measure
+    from turgor.solvers.blocked_force import BlockedForce as BlockedForce
     from turgor.solvers.driver import solve as solve
+    from turgor.solvers.grasp import Grasp as Grasp
     from turgor.solvers.procedures import Static as Static
     from turgor.solvers.solution import Solution as Solution
     from turgor.solvers.solution import SolveError as SolveError
     from turgor.solvers.solution import State as State
     from turgor.solvers.solution import Status as Status
+    from turgor.solvers.solution import Touch as Touch
     from turgor.source import Source as Source
 
 _ROOMS = {
     "turgor.engine.runtime": ("EngineOptions",),
     "turgor.errors": ("TurgorError",),
-    "turgor.finding": ("Finding", "Severity"),
-    "turgor.geometry.actuators.fast_pneunet": ("FastPneuNet",),
+    "turgor.finding": (
+        "Finding",
+        "Severity",
+    ),
     "turgor.geometry.actuators.bellows_of_revolution": ("BellowsOfRevolution",),
     "turgor.geometry.actuators.bidirectional_bender": ("BidirectionalBender",),
     "turgor.geometry.actuators.bidirectional_pneunet": ("BidirectionalPneuNet",),
     "turgor.geometry.actuators.contracting_tube": ("ContractingTube",),
     "turgor.geometry.actuators.eccentric_bender": ("EccentricBender",),
     "turgor.geometry.actuators.extending_cylinder": ("ExtendingCylinder",),
+    "turgor.geometry.actuators.fast_pneunet": ("FastPneuNet",),
     "turgor.geometry.actuators.fiber_reinforced_bender": ("FiberReinforcedBender",),
     "turgor.geometry.actuators.fiber_reinforced_cylinder": ("FiberReinforcedCylinder",),
     "turgor.geometry.actuators.free_bottom_pneunet": ("FreeBottomPneuNet",),
@@ -168,18 +203,12 @@ _ROOMS = {
     "turgor.geometry.actuators.triangular_pneunet": ("TriangularPneuNet",),
     "turgor.geometry.actuators.twisting_tube": ("TwistingTube",),
     "turgor.geometry.actuators.two_material_bender": ("TwoMaterialBender",),
-    "turgor.geometry.geometry": ("Geometry",),
-    "turgor.model.fibers": (
-        "Fibers",
-        "Winding",
-    ),
-    "turgor.results.fibers": ("FiberResult", "fiber_results"),
-    "turgor.geometry.cad.read": ("read_cad",),
+    "turgor.geometry.cad.cad_file": ("CadFile",),
     "turgor.geometry.cad.inspection": (
         "Inspection",
         "inspect_cad",
     ),
-    "turgor.geometry.cad.cad_file": ("CadFile",),
+    "turgor.geometry.cad.read": ("read_cad",),
     "turgor.geometry.cad.selectors": (
         "ByColor",
         "ByName",
@@ -188,28 +217,50 @@ _ROOMS = {
         "WithNormal",
     ),
     "turgor.geometry.cad.split": ("SplitPlane",),
+    "turgor.geometry.geometry": ("Geometry",),
     "turgor.geometry.mold": (
         "MoldSettings",
         "casting_mold",
     ),
+    "turgor.geometry.solids": (
+        "Block",
+        "RoundBar",
+    ),
     "turgor.geometry.write_step": ("write_step",),
-    "turgor.meshing.exchange": (
-        "MeshFile",
-        "mesh_surfaces",
-        "read_mesh",
-        "write_stl",
-    ),
-    "turgor.meshing.sizes": ("default_size",),
-    "turgor.model.write_inp": (
-        "compressible",
-        "write_inp",
-    ),
     "turgor.job.convergence": ("convergence",),
-    "turgor.results.convergence": ("Convergence",),
     "turgor.job.export": ("export_job",),
     "turgor.job.job": ("Job",),
     "turgor.job.read": ("read_job",),
     "turgor.job.run": ("run_job",),
+    "turgor.materials.curves": (
+        "Curve",
+        "curve",
+    ),
+    "turgor.materials.doubts": ("doubts_of",),
+    "turgor.materials.experiments": (
+        "MaterialTest",
+        "Step",
+    ),
+    "turgor.materials.fit_checks": (
+        "check_modes",
+        "check_order",
+        "check_stretch_range",
+    ),
+    "turgor.materials.fit_record": ("save_fits",),
+    "turgor.materials.fit_result": (
+        "Fit",
+        "TestError",
+    ),
+    "turgor.materials.fitting": ("fit",),
+    "turgor.materials.handling": (
+        "average",
+        "crop",
+        "remove_slack",
+        "remove_tail",
+        "select_cycle",
+        "set_zero_length",
+        "thin",
+    ),
     "turgor.materials.laws": (
         "ArrudaBoyce",
         "GeneralizedRivlin",
@@ -221,57 +272,98 @@ _ROOMS = {
         "Yeoh",
         "YeohN",
     ),
-    "turgor.materials.curves": (
-        "Curve",
-        "curve",
-    ),
-    "turgor.materials.stability": ("first_instability",),
-    "turgor.materials.doubts": ("doubts_of",),
-    "turgor.materials.experiments": (
-        "MaterialTest",
-        "Step",
+    "turgor.materials.material": ("Material",),
+    "turgor.materials.ranking": (
+        "Ranking",
+        "rank",
     ),
     "turgor.materials.read_tests": (
         "Specimen",
         "read_test",
         "read_tests",
     ),
-    "turgor.materials.fitting": ("fit",),
-    "turgor.materials.fit_result": (
-        "Fit",
-        "TestError",
-    ),
-    "turgor.materials.ranking": (
-        "Ranking",
-        "rank",
-    ),
-    "turgor.materials.handling": (
-        "average",
-        "crop",
-        "remove_slack",
-        "remove_tail",
-        "select_cycle",
-        "set_zero_length",
-        "thin",
-    ),
-    "turgor.materials.fit_checks": (
-        "check_modes",
-        "check_order",
-        "check_stretch_range",
-    ),
-    "turgor.materials.fit_record": ("save_fits",),
-    "turgor.materials.material": ("Material",),
     "turgor.materials.records": (
         "from_library",
         "library",
         "records",
     ),
+    "turgor.materials.stability": ("first_instability",),
+    "turgor.meshing.combine": ("together",),
+    "turgor.meshing.exchange": (
+        "MeshFile",
+        "mesh_surfaces",
+        "read_mesh",
+        "write_stl",
+    ),
     "turgor.meshing.generate": ("mesh",),
     "turgor.meshing.mesh": ("Mesh",),
-    "turgor.model.loads": ("BodyForce", "Gravity", "Pressure", "Traction"),
-    "turgor.model.model": ("Membrane", "Model"),
-    "turgor.model.supports": ("Displacement", "Fixed", "Radial", "Symmetry"),
-    "turgor.response": ("Response", "read_response"),
+    "turgor.meshing.placing": (
+        "mirrored",
+        "placed",
+    ),
+    "turgor.meshing.sizes": ("default_size",),
+    "turgor.model.contact": ("Contact",),
+    "turgor.model.fibers": (
+        "Fibers",
+        "Winding",
+    ),
+    "turgor.model.loads": (
+        "BodyForce",
+        "Gravity",
+        "Pressure",
+        "Traction",
+    ),
+    "turgor.model.model": (
+        "Membrane",
+        "Model",
+    ),
+    "turgor.model.obstacles": (
+        "Box",
+        "Cylinder",
+        "Obstacle",
+        "Plane",
+        "RigidSurface",
+        "SelfContact",
+        "Sphere",
+    ),
+    "turgor.model.rigid": ("read_rigid",),
+    "turgor.model.supports": (
+        "Displacement",
+        "Fixed",
+        "Radial",
+        "Symmetry",
+    ),
+    "turgor.model.write_inp": (
+        "compressible",
+        "write_inp",
+    ),
+    "turgor.response": (
+        "Response",
+        "read_response",
+    ),
+    "turgor.results.contact": (
+        "ContactResult",
+        "contact_results",
+    ),
+    "turgor.results.contact_measures": (
+        "area_on",
+        "blocked_force",
+        "blocked_force_x",
+        "blocked_force_y",
+        "blocked_force_z",
+        "contact_area",
+        "deepest_penetration",
+        "force_on",
+        "grip_force",
+        "holding_force",
+        "maximum_contact_pressure",
+        "pull_distance",
+    ),
+    "turgor.results.convergence": ("Convergence",),
+    "turgor.results.fibers": (
+        "FiberResult",
+        "fiber_results",
+    ),
     "turgor.results.measures": (
         "bending_angle",
         "cavity_volume",
@@ -288,9 +380,18 @@ _ROOMS = {
         "twist_angle",
         "volume_of",
     ),
+    "turgor.results.reading": ("Measure",),
+    "turgor.solvers.blocked_force": ("BlockedForce",),
     "turgor.solvers.driver": ("solve",),
+    "turgor.solvers.grasp": ("Grasp",),
     "turgor.solvers.procedures": ("Static",),
-    "turgor.solvers.solution": ("Solution", "SolveError", "State", "Status"),
+    "turgor.solvers.solution": (
+        "Solution",
+        "SolveError",
+        "State",
+        "Status",
+        "Touch",
+    ),
     "turgor.source": ("Source",),
 }
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}

@@ -105,10 +105,13 @@ def _check(job: JobFile, debug: Debug = False) -> None:
         from turgor.finding import Severity
         from turgor.job.read import read_job
         from turgor.job.run import prepare
+        from turgor.results.describe import contact
 
         model, findings = prepare(read_job(job))
         mesh = model.mesh
         typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
+        for sentence in contact(model):
+            typer.echo(sentence)
         _warn(findings)
         raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
 

@@ -17,9 +17,9 @@ from turgor.source import Source
 COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
     {
         "": 1.0, "m": units.m, "mm": units.mm, "um": units.um, "1/m": 1.0, "rad": units.rad, "deg": units.deg,
-        "Pa": units.Pa, "kPa": units.kPa, "MPa": units.MPa, "m3": 1.0, "L": units.L, "mL": units.mL,
-        "N": units.N, "mN": units.mN, "Nm": 1.0, "J": 1.0, "mJ": 1e-3, "kg": units.kg, "g": units.g,
-        "s": units.s, "ms": units.ms,
+        "Pa": units.Pa, "kPa": units.kPa, "MPa": units.MPa, "m2": 1.0, "mm2": 1e-6, "m3": 1.0,
+        "L": units.L, "mL": units.mL, "N": units.N, "mN": units.mN, "Nm": 1.0, "J": 1.0, "mJ": 1e-3,
+        "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms,
     }
 )  # fmt: skip
 

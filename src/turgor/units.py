@@ -52,6 +52,8 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "angle": MappingProxyType({"rad": rad, "deg": deg, "°": deg}),
         "pressure": MappingProxyType({"Pa": Pa, "kPa": kPa, "MPa": MPa, "GPa": GPa, "bar": bar, "psi": psi}),
         "density": MappingProxyType({"kg/m³": 1.0, "kg/m3": 1.0, "g/cm³": 1e3, "g/cm3": 1e3}),
+        "spring stiffness": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
+        "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9}),
     }
 )
 
@@ -160,7 +162,14 @@ def _known(dimension: str) -> str:
 
 
 def _example(dimension: str) -> str:
-    examples = {"length": "1.5 mm", "angle": "90 deg", "pressure": "60 kPa", "density": "1130 kg/m³"}
+    examples = {
+        "length": "1.5 mm",
+        "angle": "90 deg",
+        "pressure": "60 kPa",
+        "density": "1130 kg/m³",
+        "spring stiffness": "50 N/m",
+        "contact stiffness": "10 MPa/mm",
+    }
     return f"for example '{examples[dimension]}'"
 
 

@@ -290,7 +290,7 @@ def test_an_interrupted_run_writes_the_path_so_far(
 def test_walls_that_meet_are_an_error_after_everything_is_written(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    job = JOB.replace('gap = "2 mm"', 'gap = "0.1 mm"') + "[output]\n" + QUICK
+    job = JOB.replace('gap = "2 mm"', 'gap = "0.1 mm"') + "[contact]\nself_contact = false\n\n[output]\n" + QUICK
     (folder / "finger.toml").write_text(job)
     assert main(["run", "finger.toml", "--quiet"]) == FOUND_ERROR
     err = capsys.readouterr().err

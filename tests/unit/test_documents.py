@@ -6,7 +6,9 @@ from importlib import import_module
 from pathlib import Path
 
 import turgor as tg
+from turgor.job.contact import ContactTable
 from turgor.job.fibers import FibersTable
+from turgor.job.obstacles import SHAPES, STL, ObstacleTable, obstacle_table
 
 ROOT = Path(__file__).parents[2]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
@@ -73,3 +75,20 @@ def test_jobs_of_the_guides_on_reinforcement_are_read(tmp_path):
     assert job.materials["strain_limiting_layer"].bending
     keys = set(re.findall(r"`(\w+)`", "".join(re.findall(r"(?m)^\| (.*?) \|", read("docs/howto/fibers.md")))))
     assert keys - {"E"} == set(FibersTable.model_fields) - {"name", "law", "E", "nu", "density", "source"}
+
+
+def test_job_of_the_guide_on_contact_is_read(tmp_path):
+    page = "docs/howto/contact.md"
+    file = tmp_path / "job.toml"
+    file.write_text(blocks(page, "toml")[0], encoding="utf-8")
+    names = {}
+    exec(blocks(page, "python")[0], names)
+    assert tg.read_job(file).contact == names["contact"]
+    first = [re.findall(r"`([\w\"]+)`", cell) for cell in re.findall(r"(?m)^\| (.*?) \|", read(page))]
+    keys = {name for cell in first for name in cell}
+    shapes = (*SHAPES, STL)
+    assert keys == {*ContactTable.model_fields, *ObstacleTable.model_fields, *(f'"{shape}"' for shape in shapes)}
+    for shape in shapes:
+        (row,) = re.findall(rf'(?m)^\| `"{shape}"` \| (.*) \|$', read(page))
+        own = set(obstacle_table(shape).model_fields) - set(ObstacleTable.model_fields) - {"sha256"}
+        assert set(re.findall(r"`(\w+)`", row)) == own

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from turgor.errors import TurgorError
+from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.lock import lock_text
 from turgor.job.problems import JobError
@@ -279,6 +280,8 @@ def test_mistakes_with_forms(tmp_path, text, problem):
 
 def test_what_inp_files_cannot_say_is_refused(tmp_path):
     model = prepare(read(tmp_path, TUBE))[0]
+    with pytest.raises(TurgorError, match="winding of fibers on 'outside' has no form"):
+        export_job(read(tmp_path, TUBE), tmp_path / "files", ["inp"], inp=InpOptions(poisson=0.45))
     with pytest.raises(TurgorError, match="winding of fibers on 'outside' has no form"):
         write_inp(model, tmp_path / "a.inp", program="abaqus")
     held = [Fixed("fixed"), Radial("outside")]

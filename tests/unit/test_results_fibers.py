@@ -17,7 +17,8 @@ from turgor.results.fibers import fiber_results
 from turgor.results.fields import StateFields
 from turgor.results.measures import find_measure
 from turgor.results.pictures import shared_view, write_picture
-from turgor.results.vtu import threads_text, write_series
+from turgor.results.vtu import write_series
+from turgor.results.vtu_beside import threads_text
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 

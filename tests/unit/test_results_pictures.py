@@ -12,6 +12,7 @@ from PIL import Image
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
 from turgor.results import pictures
+from turgor.results.colors import color_map
 from turgor.results.fields import StateFields
 from turgor.results.pictures import MARGIN, picture_title, shared_view, write_picture
 from turgor.results.raycast import Raster, Scene, camera
@@ -122,7 +123,7 @@ def test_openness_of_a_plane_and_under_a_roof():
 
 def test_color_is_that_of_the_value():
     """In linear light the ratios of red, green and blue are those of the color map: light only scales them."""
-    colors = pictures._color_map()
+    colors = color_map("von_mises")
     skin = square(value=0.6)
     hits = look(skin, Raster(left=0.1, top=0.9, step=0.1, rows=8, columns=8))
     pixel = paint(skin, hits, EYE, Look(colors=colors, limit=1.0, openness=np.full(4, 1.0)))[4, 4] / 255
@@ -132,14 +133,14 @@ def test_color_is_that_of_the_value():
 
 def test_colors_darken_steadily_from_rest():
     """More stress is darker everywhere along the bar, so that it reads in gray print too."""
-    table = pictures._color_map()(np.linspace(0, 1, 50))[:, :3]
+    table = color_map("von_mises")(np.linspace(0, 1, 50))[:, :3]
     luminance = table**2.2 @ [0.2126, 0.7152, 0.0722]
     assert (np.diff(luminance) < 0).all()
     assert luminance[0] > 0.8 > 0.1 > luminance[-1]
 
 
 def test_beyond_the_limit_the_last_color_is_used():
-    colors = pictures._color_map()
+    colors = color_map("von_mises")
     raster = Raster(left=0.1, top=0.9, step=0.1, rows=8, columns=8)
     images = []
     for value in (1.0, 7.0):

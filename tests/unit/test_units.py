@@ -30,6 +30,9 @@ WRITTEN = [(dimension, unit) for dimension, units in UNITS.items() for unit in u
         ("1.13 g/cm3", "density", 1130.0),
         ("1130 kg/m³", "density", 1130.0),
         ("10 psi", "pressure", 68947.57293168361),
+        ("50 N/m", "spring stiffness", 50),
+        ("0.05 N/mm", "spring stiffness", 50),
+        ("10 MPa/mm", "contact stiffness", 1e10),
     ],
 )
 def test_reads(text: str, dimension: str, value: float) -> None:

@@ -58,3 +58,37 @@ def bent_block(points: np.ndarray, angle: float, thickness: float, length: float
     r = alpha * np.sqrt(inner_square + 2 * points[:, 0] / alpha)
     turn = points[:, 1] / alpha
     return np.column_stack([r * np.cos(turn), r * np.sin(turn), points[:, 2]])
+
+
+def hertz_ball(approach: float, radius: float, modulus: float) -> tuple[float, float, float]:
+    """Force [N], contact radius [m] and largest pressure [Pa] of a rigid plane on an incompressible elastic ball.
+
+    Hertz, with the approach [m] of the plane to the ball's center as for a half space; ``modulus`` is Young's.
+    """
+    a = np.sqrt(radius * approach)
+    stiffness = modulus / 0.75
+    return 4 / 3 * stiffness * a**3 / radius, a, 2 * stiffness * a / (np.pi * radius)
+
+
+def ball_approach(contact_radius: float, terms: int = 1000) -> float:
+    """Approach of a plane to the center of an incompressible ball of radius 1, over that of Hertz's half space.
+
+    The linear solution of a whole ball under Hertz's pressure on two opposite caps, in Legendre functions:
+    u_r = Σ (A rⁿ⁺¹ + B rⁿ⁻¹) Pₙ with div u = 0, ∇p = μ∇²u and no shear at the surface. A ball is stiffer than the
+    half space, by a quarter of the contact radius over its own.
+    """
+    x, weight = np.polynomial.legendre.leggauss(400)
+    phi = np.pi / 4 * (x + 1)
+    sine = contact_radius * np.sin(phi)
+    cosine = np.sqrt(1 - sine**2)
+    pressure = weight * np.pi / 4 * contact_radius * np.cos(phi) ** 2 * sine / cosine
+    pole, last, legendre = 0.0, np.ones_like(cosine), cosine
+    for n in range(2, terms):
+        last, legendre = legendre, ((2 * n - 1) * cosine * legendre - (n - 1) * last) / n
+        if n % 2:  # two opposite caps
+            continue
+        share = (2 * n + 1) * float(pressure @ legendre)
+        ratio = -((n - 1) * (n + 1)) / (n * (n + 2))  # A / B, from the shear stress at the surface
+        radial = -ratio * (4 * n + 6) / n + 2 * ((n + 1) * ratio + n - 1)
+        pole += share * (1 + ratio) / radial
+    return pole * 8 / (np.pi * contact_radius)  # for μ = 1, where Hertz's largest pressure is 8 a / π

@@ -10,6 +10,7 @@ from time import perf_counter
 import numba
 from threadpoolctl import threadpool_limits
 
+from turgor.engine.contact.warmup import touch_contact_kernels
 from turgor.engine.kernels_warmup import touch_kernels
 from turgor.errors import TurgorError
 
@@ -59,15 +60,20 @@ def use_threads(threads: int) -> Iterator[None]:
         numba.set_num_threads(before)
 
 
-def compile_kernels(notify: Callable[[str], None] | None, nodes: int = 10, mixed: bool = True) -> float:
-    """Load the kernels for cells of ``nodes`` nodes, compiled first where this machine has not; return the seconds."""
+def compile_kernels(notify: Callable[[str], None] | None, nodes: int = 10, mixed: bool = True, sides: int = 0) -> float:
+    """Load the kernels for cells of ``nodes`` nodes, compiled first where this machine has not; return the seconds.
+
+    The kernels of contact are loaded for ``sides`` nodes of a side, and left out for 0.
+    """
     start = perf_counter()
-    text = "compiling the element kernels (once per machine and kind of cell, up to 30 s)"
+    text = "compiling the element kernels (once per machine and kind of cell, up to a minute)"
     timer = Timer(QUIET_SECONDS, notify or (lambda _: None), args=(text,))
     timer.daemon = True
     timer.start()
     try:
         touch_kernels(nodes, mixed)
+        if sides:
+            touch_contact_kernels(sides)
     finally:
         timer.cancel()
     return perf_counter() - start

@@ -14,10 +14,14 @@ from numpy.typing import NDArray
 from turgor.engine import kernels
 from turgor.engine.boundary import held_components
 from turgor.engine.cell_materials import CellMaterials, Isochoric
+from turgor.engine.contact.couplings import Layout
+from turgor.engine.contact.part import Look
+from turgor.engine.contact.surface import whole_surface
+from turgor.engine.contact.terms import Contacts, ContactTerms
 from turgor.engine.dead_loads import dead_forces
 from turgor.engine.element import element_of
 from turgor.engine.faces import FaceStresses, FaceTerms
-from turgor.engine.pattern import build_pattern, locate, scatter_add
+from turgor.engine.pattern import Pattern, build_pattern, locate, scatter_add
 from turgor.errors import TurgorError
 from turgor.model.drive import kinks
 from turgor.model.model import Model
@@ -67,6 +71,10 @@ class Evaluation:
         External force alone.
     isochoric : Isochoric
         What the laws say at all points, scaled.
+    contacts : Contacts
+        What touches.
+    contact_force : float
+        Size of the contact forces on the free nodes.
     """
 
     unknowns: Array
@@ -74,6 +82,8 @@ class Evaluation:
     residual: Array
     external: Array
     isochoric: Isochoric
+    contacts: Contacts
+    contact_force: float
 
 
 class System:
@@ -94,6 +104,8 @@ class System:
         Scales of the unknowns.
     mean_stress_volumes : (m,) array
         Scaled volume that belongs to each mean stress.
+    contact : ContactTerms
+        What may touch what.
     full_force : float
         Scaled size of the loads' forces on the free nodes at their largest, at rest: a measure of what is small.
     """
@@ -107,7 +119,6 @@ class System:
         self.points = np.ascontiguousarray(mesh.points / self.length)
         self.cells = np.ascontiguousarray(mesh.cells)
         self.element = element_of(model)
-        self.size = 3 * self.node_count + self.element.mean_count
         r = self.element.tables
         self.Jinv, self.dV = kernels.reference_geometry(self.element.shape, self.points, self.cells, r.dN, r.weights)
         if not (self.dV > 0).all():
@@ -123,12 +134,21 @@ class System:
         supports = held_components(model)
         self._supports = supports
         self._frames = supports.frames
-        self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool)])
+        self.contact = self._contact_terms()
+        bodies = self.contact.bodies.held
+        self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
+        self.size = len(self.held)
         self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress)
         self._dead = dead_forces(model, self.points, self.dV, r.N, (self.length, self.stress))
         self.full_force = max(self._applied(factor) for factor in (*kinks(model), 1.0))
         self._cell_unknowns = _cell_unknowns(self.cells, self.element.mean, self.node_count)
         self._build_pattern()
+
+    def _contact_terms(self) -> ContactTerms:
+        scales = (self.length, self.stress)
+        first = 3 * self.node_count + self.element.mean_count
+        surface = whole_surface(self.model, self.points, self.dV.sum(axis=1), self.stress)
+        return ContactTerms(self.model, surface, self.points, scales, first)
 
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest."""
@@ -138,21 +158,23 @@ class System:
 
     def _build_pattern(self) -> None:
         unknowns = self._cell_unknowns
-        self.pattern = build_pattern(unknowns, self.size, *self.faces.couplings)
+        base = build_pattern(unknowns, self.size, *self.faces.couplings)
         rows, columns = np.tril_indices(unknowns.shape[1])
         self._positions = np.empty((len(unknowns), len(rows)), dtype=np.int32)
         for chunk in self._chunks():
             self._positions[chunk] = locate(
-                self.pattern.indptr,
-                self.pattern.indices,
+                base.indptr,
+                base.indices,
                 unknowns[chunk][:, rows].ravel(),
                 unknowns[chunk][:, columns].ravel(),
             ).reshape(-1, len(rows))
-        self.faces.locate(self.pattern)
-        row_of = self.pattern.indices
-        column_of = np.repeat(np.arange(self.size, dtype=np.int32), np.diff(self.pattern.indptr))
-        self._dropped = np.flatnonzero(self.held[row_of] | self.held[column_of])
-        self._held_diagonal = self.pattern.diagonal[self.held]
+        self.faces.locate(base)
+        self.layout = Layout(base, self.held)
+
+    @property
+    def pattern(self) -> Pattern:
+        """The sparsity of the tangent at present; contact changes it."""
+        return self.layout.pattern
 
     def _chunks(self) -> list[slice]:
         cells = max(1, CHUNK_ENTRIES // self._positions.shape[1])
@@ -160,8 +182,13 @@ class System:
 
     def split(self, unknowns: Array) -> tuple[Array, Array]:
         """Scaled displacement (n, 3) and scaled mean stress (m,)."""
-        components = unknowns[: 3 * self.node_count].reshape(-1, 3)
-        return self._frames.to_global(components), unknowns[3 * self.node_count :]
+        nodes = 3 * self.node_count
+        components = unknowns[:nodes].reshape(-1, 3)
+        return self._frames.to_global(components), unknowns[nodes : nodes + self.element.mean_count]
+
+    def springs(self, unknowns: Array) -> Array:
+        """Scaled displacements (b, 3) of sprung obstacles from their places."""
+        return unknowns[3 * self.node_count + self.element.mean_count :].reshape(-1, 3)
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
         """Displacement (n, 3) [m] and mean stress (m,) [Pa]."""
@@ -175,8 +202,10 @@ class System:
         values[: 3 * self.node_count] = moved.ravel()
         return values[self.held]
 
-    def evaluate(self, unknowns: Array, load_factor: float) -> Evaluation | None:
-        """Residual at a point; None where a cell is turned inside out."""
+    def evaluate(
+        self, unknowns: Array, load_factor: float, known: Contacts | None = None, how: Look = Look.FOLLOW
+    ) -> Evaluation | None:
+        """Residual at a point; None where a cell is turned inside out. `ContactTerms.look` explains ``known``."""
         u, p = self.split(unknowns)
         e, r = self.element, self.element.tables
         I1, I2, _ = kernels.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
@@ -205,21 +234,27 @@ class System:
         internal: Array = np.bincount(self._cell_unknowns.ravel(), by_cell.ravel(), minlength=self.size).astype(float)
         position = self.points + u
         forces, external = self.faces.forces(position, load_factor)
-        by_node = internal[: 3 * self.node_count].reshape(-1, 3) + forces
+        springs = self.springs(unknowns)
+        contacts = self.contact.look(position, springs, load_factor, known, how)
+        pressing, bodies = self.contact.forces(contacts, springs)
+        by_node = internal[: 3 * self.node_count].reshape(-1, 3) + forces + pressing
+        internal[self.size - bodies.size :] = bodies.ravel()
         internal[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         outer = np.zeros(self.size)
         outer[: 3 * self.node_count] = self._frames.to_local(external + load_factor * self._dead).ravel()
         total = internal - outer
         if not np.isfinite(total).all():
             return None
-        return Evaluation(unknowns, load_factor, total, outer, laws)
+        free = ~self.held[: 3 * self.node_count]
+        pressed = float(np.linalg.norm(self._frames.to_local(pressing).ravel()[free]))
+        return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed)
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
         u, p = self.split(at.unknowns)
         e, r = self.element, self.element.tables
         compliance = np.maximum(self.materials.compliance, REGULARIZATION)
-        data = np.zeros(len(self.pattern.indices))
+        data = np.zeros(len(self.layout.base.indices))
         nothing = np.zeros((1, 1, 6))
         for chunk in self._chunks():
             packed = kernels.tangent(
@@ -244,6 +279,9 @@ class System:
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
         given = None if geometric is None else geometric.faces
         self.faces.add_tangents(data, self.points + u, at.load_factor, given)
+        self.contact.prepare(self.layout, at.contacts)
+        data = self.layout.spread(data)
+        self.contact.add_tangents(data, self.layout, at.contacts)
         self._frames.turn_tangent(self.pattern, data, self.node_count)
         return data
 
@@ -255,8 +293,7 @@ class System:
 
     def apply_supports(self, data: Array) -> None:
         """Replace the equations of held unknowns by identities, in place."""
-        data[self._dropped] = 0.0
-        data[self._held_diagonal] = 1.0
+        self.layout.apply_supports(data)
 
     def stresses(self, at: Evaluation, update: Array | None = None) -> Stresses:
         """Stresses at an evaluation, linearized for an update where one is given; see `kernels.extrapolated_stress`."""
@@ -296,7 +333,8 @@ class System:
         evaluation = self.evaluate(unknowns, load_factor)
         if evaluation is None:
             raise TurgorError("a cell is turned inside out at these unknowns.")
-        matrix = self.pattern.full(self.tangent_data(evaluation))
+        data = self.tangent_data(evaluation)  # first: contact may change the pattern
+        matrix = self.pattern.full(data)
         skew = self.skew_matrix(evaluation)
         return matrix if skew is None else (matrix + skew).tocsc()
 

@@ -49,9 +49,11 @@ class Tangent:
 
     def __init__(self, system: System, solver: str, threads: int) -> None:
         self._system = system
+        self._solver, self._threads = solver, threads
         self.clock = Clock()
         self._symmetric: LinearSolver | None = None
         self._general: UnsymmetricSolver | None = None
+        self._analyzed = system.pattern
         if system.faces.symmetric:
             self._symmetric = linear_solver(solver, system.pattern, threads)
         else:
@@ -84,6 +86,9 @@ class Tangent:
         system.apply_supports(data)
         middle = perf_counter()
         if self._symmetric is not None:
+            if self._analyzed is not system.pattern:  # walls touch that did not before
+                self._symmetric, self._analyzed = None, system.pattern
+                self._symmetric = linear_solver(self._solver, system.pattern, self._threads)
             self._symmetric.factor(data)
         else:
             assert self._general is not None and skew is not None
@@ -105,4 +110,4 @@ class Tangent:
         """Negative pivots beyond one for each mean stress; None where the solver does not count them."""
         expected = self._system.element.mean_count
         negative = self._active.negative_pivots(expected)
-        return None if negative is None else negative - expected
+        return None if negative is None else max(0, negative - expected)

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import fields
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, model_validator
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry.cad.cad_file import CadFile
@@ -13,19 +13,11 @@ from turgor.geometry.cad.files import SUFFIXES
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.geometry.cad.split import SplitPlane
 from turgor.job.problems import Problems
-from turgor.job.tables import Length, Table, read_table
-from turgor.units import format_quantity, parse_quantity
+from turgor.job.tables import Coordinate, Length, Table, read_table
+from turgor.units import format_quantity
 
 #: The type of an actuator that comes from a CAD file.
 CAD_FILE = "cad_file"
-
-
-def _coordinate(value: object) -> float:
-    """A length; zero needs no unit."""
-    return 0.0 if value == 0 and not isinstance(value, bool) else parse_quantity(value, "length")
-
-
-Coordinate = Annotated[float, BeforeValidator(_coordinate)]
 
 
 class SelectorTable(Table):

@@ -110,7 +110,15 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
 
 
 def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
-    model = Model(mesh, materials=job.materials, supports=job.supports, loads=job.loads)
+    model = Model(
+        mesh,
+        materials=job.materials,
+        supports=job.supports,
+        loads=job.loads,
+        reinforcements=tuple(job.fibers.values()),
+        contact=job.contact,
+    )
+    model = job.procedure.amended(model)  # what stops the tip is part of the question
     if options.poisson is not None:
         model = compressible(model, options.poisson)
     write_inp(model, file, program=options.program, at=sorted({*job.procedure.at, 1.0}))

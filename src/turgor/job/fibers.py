@@ -5,20 +5,20 @@ from functools import partial
 from math import inf, isfinite, pi
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, BeforeValidator
+from pydantic import AfterValidator
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
 from turgor.job.lines import Key
 from turgor.job.materials import read_library
 from turgor.job.problems import Problems
-from turgor.job.tables import Angle, Density, Length, Pressure, SourceTable, Table, read_table, shown
+from turgor.job.tables import Angle, Coordinate, Density, Length, Pressure, SourceTable, Table, read_table, shown
 from turgor.materials.laws import Hooke
 from turgor.materials.material import Material
 from turgor.materials.records import find_record
 from turgor.model.fibers import Fibers, Winding
 from turgor.source import Source
-from turgor.units import format_quantity, parse_quantity
+from turgor.units import format_quantity
 
 #: Axes of windings by the names that job files use.
 AXES: Mapping[str, tuple[float, float, float]] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -42,14 +42,6 @@ def _axis(name: str) -> str:
     if name not in AXES:
         raise unknown("axis of a winding", name, AXES)
     return name
-
-
-def _coordinate(value: object) -> float:
-    """A length; zero needs no unit."""
-    return 0.0 if value == 0 and not isinstance(value, bool) else parse_quantity(value, "length")
-
-
-Coordinate = Annotated[float, BeforeValidator(_coordinate)]
 
 
 class BoxTable(Table):

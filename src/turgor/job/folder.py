@@ -15,10 +15,13 @@ REPORT = "report.html"
 PLOT = "response.png"
 UNDEFORMED = "undeformed.png"
 DEFORMED = "deformed.png"
+CONTACT = "contact.png"
 FIELDS = "vtu"
 
 #: What a run writes; `clear` removes these and nothing else.
-RESULTS = (RESPONSE, STEPS, LOG, LOCK, REPORT, PLOT, UNDEFORMED, DEFORMED, f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd")
+RESULTS = (
+    RESPONSE, STEPS, LOG, LOCK, REPORT, PLOT, UNDEFORMED, DEFORMED, CONTACT, f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd",
+)  # fmt: skip
 
 
 def default_folder(name: str) -> Path:

@@ -35,9 +35,11 @@ from turgor.geometry import (
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.materials.material import Material
 from turgor.meshing.exchange.mesh_file import MeshFile
+from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
+from turgor.model.rigid import RigidFile
 from turgor.model.supports import Fixed, Radial
 from turgor.solvers.procedures import Static
 
@@ -160,6 +162,10 @@ class Job:
         What drives it.
     fibers : mapping of str to Fibers
         Windings by a name of their own.
+    contact : Contact
+        What may touch what.
+    rigid_files : mapping of str to RigidFile
+        The files of those obstacles that come from STL files, for the lock file.
     procedure : Static
         How the path is followed.
     output : Output
@@ -179,6 +185,8 @@ class Job:
     supports: tuple[Fixed | Radial, ...] = (Fixed("fixed"),)
     loads: tuple[Pressure | Gravity, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
+    contact: Contact = field(default_factory=Contact)
+    rigid_files: Mapping[str, RigidFile] = field(default_factory=dict)
     procedure: Static = field(default_factory=Static)
     output: Output = field(default_factory=Output)
     threads: int | None = None

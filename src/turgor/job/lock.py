@@ -9,16 +9,19 @@ import tomlkit
 
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.job.cad import cad_file_table
+from turgor.job.contact import contact_table
 from turgor.job.fibers import fibers_tables
 from turgor.job.job import Job, actuator_type
 from turgor.job.loads import loads_table, only_pressure
 from turgor.job.mesh_files import mesh_file_table
+from turgor.job.obstacles import obstacles_tables
 from turgor.job.sections import PROCEDURES
 from turgor.job.supports import held_text
 from turgor.materials.material import Material
 from turgor.materials.records import DIMENSIONLESS, LAWS
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.model import Membrane
+from turgor.solvers.grasp import Grasp
 from turgor.units import format_quantity, kPa
 
 #: Units in which a lock file states the dimensions of a value.
@@ -48,6 +51,8 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "fibers": fibers_tables(job.fibers),
         "supports": {support.face: held_text(support) for support in job.supports},
         "loads": loads_table(job.loads),
+        "contact": contact_table(job.contact),
+        "obstacles": obstacles_tables(job.contact, job.rigid_files),
         "procedure": _procedure(job),
         "output": {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)},
         "engine": {"threads": job.threads} if job.threads is not None else {},
@@ -119,7 +124,10 @@ def _constants(value: Any, unit: str | None) -> Any:
 def _procedure(job: Job) -> dict[str, Any]:
     name = next(name for name, kind in PROCEDURES.items() if type(job.procedure) is kind)
     values = {item.name: _plain(getattr(job.procedure, item.name)) for item in fields(job.procedure)}
-    top = only_pressure(job.loads)
+    for item in fields(job.procedure):
+        if "dimension" in item.metadata:
+            values[item.name] = format_quantity(getattr(job.procedure, item.name), _UNIT[item.metadata["dimension"]])
+    top = None if isinstance(job.procedure, Grasp) else only_pressure(job.loads)
     return {"type": name} | values | {"at": [_requested(factor, top) for factor in job.procedure.at]}
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry import Geometry
+from turgor.job.contact import read_contact
 from turgor.job.fibers import read_fibers
 from turgor.job.job import Actuator, Job
 from turgor.job.lines import key_lines
@@ -34,6 +35,8 @@ SECTIONS = (
     "fibers",
     "supports",
     "loads",
+    "contact",
+    "obstacles",
     "procedure",
     "output",
     "engine",
@@ -45,6 +48,8 @@ DEFAULTS: Mapping[str, Mapping[str, Any]] = {
     "mesh": {},
     "fibers": {},
     "supports": {"fixed": "xyz"},
+    "contact": {},
+    "obstacles": {},
     "procedure": {"type": "static"},
     "output": {},
     "engine": {},
@@ -94,7 +99,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     if given["actuator"] is None and isinstance(given["mesh"], Mapping) and "file" in given["mesh"]:
         given["actuator"], given["mesh"] = {"type": MESH_FILE, **given["mesh"]}, {}  # a mesh stands for both
     for key in ("actuator", "materials", "loads"):
-        if given[key] is None:
+        if given[key] is None and not (key == "loads" and _moves(given["obstacles"])):
             problems.add((key,), f"the table [{key}] is missing.")
     name = _name(content.get("name", stem), problems)
     actuator = read_actuator(given["actuator"], problems) if given["actuator"] is not None else None
@@ -104,6 +109,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     fibers = read_fibers(given["fibers"], geometry, problems)
     loads = read_loads(given["loads"], geometry, materials, problems) if given["loads"] is not None else ()
     supports = read_supports(given["supports"], geometry, problems)
+    contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
     procedure = read_procedure(given["procedure"], loads, problems)
     output = read_output(given["output"], problems)
     threads = read_engine(given["engine"], problems)
@@ -123,10 +129,18 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
         supports=supports,
         fibers=fibers,
         loads=loads,
+        contact=contact,
+        rigid_files=rigid_files,
         procedure=procedure,
         output=output,
         threads=threads,
     )
+
+
+def _moves(obstacles: object) -> bool:
+    """Whether any obstacle has a path, which drives the actuator where no load does."""
+    entries = obstacles.values() if isinstance(obstacles, Mapping) else ()
+    return any(isinstance(entry, Mapping) and "path" in entry for entry in entries)
 
 
 def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:

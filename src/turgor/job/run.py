@@ -17,8 +17,10 @@ from turgor.meshing.checks import check_mesh
 from turgor.model.model import Model
 from turgor.results.measures import check_measures, find_measure, measure
 from turgor.solvers.checks import check_supports, unloaded_cavities
+from turgor.solvers.contact_checks import check_contact
 from turgor.solvers.driver import Progress, solve
 from turgor.solvers.fiber_checks import check_fibers
+from turgor.solvers.obstacle_checks import overlapping_obstacles
 
 Notify = Callable[[str], None]
 
@@ -52,15 +54,24 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
     wound = tuple(job.fibers.values())
-    model = Model(made, materials=job.materials, supports=job.supports, loads=job.loads, reinforcements=wound)
+    model = Model(
+        made,
+        materials=job.materials,
+        supports=job.supports,
+        loads=job.loads,
+        reinforcements=wound,
+        contact=job.contact,
+    )
     check_supports(model)
-    check_measures(model, [find_measure(name) for name in job.output.measures])
+    check_measures(job.procedure.amended(model), [find_measure(name) for name in job.output.measures])
     return model, (
         *geometry.findings,
         *constants_in_doubt(model),
         *check_mesh(made),
         *unloaded_cavities(model),
         *check_fibers(model),
+        *check_contact(model),
+        *overlapping_obstacles(model),
     )
 
 

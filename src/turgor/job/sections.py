@@ -25,9 +25,12 @@ from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.sizes import check_face_sizes, check_settings, default_size
 from turgor.meshing.swept import check_cells
 from turgor.model.loads import Gravity, Pressure
+from turgor.solvers.blocked_force import BlockedForce
+from turgor.solvers.grasp import Grasp
 from turgor.solvers.procedures import Static
 
-PROCEDURES: Mapping[str, type[Static]] = {"static": Static}
+#: Procedures by the name that job files use. A new one is one line here; its keys are its fields.
+PROCEDURES: Mapping[str, type[Static]] = {"static": Static, "blocked_force": BlockedForce, "grasp": Grasp}
 
 
 def _chosen(kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems) -> Any | None:
@@ -93,6 +96,10 @@ def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems:
     if kind is None or table is None:
         return None
     given = _fields_of(table)
+    if kind is Grasp and any(isinstance(value, tuple) for value in given["at"]):
+        why = "in a grasp the pressure rises until closing and is held then"
+        problems.add((*key, "at"), f"a pressure does not say which state is meant: {why}; request load factors.")
+        return None
     given["at"] = tuple(requested_factors(given["at"], loads, problems))
     made: Static | None = problems.attempt(key, lambda: kind(**given), fields=given)
     return made

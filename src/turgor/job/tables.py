@@ -57,6 +57,14 @@ def _load_factor_or_pressure(value: object) -> object:
     return (parse_quantity(value, "pressure"),)
 
 
+def coordinate(value: object) -> float:
+    """Read a length; zero needs no unit."""
+    return 0.0 if value == 0 and not isinstance(value, bool) else parse_quantity(value, "length")
+
+
+Coordinate = Annotated[float, BeforeValidator(coordinate)]
+
+
 def _direction(text: str) -> str:
     if text not in DIRECTIONS:
         raise unknown("direction", text, DIRECTIONS)
@@ -158,9 +166,15 @@ def dataclass_table(value: type) -> type[Table]:
 
 @cache
 def procedure_table(value: type) -> type[Table]:
-    """Make the table of a procedure: one key per field, plain numbers, and ``at`` as pressures or load factors."""
+    """Make the table of a procedure: one key per field, numbers unless its dimension is stated, and ``at``.
+
+    ``at`` holds pressures or load factors.
+    """
     keys: dict[str, Any] = {"type": (str, ...)}
-    keys |= {item.name: (item.type, _default_of(item)) for item in fields(value)}
+    keys |= {
+        item.name: (QUANTITIES.get(item.metadata.get("dimension", ""), item.type), _default_of(item))
+        for item in fields(value)
+    }
     if "at" in keys:
         keys["at"] = (list[Annotated[Any, BeforeValidator(_load_factor_or_pressure)]], [])
     return create_model(f"{value.__name__}Table", __base__=Table, **keys)

@@ -5,10 +5,11 @@ from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 
-from turgor.job.folder import DEFORMED, FIELDS, LOCK, LOG, PLOT, REPORT, RESPONSE, STEPS, UNDEFORMED, clear
+from turgor.job.folder import CONTACT, DEFORMED, FIELDS, LOCK, LOG, PLOT, REPORT, RESPONSE, STEPS, UNDEFORMED, clear
 from turgor.job.lock import dimensions, lock_text
 from turgor.job.outcome import RunOutcome
 from turgor.meshing.quality import quality
+from turgor.results.colors import CONTACT_PRESSURE
 from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.pictures import picture_title, shared_view, write_picture
 from turgor.results.plots import write_plot
@@ -23,9 +24,18 @@ CONTENTS: Mapping[str, str] = {
     STEPS: "every attempted step of the solve",
     LOG: "how the run went",
     f"{FIELDS}/state.pvd": "the fields of every state, for ParaView",
+    f"{FIELDS}/state_obstacles.pvd": "the obstacles at every state, to open beside it",
     PLOT: "the response as a plot",
     UNDEFORMED: "the actuator at rest",
     DEFORMED: "the actuator at the last state",
+    CONTACT: "what touches at the last state, seen through the actuator",
+}
+
+#: What stands below each picture in the report.
+CAPTIONS: Mapping[str, str] = {
+    UNDEFORMED: "Undeformed",
+    DEFORMED: "At the last state",
+    CONTACT: "What touches at the last state, seen through the actuator; colors are not dimmed by light or shadow",
 }
 
 STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
@@ -48,6 +58,8 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[P
         notify("writing the fields")
         (folder / FIELDS).mkdir(exist_ok=True)
         files.append(write_series(folder / FIELDS, outcome.solution))
+        obstacles = folder / FIELDS / "state_obstacles.pvd"
+        files += [obstacles] if obstacles.exists() else []
     notify("drawing")
     title = picture_title(outcome.response, name=outcome.job.name)
     write_plot(folder / PLOT, outcome.response, title=title)
@@ -74,7 +86,7 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
         quality=quality(solution.model.mesh),
         pictures=tuple(
             Picture(caption=caption, png=beside[name].read_bytes())
-            for name, caption in ((UNDEFORMED, "Undeformed"), (DEFORMED, "At the last state"))
+            for name, caption in CAPTIONS.items()
             if name in beside
         ),
         versions={**outcome.written_by, "threads": job.threads or ""},
@@ -85,7 +97,10 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
 
 
 def write_pictures(outcome: RunOutcome) -> list[Path]:
-    """Draw the first and the last state with the same view, scale and colors; the last one over the first."""
+    """Draw the first and the last state with the same view, scale and colors; the last one over the first.
+
+    Where something touches in the last state, a third picture shows it by contact pressure.
+    """
     folder, states, facts = outcome.folder, outcome.solution.states, MeshFacts(outcome.solution.model.mesh)
     first, last = StateFields(states[0], facts), StateFields(states[-1], facts)
     view = shared_view([first, last])
@@ -94,6 +109,10 @@ def write_pictures(outcome: RunOutcome) -> list[Path]:
     if len(states) > 1:
         files.append(folder / DEFORMED)
         write_picture(files[1], last, view, title=picture_title(outcome.response, -1, name), ghost=first)
+    if any(touch.area > 0 for touch in states[-1].touches.values()):
+        files.append(folder / CONTACT)
+        view = shared_view([first, last], color_by=CONTACT_PRESSURE)
+        write_picture(files[-1], last, view, title=picture_title(outcome.response, -1, name))
     return files
 
 

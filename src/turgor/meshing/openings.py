@@ -81,7 +81,7 @@ def find_rims(mesh: Mesh, rim: Ints) -> tuple[Rim, ...]:
     [True]
     """
     at_mirror, mirror = np.zeros(len(rim), dtype=bool), np.full(mesh.points.shape, np.nan)
-    for name, (axis, position) in _mirrors(mesh).items():
+    for name, (axis, position) in mirror_planes(mesh).items():
         nodes = mesh.face_nodes(name)
         at_mirror |= np.isin(rim, nodes).all(axis=1)
         mirror[nodes, axis] = position
@@ -161,7 +161,7 @@ def _in_void(mesh: Mesh, surface: Ints, node: int) -> bool:
     """Whether a node lies on a part of the surface that is closed, up to mirror planes, and looks inward."""
     corners = side_type(surface.shape[1]).corners
     on_mirror, origin = np.zeros(len(surface), dtype=bool), mesh.points[node].copy()
-    for name, (axis, position) in _mirrors(mesh).items():
+    for name, (axis, position) in mirror_planes(mesh).items():
         on_mirror |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
         origin[axis] = position  # so that the missing wall there adds nothing to the volume
     walls = surface[~on_mirror, :corners]
@@ -195,7 +195,7 @@ def _open(name: str, rims: tuple[Rim, ...], walls: Array) -> Finding:
     )
 
 
-def _mirrors(mesh: Mesh) -> dict[str, tuple[int, float]]:
+def mirror_planes(mesh: Mesh) -> dict[str, tuple[int, float]]:
     """Axis and position of each mirror plane."""
     planes = {}
     for name in mesh.symmetry_faces:

@@ -53,6 +53,25 @@ def kinks(model: Model) -> tuple[float, ...]:
     return tuple(sorted({factor for load in model.pressures for factor, _ in load.history if 0 < factor < 1}))
 
 
+def pressed_together(model: Model) -> tuple[str, ...]:
+    """Name the cavities whose pressure is at some load below that of another one, or below zero.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    tuple of str
+        In the order of the mesh; their walls may be pressed together.
+    """
+    found = set()
+    for factor in (*kinks(model), 1.0):
+        pressures = {name: p for name, p in pressures_at(model, factor).items() if name in model.mesh.cavities}
+        found |= {name for name, pressure in pressures.items() if pressure < max(0.0, *pressures.values())}
+    return tuple(name for name in model.mesh.cavities if name in found)
+
+
 def drive_text(model: Model, load_factor: float, digits: int = 4) -> str:
     """Write the pressures at a load factor for a person: ``"20 kPa"``, or each with its face where they differ.
 

@@ -10,6 +10,8 @@ from turgor.errors import TurgorError, unknown
 from turgor.materials.laws import Hooke
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.surface import corner_keys, outer_triangles
+from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Load, Pressure, Traction
 from turgor.model.supports import Displacement, Support, Symmetry
@@ -64,9 +66,10 @@ class Model:
     formulation : str
         ``"mixed"``: a mean stress is an unknown beside the displacement, and cells do not lock, however incompressible
         the rubber. ``"displacement"``: there is none, as in codes without mixed elements; for comparisons with these.
-
     reinforcements : sequence of Fibers
         Threads wound on faces.
+    contact : Contact
+        What may touch what; by default walls that face each other stop each other, and there are no obstacles.
 
     Raises
     ------
@@ -80,6 +83,7 @@ class Model:
     loads: tuple[Load, ...]
     formulation: str
     reinforcements: tuple[Fibers, ...]
+    contact: Contact
 
     def __init__(
         self,
@@ -89,6 +93,7 @@ class Model:
         loads: Sequence[Load],
         formulation: str = MIXED,
         reinforcements: Sequence[Fibers] = (),
+        contact: Contact | None = None,
     ) -> None:
         mirrored = {s.face for s in supports if isinstance(s, Symmetry)}
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
@@ -98,6 +103,7 @@ class Model:
         object.__setattr__(self, "loads", tuple(loads))
         object.__setattr__(self, "formulation", formulation)
         object.__setattr__(self, "reinforcements", tuple(reinforcements))
+        object.__setattr__(self, "contact", contact or Contact())
         self._check_materials()
         self._check_faces()
         self._check_formulation()
@@ -129,11 +135,21 @@ class Model:
         for fibers in self.reinforcements:
             for name in fibers.faces:
                 self.mesh.face(name)
+        for obstacle in self.contact.obstacles:
+            if obstacle.face is not None:
+                self._check_reachable(obstacle.name, obstacle.face)
         for load in self.loads:
             if isinstance(load, Pressure | Traction):
                 self.mesh.face(load.face)
             if isinstance(load, Pressure) and not np.isfinite(load.pressure):
                 raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
+
+    def _check_reachable(self, obstacle: str, face: str) -> None:
+        """Refuse a face between two regions, which no obstacle can touch."""
+        count = len(self.mesh.points)
+        outer = corner_keys(outer_triangles(self.mesh), count)
+        if not np.isin(corner_keys(self.mesh.face(face), count), outer).any():
+            raise TurgorError(f"obstacle '{obstacle}': face '{face}' lies inside the actuator; nothing can touch it.")
 
     def _check_formulation(self) -> None:
         if self.formulation not in (MIXED, DISPLACEMENT):

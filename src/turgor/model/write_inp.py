@@ -40,7 +40,7 @@ def write_inp(
 
     Lengths are in mm, forces in N, stresses in MPa, masses in tonnes; the file says so. Pressures follow the surface.
     Each wanted load factor is the end of a step with large displacements, at which displacements and stresses are
-    written. Hexahedra of 27 nodes become ones of 20.
+    written. Hexahedra of 27 nodes become ones of 20. Contact of walls with each other is left out; the file says so.
 
     Parameters
     ----------
@@ -60,15 +60,16 @@ def write_inp(
     ------
     TurgorError
         If the model holds something that has no form in the file: a traction, a body force, a prescribed
-        displacement, a law without a counterpart.
+        displacement, a law without a counterpart, fibers, an obstacle.
     """
     if program not in PROGRAMS:
         raise unknown("program", program, PROGRAMS)
     _check_factors(at)
-    _check_reinforcements(model)
+    _check_extras(model)
     lines = [
         f"** {_plain(model.mesh.name)}, written by turgor for {program}",
         "** units: mm, N, MPa, tonne, s; the time is the load factor",
+        *_contact_note(model),
         *_mesh_lines(model.mesh, program, reduced),
         *_membrane_lines(model),
         *_material_lines(model, program),
@@ -79,12 +80,19 @@ def write_inp(
     Path(path).write_text("\n".join(lines) + "\n", encoding="ascii", errors="replace")
 
 
-def _check_reinforcements(model: Model) -> None:
+def _check_extras(model: Model) -> None:
     bent = [name for name, membrane in model.membranes.items() if membrane.bending]
     what = [f"winding of fibers on '{fibers.name}'" for fibers in model.reinforcements]
     what += [f"the sheet on '{name}', which resists bending," for name in bent]
+    what += [f"the obstacle '{obstacle.name}'" for obstacle in model.contact.obstacles]
     if what:
         raise TurgorError(f"{what[0]} has no form in .inp files; leave it out to compare the rest.")
+
+
+def _contact_note(model: Model) -> list[str]:
+    if model.contact.for_mesh(model.mesh) is None:
+        return []
+    return ["** without contact: walls that meet pass through each other"]
 
 
 def compressible(model: Model, poisson: float) -> Model:
@@ -120,7 +128,15 @@ def compressible(model: Model, poisson: float) -> Model:
         if material.incompressible and not isinstance(law, Hooke):
             bulk = law.shear_modulus * 2 * (1 + poisson) / (3 * (1 - 2 * poisson))
             materials[name] = replace(material, bulk_modulus=bulk)
-    return Model(model.mesh, materials, model.supports, model.loads, model.formulation)
+    return Model(
+        model.mesh,
+        materials,
+        model.supports,
+        model.loads,
+        model.formulation,
+        model.reinforcements,
+        model.contact,
+    )
 
 
 def _check_factors(at: Sequence[float]) -> None:

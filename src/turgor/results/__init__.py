@@ -21,8 +21,9 @@ from turgor.results.measures import (
     twist_angle,
     volume_of,
 )
-from turgor.results.pictures import View, picture_title, shared_view, write_picture
+from turgor.results.pictures import picture_title, shared_view, write_picture
 from turgor.results.plots import plot_response, response_figure, write_plot
+from turgor.results.rendering import View
 from turgor.results.report import Picture, Report, write_report
 from turgor.results.vtu import write_series, write_vtu
 

@@ -13,6 +13,7 @@ from turgor.model.drive import rises
 from turgor.model.fibers import Fibers
 from turgor.model.loads import BodyForce, Gravity, Pressure, Traction
 from turgor.model.model import Membrane, Model
+from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
 from turgor.model.supports import Displacement, Fixed, Radial
 from turgor.units import GPa, MPa, deg, kPa, mm
 
@@ -71,6 +72,58 @@ def supports(model: Model) -> list[str]:
             case _:
                 said.append(f"{support.face} is a mirror plane.")
     return said
+
+
+def contact(model: Model) -> list[str]:
+    """Say what may touch what, a sentence for the actuator itself and one for each obstacle."""
+    own, said = model.contact.for_mesh(model.mesh), []
+    if own is not None:
+        said.append(f"The actuator touches itself {_friction(own.friction)}.")
+    elif model.contact.self_contact is None:
+        said.append("Walls of the actuator do not stop each other: self-contact is off.")
+    return said + [_obstacle(obstacle) for obstacle in model.contact.obstacles]
+
+
+def _obstacle(obstacle: Obstacle) -> str:
+    """Shape, place, friction and motion of an obstacle."""
+    said = [_shape(obstacle.shape), _friction(obstacle.friction)]
+    if obstacle.face is not None:
+        said.append(f"touches {obstacle.face} only")
+    if obstacle.path:
+        way = obstacle.path if any(obstacle.path[0][1]) else obstacle.path[1:]
+        said.append("moved by " + ", ".join(f"{_in_mm(to)} at load factor {factor:g}" for factor, to in way))
+    if obstacle.spring is not None:
+        said.append(f"held by a spring of {obstacle.spring:g} N/m")
+    return f"{obstacle.name}: {'; '.join(said)}."
+
+
+def _shape(shape: Shape) -> str:
+    match shape:
+        case Plane(point=point, normal=normal):
+            return f"plane through {_in_mm(point)} with the normal ({_listed(normal)})"
+        case Sphere(center=center, radius=radius):
+            return f"sphere of radius {radius / mm:g} mm around {_in_mm(center)}"
+        case Cylinder(center=center, axis=axis, radius=radius, length=length):
+            long = "endless cylinder" if length is None else f"cylinder {length / mm:g} mm long"
+            return f"{long} of radius {radius / mm:g} mm around {_in_mm(center)} along ({_listed(axis)})"
+        case Box(center=center, size=size, rounding=rounding):
+            edges = f", its edges rounded by {rounding / mm:g} mm" if rounding else ""
+            return f"box of {' × '.join(f'{length / mm:g}' for length in size)} mm around {_in_mm(center)}{edges}"
+        case _:
+            return f"{len(shape.triangles):,} triangles of {shape.name}"
+
+
+def _friction(friction: float) -> str:
+    return f"with friction {friction:g}" if friction else "without friction"
+
+
+def _in_mm(vector: Vector) -> str:
+    x, y, z = vector
+    return f"({_listed((x / mm, y / mm, z / mm))}) mm"
+
+
+def _listed(vector: Vector) -> str:
+    return ", ".join(f"{value:.4g}" for value in vector)
 
 
 def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:

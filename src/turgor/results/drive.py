@@ -21,7 +21,11 @@ def pressures_in(response: Response) -> tuple[Column, ...]:
     >>> [column.name for column in pressures_in(Response(columns=columns, source=Source(text="a gauge")))]
     ['cavity_1_pressure']
     """
-    return tuple(c for c in response.columns if c.unit == "kPa" and (f"_{c.name}").endswith("_pressure"))
+    return tuple(
+        c
+        for c in response.columns
+        if c.unit == "kPa" and f"_{c.name}".endswith("_pressure") and not c.name.endswith("contact_pressure")
+    )
 
 
 def drive_of(response: Response) -> str:

@@ -120,6 +120,14 @@ class StateFields:
         return nodal_average(self.mesh, self.cells.stretch)
 
     @cached_property
+    def contact_pressure(self) -> Array:
+        """Contact pressure at the nodes, (n,) [Pa]: that of all contacts together, zero where nothing touches."""
+        total = np.zeros(len(self.mesh.points))
+        for touch in self.state.touches.values():
+            total += touch.pressure
+        return total
+
+    @cached_property
     def cauchy_stress(self) -> Array:
         """Cauchy stress averaged at the nodes, (n, 3, 3) [Pa]."""
         return nodal_average(self.mesh, self.cells.cauchy)

@@ -1,8 +1,7 @@
 """Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
@@ -16,62 +15,22 @@ from turgor.meshing.proximity import smallest_gap as smallest_gap_between
 from turgor.model.drive import common_pressure, pressures_at
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.response import COLUMN_UNITS, Column, Response
+from turgor.response import Column, Response
 from turgor.results.cavities import enclosed_volume
+from turgor.results.contact_measures import (
+    CONTACT_MEASURES,
+    area_on,
+    contact_measures_of,
+    force_on,
+)
 from turgor.results.fibers import maximum_tension
 from turgor.results.fields import MeshFacts, StateFields
+from turgor.results.reading import Measure as Measure
 from turgor.results.rotations import face_rotation, twist
 from turgor.solvers.solution import Solution, State
 from turgor.source import Source
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Measure:
-    """A number that can be read off a state.
-
-    Parameters
-    ----------
-    name : str
-        Name of the column it fills.
-    unit : str
-        Unit the column is shown and written in, one of `COLUMN_UNITS`; empty for a pure number.
-    function : callable
-        ``function(at) -> float [SI]``, where ``at`` is a `StateFields`: the state, its mesh, its fields.
-    definition : str
-        What it is, in one line, for reports.
-    unwrap : bool
-        Whether it is an angle known up to full turns, to be continued along the path.
-
-    Examples
-    --------
-    >>> def rise(at):
-    ...     return at.displacement[:, 2].max()
-    >>> Measure(name="rise", unit="mm", function=rise, definition="largest displacement along z").text(0.0021)
-    '2.1 mm'
-    """
-
-    name: str
-    unit: str
-    function: Callable[[StateFields], float]
-    definition: str
-    unwrap: bool = False
-
-    def __post_init__(self) -> None:
-        Column(self.name, self.unit, np.empty(0))  # its checks are the checks of a column
-
-    def __call__(self, state: State | StateFields) -> float:
-        """Return the measure of one state in SI units; an angle lies within half a turn."""
-        at = state if isinstance(state, StateFields) else StateFields(state)
-        try:
-            return float(self.function(at))
-        except TurgorError as error:
-            raise TurgorError(f"measure '{self.name}': {error}") from None
-
-    def text(self, value: float) -> str:
-        """Write a value for a person, such as ``"85.3 deg"``."""
-        return f"{value / COLUMN_UNITS[self.unit]:.4g} {self.unit}".rstrip()
 
 
 def measure(solution: Solution, *measures: Measure) -> Response:
@@ -89,14 +48,17 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     Response
         First the drive: ``load_factor`` and, where a pressure acts, ``pressure``, or ``cavity_1_pressure`` and the like
         where faces have different ones; then the measures. With several cavities, ``cavity_volume`` of all is
-        followed by ``cavity_1_volume`` and so on.
+        followed by ``cavity_1_volume`` and so on. The standard measures are followed by those of the procedure
+        and of contact, where there is any.
 
     Raises
     ------
     TurgorError
         If a measure needs a face that the mesh does not have.
     """
-    chosen = _with_each_cavity(measures or STANDARD_MEASURES, solution.model.mesh)
+    standard = measures in ((), STANDARD_MEASURES)
+    asked = (*STANDARD_MEASURES, *contact_measures_of(solution)) if standard else measures
+    chosen = _with_each_cavity(asked, solution.model.mesh)
     facts = MeshFacts(solution.model.mesh)
     rows = []
     for state in solution.states:
@@ -135,6 +97,10 @@ def find_measure(name: str) -> Measure:
         return MEASURES[name]
     if name.startswith("cavity_") and name.endswith("_volume"):
         return volume_of(name.removesuffix("_volume"))
+    if name.endswith("_contact_area"):
+        return area_on(name.removesuffix("_contact_area"))
+    if name.endswith("_force"):
+        return force_on(name.removesuffix("_force"))
     raise unknown("measure", name, MEASURES)
 
 
@@ -301,6 +267,7 @@ MEASURES: Mapping[str, Measure] = MappingProxyType(
             twist_angle,
             smallest_gap,
             maximum_fiber_tension,
+            *CONTACT_MEASURES,
         )
     }
 )

@@ -15,8 +15,10 @@ from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality import cell_shapes
 from turgor.meshing.surface import corner_keys
+from turgor.results.colors import RUBBER
 from turgor.results.fields import MeshFacts
-from turgor.results.pictures import FOOT, HEAD, MARGIN, RUBBER, View, draw_axes, render
+from turgor.results.pictures import FOOT, HEAD, draw_axes
+from turgor.results.rendering import MARGIN, View, render
 from turgor.results.shading import INK
 from turgor.results.skin import Skin, drawn_triangles, visible_skin
 

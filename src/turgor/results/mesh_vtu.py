@@ -4,7 +4,8 @@ from pathlib import Path
 
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality import cell_shapes, jacobian_ratios
-from turgor.results.vtu import VtuArray, grid_text
+from turgor.results.vtu import grid_text
+from turgor.results.vtu_xml import VtuArray
 
 
 def write_mesh_vtu(path: str | Path, mesh: Mesh) -> None:

@@ -1,87 +1,42 @@
-"""Pictures: the whole actuator at true scale, colored by von Mises stress, as PNG."""
+"""Pictures: the whole actuator at true scale, colored by von Mises stress or by contact pressure, as PNG."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize, to_rgba
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.transforms import IdentityTransform
 from numpy.typing import NDArray
 
-from turgor.errors import TurgorError
+from turgor.errors import TurgorError, unknown
 from turgor.response import Response
+from turgor.results.colors import CONTACT_PRESSURE, FIELDS, VON_MISES, color_map, plain_rubber
+from turgor.results.contact import extents_of
+from turgor.results.contact_patches import pressed
 from turgor.results.drive import face_of, pressures_in
 from turgor.results.fibers import drawn_threads
 from turgor.results.fields import StateFields
-from turgor.results.raycast import Camera, Hits, Raster, Scene, camera
-from turgor.results.shading import GHOST, INK, Look, draw_lines, find_lines, paint, reduced
+from turgor.results.obstacle_skin import obstacle_skin
+from turgor.results.rendering import ASIDE, FRONT, MARGIN, Beside, View, frame, render
+from turgor.results.shading import INK
 from turgor.results.skin import Skin, visible_skin
-from turgor.results.thread_lines import draw_threads, visible_threads
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 
 Array = NDArray[np.float64]
 
-#: Color of the unstressed actuator.
-RUBBER = "#f1efec"
-
-#: Samples along each side of a pixel.
-SAMPLES = 2
-
-#: Rows of pixels that are drawn at a time.
-BAND = 96
-
-#: Pixels around the actuator, above it for the title, below it for the colors.
-MARGIN, HEAD, FOOT = 50, 90, 140
-
-#: Points hide each other's sky within this share of the size of the actuator.
-SKY_REACH = 0.12
+#: Pixels above the actuator for the title, and below it for the colors.
+HEAD, FOOT = 90, 140
 
 #: This share of the surface is colored within the bar; stress at corners grows with every refinement.
 PERCENTILE = 99.0
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class View:
-    """What several pictures share, so that they can be compared: direction, scale and colors.
-
-    Parameters
-    ----------
-    azimuth, elevation : float [rad]
-        Direction of the eye: turned around z from looking along +y, raised above the horizon.
-    left, right : float [m]
-        Part of the picture plane that all pictures show, from side to side; top and bottom follow the actuator.
-    limit : float [Pa]
-        Von Mises stress at the upper end of the colors.
-    width : int
-        Width of the pictures in pixels.
-    """
-
-    azimuth: float = 20 * deg
-    elevation: float = 18 * deg
-    left: float
-    right: float
-    limit: float
-    width: int = 1600
-
-    @property
-    def eye(self) -> Camera:
-        """The camera."""
-        return camera(self.azimuth, self.elevation)
-
-    @property
-    def pixel(self) -> float:
-        """Length that a pixel shows [m]."""
-        return (self.right - self.left) / (self.width - 2 * MARGIN)
-
-
-def shared_view(states: Sequence[State | StateFields], width: int = 1600) -> View:
+def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_by: str = VON_MISES) -> View:
     """Choose a view that shows all states whole, at the same scale and with the same colors.
 
     Parameters
@@ -90,22 +45,30 @@ def shared_view(states: Sequence[State | StateFields], width: int = 1600) -> Vie
         What will be shown; usually the undeformed and the last state.
     width : int
         Width of the pictures in pixels, 400 or more.
+    color_by : str
+        ``"von_mises"`` or ``"contact_pressure"``.
     """
     if width < 400:
         raise TurgorError(f"picture width is {width} pixels; allowed is 400 or more.")
+    if color_by not in FIELDS:
+        raise unknown("field to color pictures by", color_by, FIELDS)
     if not states:
         raise TurgorError("a view needs at least one state to show.")
-    plain = View(left=0.0, right=1.0, limit=1.0)
-    left, right, height, limit = np.inf, -np.inf, 0.0, 0.0
-    for state in states:
-        at = _fields(state)
-        skin = visible_skin(at, at.von_mises)
-        across, upward, _ = plain.eye.project(skin.points).T
-        left, right = min(left, float(across.min())), max(right, float(across.max()))
-        height = max(height, float(np.ptp(upward)))
-        limit = max(limit, _surface_percentile(skin, PERCENTILE))
-    right = max(right, left + height)  # no picture gets taller than it is wide
-    return View(left=left, right=right, limit=limit if limit > 0 else 1 * kPa, width=width)
+    shown = [_fields(state) for state in states]
+    extents = extents_of(shown)
+    azimuth = ASIDE if color_by == CONTACT_PRESSURE else FRONT
+    plain = View(azimuth=azimuth, left=0.0, right=1.0, limit=1.0)
+    low, high, limit = np.full(2, np.inf), np.full(2, -np.inf), 0.0
+    for at in shown:
+        skin = visible_skin(at, getattr(at, color_by))
+        least, greatest = frame([skin], obstacle_skin(at, extents), plain.eye)
+        low, high = np.minimum(low, least), np.maximum(high, greatest)
+        limit = max(limit, _surface_percentile(skin, PERCENTILE, color_by == CONTACT_PRESSURE))
+    left, right = float(low[0]), float(max(high[0], low[0] + high[1] - low[1]))  # no picture is taller than it is wide
+    return View(
+        azimuth=azimuth, left=left, right=right, limit=limit if limit > 0 else 1 * kPa, width=width, color_by=color_by,
+        extents=extents,
+    )  # fmt: skip
 
 
 def write_picture(
@@ -116,7 +79,9 @@ def write_picture(
     title: str = "",
     ghost: State | StateFields | None = None,
 ) -> None:
-    """Draw a state of the whole actuator at true scale, colored by von Mises stress.
+    """Draw a state of the whole actuator at true scale, colored by von Mises stress or by contact pressure.
+
+    Obstacles are drawn as gray bodies that let through what is behind them.
 
     Parameters
     ----------
@@ -125,7 +90,8 @@ def write_picture(
     state : State or StateFields
         What to draw; a half or quarter model is mirrored.
     view : View
-        Direction, scale and colors; made for this state (and the ghost) if it is not given.
+        Direction, scale and colors; made for this state (and the ghost) if it is not given. One made by
+        ``shared_view(states, color_by="contact_pressure")`` gives a picture of what touches.
     title : str
         Line above the actuator, see `picture_title`.
     ghost : State or StateFields
@@ -134,8 +100,16 @@ def write_picture(
     at = _fields(state)
     shown = [at] if ghost is None else [at, _fields(ghost)]
     view = view or shared_view(shown)
-    skins = [visible_skin(each, each.von_mises) for each in shown]
-    figure = _compose(render(skins, view, threads=drawn_threads(at)), view, title)
+    extents = view.extents or extents_of(shown)
+    touching = view.color_by == CONTACT_PRESSURE
+    skins = [visible_skin(each, np.zeros(len(each.points)) if touching else each.von_mises) for each in shown]
+    beside = Beside(
+        threads=drawn_threads(at),
+        obstacles=obstacle_skin(at, extents),
+        patches=pressed(visible_skin(at, at.contact_pressure), view.limit, view.eye) if touching else (),
+    )
+    colors = plain_rubber() if touching else None
+    figure = _compose(render(skins, view, colors, beside), view, title)
     figure.savefig(path, metadata={"Software": None})
 
 
@@ -165,59 +139,16 @@ def _fields(state: State | StateFields) -> StateFields:
     return state if isinstance(state, StateFields) else StateFields(state)
 
 
-def _surface_percentile(skin: Skin, percent: float) -> float:
-    """Value below which this share of the surface lies."""
-    values = skin.values[skin.triangles].mean(axis=1)
+def _surface_percentile(skin: Skin, percent: float, touching: bool) -> float:
+    """Value below which this share of the surface lies, or of the part of it that touches something."""
+    values, areas = skin.values[skin.triangles].mean(axis=1), skin.areas
+    if touching:
+        values, areas = values[values > 0], areas[values > 0]
+        if not len(values):
+            return 0.0
     order = np.argsort(values)
-    share = np.cumsum(skin.areas[order])
+    share = np.cumsum(areas[order])
     return float(values[order][np.searchsorted(share, share[-1] * percent / 100)])
-
-
-def _color_map() -> Colormap:
-    """Matplotlib's perceptual ``magma``, light to dark without its ends; it begins with the gray of rubber at rest."""
-    place = np.linspace(0, 1, 256)
-    colors = matplotlib.colormaps["magma_r"](0.02 + 0.75 * place)
-    share = np.clip(place / 0.3, 0, 1)[:, None]
-    return LinearSegmentedColormap.from_list("stress", (1 - share) * to_rgba(RUBBER) + share * colors)
-
-
-def render(
-    skins: list[Skin], view: View, colors: Colormap | None = None, threads: Sequence[Array] = ()
-) -> NDArray[np.uint8]:
-    """Image of the first skin, with threads (k, 3) on it and the lines of the others behind it, (h, w, 3)."""
-    heights = np.concatenate([view.eye.project(skin.points)[:, 1] for skin in skins])
-    rows = int(np.ceil(np.ptp(heights) / view.pixel)) + MARGIN
-    raster = Raster(
-        left=view.left - MARGIN * view.pixel, top=float(heights.max() + heights.min() + rows * view.pixel) / 2,
-        step=view.pixel / SAMPLES, rows=rows * SAMPLES, columns=view.width * SAMPLES,
-    )  # fmt: skip
-    scenes = [Scene(skin, view.eye) for skin in skins]
-    near = [scene.near(raster) for scene in scenes]
-    sky = scenes[0].openness(SKY_REACH * float(np.ptp(skins[0].points, axis=0).max()))
-    look = Look(colors=colors or _color_map(), limit=view.limit, openness=sky)
-    image = np.empty((rows, view.width, 3), dtype=np.uint8)
-    for start in range(0, rows, BAND):  # in bands, so that memory stays small; lines need the rows next to a band
-        first, last = max(start - 2, 0), min(start + BAND + 2, rows)
-        samples = slice(first * SAMPLES, last * SAMPLES)
-        band = raster.band(samples.start, samples.stop)
-        hits = [scene.look(band, where[samples]) for scene, where in zip(scenes, near, strict=True)]
-        fine = _draw(scenes, hits, look)
-        draw_threads(fine, visible_threads(scenes[0], hits[0], band, threads), 1.6 * SAMPLES)
-        drawn = reduced(fine, SAMPLES)
-        image[start : start + BAND] = drawn[start - first : start - first + BAND]
-    return image
-
-
-def _draw(scenes: list[Scene], hits: list[Hits], look: Look) -> NDArray[np.uint8]:
-    """Paint the first skin, and lines: its own, and those of the others where it does not hide them."""
-    front = scenes[0]
-    image = paint(front.skin, hits[0], front.eye, look)
-    free = hits[0].triangle < 0
-    for scene, seen in zip(scenes[1:], hits[1:], strict=True):
-        outline, inner = find_lines(scene.skin, seen)
-        draw_lines(image, (outline & free, inner & free), GHOST, 0.8 * SAMPLES)
-    draw_lines(image, find_lines(front.skin, hits[0]), INK, 0.9 * SAMPLES)
-    return image
 
 
 def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
@@ -228,11 +159,11 @@ def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
     figure.figimage(picture, 0, FOOT)
     figure.text(MARGIN / width, 1 - 0.5 * HEAD / height, title, fontsize=24, va="center", color=_hex(INK))
     bar = figure.add_axes((MARGIN / width, 62 / height, 0.42, 22 / height))
-    colors = ScalarMappable(Normalize(0, view.limit / kPa), _color_map())
+    colors = ScalarMappable(Normalize(0, view.limit / kPa), color_map(view.color_by))
     colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
     colorbar.outline.set_visible(False)
     bar.tick_params(labelsize=16, colors=_hex(INK), length=5)
-    note = f"von Mises stress [kPa]; {PERCENTILE:g} % of the surface lie within the bar"
+    note = FIELDS[view.color_by].format(share=f"{PERCENTILE:g} %")
     figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=_hex(INK))
     draw_axes(figure, view)
     return figure

@@ -10,6 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
+from turgor.model.contact import SELF
 from turgor.response import Response
 from turgor.results.drive import drive_of, face_of, pressures_in, with_each_cavity
 
@@ -19,7 +20,10 @@ BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
 COLORS = (BLUE, "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 
 #: Columns that the plot of a response shows where it has them, a panel each.
-PANELS = ("bending_angle", "cavity_volume", "maximum_principal_stretch", "maximum_von_mises")
+PANELS = (
+    "blocked_force", "holding_force", "bending_angle", "cavity_volume", "maximum_principal_stretch",
+    "maximum_von_mises",
+)  # fmt: skip
 
 
 def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str = BLUE, label: str = "") -> Axes:
@@ -100,6 +104,39 @@ def response_figure(response: Response, title: str = "") -> Figure:
     return figure
 
 
+def contact_figure(response: Response) -> Figure | None:
+    """Draw the force on each obstacle and the areas that touch against the drive.
+
+    Parameters
+    ----------
+    response : Response
+        With columns that end in ``_force`` or ``_contact_area``, as `force_on` and `area_on` fill them.
+
+    Returns
+    -------
+    Figure or None
+        None where the response has no such column.
+    """
+    kinds = {"_force": "force on the obstacle", "_contact_area": "area that touches"}
+    panels = {end: [name.removesuffix(end) for name in response.names if name.endswith(end)] for end in kinds}
+    shown = {end: names for end, names in panels.items() if names}
+    if not shown:
+        return None
+    every = dict.fromkeys(name for names in panels.values() for name in names)
+    colors = dict(zip(every, cycle(COLORS), strict=False))
+    figure = Figure(figsize=(5.2 * len(shown), 3.3), layout="constrained", facecolor="white")
+    FigureCanvasAgg(figure)
+    for number, (end, names) in enumerate(shown.items()):
+        axes = figure.add_subplot(1, len(shown), number + 1)
+        for name in names:
+            label = "walls of the actuator" if name == SELF else name.replace("_", " ")
+            plot_response(axes, response, drive_of(response), name + end, color=colors[name], label=label)
+        unit = response.find(names[0] + end).unit.replace("mm2", "mm²")
+        axes.set_ylabel(f"{kinds[end]} [{unit}]", color=INK)
+        axes.legend(frameon=False, labelcolor=INK)
+    return figure
+
+
 def _plot_lines(axes: Axes, response: Response, drive: str, names: list[str]) -> Axes:
     """Plot columns of one kind into one panel, with a legend where there are several."""
     if len(names) == 1:
@@ -124,8 +161,13 @@ def write_plot(path: str | Path, response: Response, title: str = "") -> None:
 
 def response_svg(response: Response) -> str:
     """Return `response_figure` as SVG text that can stand inside a web page; equal responses give equal text."""
+    return svg_of(response_figure(response))
+
+
+def svg_of(figure: Figure) -> str:
+    """Return a figure as SVG text that can stand inside a web page; equal figures give equal text."""
     stream = StringIO()
     with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
-        response_figure(response).savefig(stream, format="svg", metadata={"Date": None})
+        figure.savefig(stream, format="svg", metadata={"Date": None})
     text = stream.getvalue()
     return text[text.index("<svg") :]

@@ -130,6 +130,15 @@ class Scene:
         """Distance along the view at which a ray would meet points, (p,) [m], to compare with that of `Hits`."""
         return np.asarray((points - self._center) @ self.eye.forward + 2 * self._size)
 
+    def distance(self, hits: Hits) -> Array:
+        """Place along the view of what was hit, (h, w) [m], to compare scenes with each other."""
+        return np.asarray(hits.depth + self._center @ self.eye.forward - 2 * self._size)
+
+    @property
+    def size(self) -> float:
+        """Longest side of the box around the skin [m]."""
+        return self._size
+
     def near(self, raster: Raster) -> NDArray[np.bool_]:
         """Samples that a triangle may cover, (rows, columns), tile by tile; the others see nothing and need no ray."""
         flat = self.eye.project(self.skin.points)[:, :2][self.skin.triangles]

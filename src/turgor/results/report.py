@@ -14,6 +14,7 @@ from turgor.finding import Finding, Severity
 from turgor.meshing.quality import MeshQuality
 from turgor.response import Column, Response
 from turgor.results import describe
+from turgor.results.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
 from turgor.results.drive import drive_of, pressures_in, with_each_cavity
 from turgor.results.measures import MEASURES, find_measure
 from turgor.results.plots import response_svg
@@ -27,7 +28,10 @@ PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 ROWS = 13
 
 #: Columns whose last value is shown large at the top, with the drive before them.
-HEADLINE = ("bending_angle", "tip_displacement", "cavity_volume", "maximum_principal_stretch", "maximum_von_mises")
+HEADLINE = (
+    "blocked_force", "holding_force", "bending_angle", "tip_displacement", "cavity_volume", "maximum_principal_stretch",
+    "maximum_von_mises",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -113,9 +117,13 @@ def _context(report: Report) -> dict[str, object]:
         "picture_width": _picture_width(report.pictures),
         "plot": response_svg(response) if len(response) > 1 else "",
         "response": _table(response),
-        "definitions": _definitions(response),
+        "definitions": _definitions(response, contact_columns(model)),
+        "contact_heads": CONTACT_HEADS,
+        "contact_rows": contact_rows(solution),
+        "contact_plot": contact_plot(solution),
         "loads": describe.loads(model),
         "supports": describe.supports(model),
+        "contact": describe.contact(model),
         "mesh": describe.mesh(model.mesh, report.quality),
         "dimensions": dimensions,
         "half": -(-len(dimensions) // 2),
@@ -156,13 +164,13 @@ def _numbers(response: Response) -> list[tuple[str, str]]:
     return numbers
 
 
-def _definitions(response: Response) -> list[tuple[str, str]]:
+def _definitions(response: Response, contacts: set[str]) -> list[tuple[str, str]]:
     """Names and definitions of the columns that ready-made measures filled."""
     volumes = with_each_cavity(response, "cavity_volume") if "cavity_volume" in response.names else []
     return [
         (_words(column), find_measure(column.name).definition)
         for column in response.columns
-        if column.name in MEASURES or column.name in volumes
+        if column.name in MEASURES or column.name in volumes or column.name in contacts
     ]
 
 

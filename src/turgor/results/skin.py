@@ -107,7 +107,7 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
         patch=np.repeat(patch, len(pieces)),
     )
     for plane in at.facts.mirrors:
-        skin = _with_image(skin, plane)
+        skin = with_image(skin, plane)
     return skin
 
 
@@ -178,8 +178,8 @@ def _subdivision(parts: int) -> tuple[Array, Ints]:
     return tables_at(6, lattice, np.ones(len(lattice))).N, np.array(pieces)
 
 
-def _with_image(skin: Skin, plane: MirrorPlane) -> Skin:
-    """The skin and its mirror image."""
+def with_image(skin: Skin, plane: MirrorPlane) -> Skin:
+    """Return the skin together with its mirror image."""
     points, normals = skin.points.copy(), skin.normals.copy()
     points[:, plane.axis] = 2 * plane.position - points[:, plane.axis]
     normals[:, plane.axis] *= -1

@@ -7,24 +7,30 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.contact.build import may_touch
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.tangent import Tangent
 from turgor.model.drive import kinks
 from turgor.model.model import DISPLACEMENT, Model
-from turgor.solvers.checks import check_supports, meeting_walls
-from turgor.solvers.newton import NewtonResult, NewtonSettings, Start, evaluate, newton, relative_residual
+from turgor.solvers.checks import check_supports
+from turgor.solvers.contact_checks import deep_penetrations, meeting_walls
+from turgor.solvers.newton import NewtonResult, NewtonSettings, Start, evaluate, relative_residual
 from turgor.solvers.outcome import Outcome, converged, interrupted, stopped_by, stuck, too_many_steps
 from turgor.solvers.predictor import HISTORY, lagrange_weights
 from turgor.solvers.procedures import Static
 from turgor.solvers.solution import Iteration, Solution, SolveError, State, Step, Timing
 from turgor.solvers.stepping import StepControl
+from turgor.solvers.touching import newton_with_contact, touches
 
 #: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
 GOOD_PREDICTION = 0.05
 
 #: Below this size threads wait for each other longer than they work.
 FEW_UNKNOWNS = 10_000
+
+#: An extrapolation is shortened this often at most where it presses walls into each other.
+SHORTENINGS = 3
 
 Array = NDArray[np.float64]
 Progress = Callable[[Iteration, State | None], None]
@@ -66,7 +72,8 @@ def solve(
     model : Model
         The question.
     procedure : Static
-        How the path is followed.
+        How the path is followed. `BlockedForce` and `Grasp` add to the question what stops the tip or moves the
+        object; ``solution.model`` is the model with it.
     progress : callable
         ``progress(iteration, state)``, called after every Newton update (state None) and after every accepted step.
     stop : callable
@@ -90,10 +97,12 @@ def solve(
     """
     procedure, options, hooks = procedure or Static(), options or EngineOptions(), _Hooks(progress, stop)
     start = perf_counter()
+    model = procedure.amended(model)
     check_supports(model)
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
-        compiling = compile_kernels(options.notify, model.mesh.cell_type.nodes, model.formulation != DISPLACEMENT)
+        cell, mixed = model.mesh.cell_type, model.formulation != DISPLACEMENT
+        compiling = compile_kernels(options.notify, cell.nodes, mixed, cell.side.nodes if may_touch(model) else 0)
         setup = perf_counter()
         system = System(model)
         tangent = Tangent(system, options.linear_solver, threads)
@@ -120,7 +129,7 @@ def solve(
         message=outcome.message,
         advice=outcome.advice,
         steps=tuple(path.steps),
-        findings=meeting_walls(model, path.states),
+        findings=(*meeting_walls(model, path.states), *deep_penetrations(path.states)),
         timing=timing,
     )
     if throw and not solution.converged:
@@ -163,7 +172,7 @@ def _advance(
             hooks.progress(_iteration(number, load, iteration, residual, correction, length), None)
 
     settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
-    result = newton(system, tangent, _predict(system, tangent, path, load), load, settings, report)
+    result = newton_with_contact(system, tangent, _predict(system, tangent, path, load), load, settings, report)
     path.steps.append(
         Step(
             load_factor=load,
@@ -194,6 +203,7 @@ def _accept(
     path.history.append((evaluation.load_factor, evaluation.unknowns, system.stresses(evaluation)))
     del path.history[:-HISTORY]
     state = _state(system, evaluation, result.unstable_modes)
+    system.contact.accept(evaluation.contacts)  # after the state has been read, which has slipped from the last one
     path.states.append(state)
     if hooks.progress is not None:
         last = _iteration(len(path.steps), state.load_factor, result.iterations, result.residual, 0.0, 1.0)
@@ -201,7 +211,7 @@ def _accept(
     reason = hooks.stop(state) if hooks.stop is not None else None
     if reason is not None:
         return stopped_by(system.model, state, reason)
-    control = control.accepted(increment, result.iterations)
+    control = control.accepted(increment, result.hardest or result.iterations)
     if state.load_factor not in path.kinks:
         return control
     del path.history[:-1]  # beyond a kink the path goes another way: its past predicts nothing
@@ -217,6 +227,8 @@ def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Star
         weights = lagrange_weights([factor for factor, _, _ in used], load)
         trial = np.asarray(sum(w * x for w, (_, x, _) in zip(weights, used, strict=True)))
         at = evaluate(system, tangent, trial, load)
+        if at is not None and system.contact.parts and count > 1:
+            trial, at = _not_deeper(system, tangent, unknowns, at)
         residual = np.inf if at is None else relative_residual(system, at)
         if np.isfinite(smallest) and residual >= smallest:
             break
@@ -229,6 +241,20 @@ def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Star
     return best
 
 
+def _not_deeper(system: System, tangent: Tangent, last: Array, at: Evaluation) -> tuple[Array, Evaluation | None]:
+    """Shorten an extrapolation until it presses no wall much deeper into another."""
+    here = evaluate(system, tangent, last, at.load_factor)
+    found: Evaluation | None = at
+    for _ in range(SHORTENINGS):
+        if found is None or here is None:
+            break
+        share = system.contact.shortening(here.contacts, found.contacts)
+        if share == 1:
+            return found.unknowns, found
+        found = evaluate(system, tangent, last + share * (found.unknowns - last), at.load_factor)
+    return (last, here) if found is None else (found.unknowns, found)
+
+
 def _state(system: System, at: Evaluation, modes: int | None) -> State:
     displacement, mean_stress = system.physical(at.unknowns)
     force = system.split(at.residual)[0] * system.stress * system.length**2
@@ -239,6 +265,7 @@ def _state(system: System, at: Evaluation, modes: int | None) -> State:
         mean_stress=mean_stress,
         nodal_force=force,
         unstable_modes=modes,
+        touches=touches(system, at),
     )
 
 

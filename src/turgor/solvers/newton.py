@@ -13,6 +13,8 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.contact.part import Look
+from turgor.engine.contact.terms import Contacts
 from turgor.engine.linear import SingularTangentError
 from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.tangent import Tangent
@@ -28,8 +30,21 @@ KEEP_FACTORS_CONTRACTION = 0.1
 #: but round-off would be left to compare with.
 SMALL_FORCE = 1e-5
 
-#: Shortest update that the line search tries.
+#: Scaled force on a node with which forces are compared at least, as where a body is moved that nothing loads.
+UNLOADED = 3e-8
+
+#: The partners of contact are looked for anew in so many updates, then kept: at a wedge they may change forever.
+KEEP_PARTNERS_AFTER = 8
+
+#: They are kept earlier where the residual is this small and falls no more.
+SMALL_RESIDUAL = 0.05
+
+#: Shortest update that the line search tries; and where walls are pressed into each other.
 SHORTEST_STEP = 1.0 / 64
+SHORTEST_TOUCHING_STEP = 1.0 / 32
+
+#: With friction, an update is too long where the force along it turns around, to more than this share of before.
+OVERSHOT = 0.9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,7 +71,10 @@ class NewtonSettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class NewtonResult:
-    """How it ended: the last evaluation, the number of updates, the last relative residual, why it failed."""
+    """How it ended: the last evaluation, the number of updates, the last relative residual, why it failed.
+
+    ``hardest`` is the number of updates of the longest pass, where friction and stiffness were renewed.
+    """
 
     evaluation: Evaluation | None
     iterations: int
@@ -64,6 +82,7 @@ class NewtonResult:
     converged: bool
     unstable_modes: int | None = None
     reason: str = ""
+    hardest: int = 0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -95,13 +114,17 @@ def relative_residual(system: System, at: Evaluation) -> float:
     scale = max(
         float(np.linalg.norm(at.external[:displacement][~held])),
         float(np.linalg.norm(force[held])),
+        at.contact_force,
         SMALL_FORCE * system.full_force,
-        1e-14 * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off
+        UNLOADED * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off
     )
-    unbalanced = float(np.linalg.norm(force[~held])) / scale
+    bodies = slice(displacement + system.element.mean_count, None)
+    loose = at.residual[bodies][~system.held[bodies]]
+    unbalanced = float(np.hypot(np.linalg.norm(force[~held]), np.linalg.norm(loose))) / scale
     if not system.element.mean_count:
         return unbalanced
-    volume = float(np.linalg.norm(at.residual[displacement:])) / float(np.linalg.norm(system.mean_stress_volumes))
+    means = slice(displacement, displacement + system.element.mean_count)
+    volume = float(np.linalg.norm(at.residual[means])) / float(np.linalg.norm(system.mean_stress_volumes))
     return max(unbalanced, volume)
 
 
@@ -115,7 +138,7 @@ def newton(
     residual = relative_residual(system, at)
     geometric = start.stresses if settings.mixed_points else None
     jump = system.prescribed(load_factor) - start.unknowns[system.held]
-    fresh = True
+    fresh, settled, residuals = True, False, [residual]
     for iteration in range(1, settings.max_iterations + 1):
         coupling = np.zeros(system.size)
         if fresh:
@@ -127,11 +150,14 @@ def newton(
         right[system.held] = jump
         jump = np.zeros_like(jump)  # the supports are satisfied after the first update
         update = tangent.solve(right)
-        new, length = _line_search(system, tangent, at, update)
+        settled = settled or iteration > KEEP_PARTNERS_AFTER or _stagnates(residuals)
+        kept = at.contacts if settled else None
+        new, length = _line_search(system, tangent, at, update, kept)
         if new is None:
             return _failure(at, iteration, residual, "every update turns a cell inside out", tangent)
         previous, residual = residual, relative_residual(system, new)
         correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
+        residuals.append(residual)
         report(iteration, residual, correction, length)
         if residual <= settings.tolerance:
             return _success(tangent, new, iteration, residual)
@@ -164,10 +190,12 @@ def _failure(
     )
 
 
-def evaluate(system: System, tangent: Tangent, unknowns: Array, load_factor: float) -> Evaluation | None:
+def evaluate(
+    system: System, tangent: Tangent, unknowns: Array, load_factor: float, kept: Contacts | None = None
+) -> Evaluation | None:
     """Evaluate the residual on the clock."""
     start = perf_counter()
-    out = system.evaluate(unknowns, load_factor)
+    out = system.evaluate(unknowns, load_factor, kept, Look.FOLLOW if kept is None else Look.KEEP)
     tangent.clock.residual += perf_counter() - start
     return out
 
@@ -179,12 +207,34 @@ def _linearized(system: System, tangent: Tangent, at: Evaluation, update: Array)
     return out
 
 
-def _line_search(system: System, tangent: Tangent, at: Evaluation, update: Array) -> tuple[Evaluation | None, float]:
-    """Shorten the update until no cell is turned inside out."""
-    length = 1.0
-    while length >= SHORTEST_STEP:
-        new = evaluate(system, tangent, at.unknowns + length * update, at.load_factor)
-        if new is not None:
+def _line_search(
+    system: System, tangent: Tangent, at: Evaluation, update: Array, kept: Contacts | None
+) -> tuple[Evaluation | None, float]:
+    """Shorten the update until no cell is turned inside out, and where something touches, until it is no overshoot."""
+    length, found = 1.0, None
+    shortest = SHORTEST_STEP
+    while length >= shortest:
+        new = evaluate(system, tangent, at.unknowns + length * update, at.load_factor, kept)
+        share = 0.5 if new is None else _share(system, at, new, update)
+        if share == 1:
             return new, length
-        length *= 0.5
-    return None, 0.0
+        if new is not None:
+            found, shortest = (new, length), SHORTEST_TOUCHING_STEP
+        length *= share
+    return found or (None, 0.0)
+
+
+def _share(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
+    """Share of an update to be taken: less than 1 where walls are pressed too deep, or friction turns around."""
+    share = system.contact.shortening(at.contacts, new.contacts)
+    if share < 1 or not system.contact.rubs:
+        return share
+    free = ~system.held[: 3 * system.node_count]
+    along = update[: len(free)][free]
+    before, after = float(at.residual[: len(free)][free] @ along), float(new.residual[: len(free)][free] @ along)
+    return 0.5 if after * before < 0 and abs(after) > OVERSHOT * abs(before) else 1.0
+
+
+def _stagnates(residuals: list[float]) -> bool:
+    """Whether the residual is small and did not halve in two updates: partners of contact change to and fro."""
+    return len(residuals) > 3 and residuals[-1] < SMALL_RESIDUAL and residuals[-1] > 0.5 * residuals[-3]

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
+from turgor.model.model import Model
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,3 +53,7 @@ class Static:
         for factor in self.at:
             if not 0 < factor <= 1:
                 raise TurgorError(f"procedure.at holds {factor:g}; a load factor lies in (0, 1].")
+
+    def amended(self, model: Model) -> Model:
+        """Return the model with what the procedure adds to the question: nothing here."""
+        return model

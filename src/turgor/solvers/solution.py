@@ -1,5 +1,6 @@
 """Solution: the equilibrium path and how it went."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
@@ -24,6 +25,35 @@ class Status(StrEnum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Touch:
+    """What one contact does in one state: of the actuator with itself, or with an obstacle.
+
+    Parameters
+    ----------
+    force : (n, 3) array [N]
+        Forces of the contact on the nodes of the mesh, of the modeled part; with itself they sum to zero.
+    pressure : (n,) array [Pa]
+        Contact pressure on the deformed surface at every node, zero where nothing touches.
+    area : float [m²]
+        Area of the deformed surface that touches, of the modeled part; both walls count where the actuator meets
+        itself.
+    penetration : float [m]
+        Deepest penetration.
+    place : (3,) array [m]
+        How far the obstacle has moved from where it was at first; zeros for the contact with itself.
+    share : float [-]
+        Penetration as a share of what the tolerance allows, at the worst place; more than 1 where it does not hold.
+    """
+
+    force: NDArray[np.float64]
+    pressure: NDArray[np.float64]
+    area: float
+    penetration: float
+    place: NDArray[np.float64]
+    share: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class State:
     """Equilibrium at one point of the path.
 
@@ -42,6 +72,8 @@ class State:
     unstable_modes : int or None
         Negative pivots of the tangent beyond those of the mean stress; 0 where the equilibrium is stable,
         None where it was not looked at.
+    touches : mapping of str to Touch
+        What every contact does, by the name of the obstacle, or ``"self"``.
     """
 
     model: Model
@@ -50,6 +82,7 @@ class State:
     mean_stress: NDArray[np.float64]
     nodal_force: NDArray[np.float64]
     unstable_modes: int | None = None
+    touches: Mapping[str, Touch] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

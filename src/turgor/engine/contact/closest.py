@@ -1,0 +1,117 @@
+"""Closest points on quadratic sides: six-node triangles and nine-node quadrilaterals."""
+
+import numpy as np
+from numba import njit
+
+#: Newton steps to the foot point; each gains a factor of distance times curvature, small where walls nearly touch.
+STEPS = 12
+
+#: How far outside a side, in reference coordinates, the foot point is looked for.
+ROAM = 0.6
+
+
+@njit(cache=True)
+def shapes(r, s, N, D, H):
+    """Fill shape functions (n,), first (n, 2) and second (n, 3: rr, rs, ss) derivatives of a side at (r, s)."""
+    if len(N) == 6:
+        t = 1.0 - r - s
+        N[0], N[1], N[2] = t * (2 * t - 1), r * (2 * r - 1), s * (2 * s - 1)
+        N[3], N[4], N[5] = 4 * t * r, 4 * r * s, 4 * s * t
+        D[0, 0], D[1, 0], D[2, 0], D[3, 0], D[4, 0], D[5, 0] = 1 - 4 * t, 4 * r - 1, 0.0, 4 * (t - r), 4 * s, -4 * s
+        D[0, 1], D[1, 1], D[2, 1], D[3, 1], D[4, 1], D[5, 1] = 1 - 4 * t, 0.0, 4 * s - 1, -4 * r, 4 * r, 4 * (t - s)
+        H[0, 0], H[1, 0], H[2, 0], H[3, 0], H[4, 0], H[5, 0] = 4.0, 4.0, 0.0, -8.0, 0.0, 0.0
+        H[0, 1], H[1, 1], H[2, 1], H[3, 1], H[4, 1], H[5, 1] = 4.0, 0.0, 0.0, -4.0, 4.0, -4.0
+        H[0, 2], H[1, 2], H[2, 2], H[3, 2], H[4, 2], H[5, 2] = 4.0, 0.0, 4.0, 0.0, 0.0, -8.0
+        return
+    a = ((1 - r) * (1 - 2 * r), 4 * r * (1 - r), r * (2 * r - 1))
+    b = ((1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1))
+    da = (4 * r - 3, 4 - 8 * r, 4 * r - 1)
+    db = (4 * s - 3, 4 - 8 * s, 4 * s - 1)
+    curved = (4.0, -8.0, 4.0)
+    along = (0, 2, 2, 0, 1, 2, 1, 0, 1)
+    across = (0, 0, 2, 2, 0, 1, 2, 1, 1)
+    for k in range(9):
+        i, j = along[k], across[k]
+        N[k] = a[i] * b[j]
+        D[k, 0], D[k, 1] = da[i] * b[j], a[i] * db[j]
+        H[k, 0], H[k, 1], H[k, 2] = curved[i] * b[j], da[i] * db[j], a[i] * curved[j]
+
+
+@njit(cache=True)
+def place(corners, N, D, H, x, d, h):
+    """Fill position (3,), tangents (2, 3) and second derivatives (3, 3: rr, rs, ss) of a side from its shapes."""
+    for i in range(3):
+        x[i] = 0.0
+        for m in range(2):
+            d[m, i] = 0.0
+        for m in range(3):
+            h[m, i] = 0.0
+        for a in range(len(N)):
+            c = corners[a, i]
+            x[i] += N[a] * c
+            for m in range(2):
+                d[m, i] += D[a, m] * c
+            for m in range(3):
+                h[m, i] += H[a, m] * c
+
+
+@njit(cache=True)
+def curvature(apart, d, h):
+    """Second derivatives (rr, rs, ss) of half the squared distance; ``apart`` is the point minus the foot."""
+    rr = d[0, 0] * d[0, 0] + d[0, 1] * d[0, 1] + d[0, 2] * d[0, 2]
+    rs = d[0, 0] * d[1, 0] + d[0, 1] * d[1, 1] + d[0, 2] * d[1, 2]
+    ss = d[1, 0] * d[1, 0] + d[1, 1] * d[1, 1] + d[1, 2] * d[1, 2]
+    bent = (
+        apart[0] * h[0, 0] + apart[1] * h[0, 1] + apart[2] * h[0, 2],
+        apart[0] * h[1, 0] + apart[1] * h[1, 1] + apart[2] * h[1, 2],
+        apart[0] * h[2, 0] + apart[1] * h[2, 1] + apart[2] * h[2, 2],
+    )
+    full = (rr - bent[0], rs - bent[1], ss - bent[2])
+    if full[0] > 0.1 * rr and full[0] * full[2] - full[1] * full[1] > 0.1 * (rr * ss - rs * rs):
+        return full
+    return rr, rs, ss  # far from the surface: Gauss–Newton
+
+
+@njit(cache=True)
+def foot_point(point, corners, r, s, N, D, H, x, d, h):
+    """Foot (r, s) of a point on the surface that extends a side, from a first guess; the work arrays end there."""
+    apart = np.empty(3)
+    for _ in range(STEPS):
+        shapes(r, s, N, D, H)
+        place(corners, N, D, H, x, d, h)
+        for i in range(3):
+            apart[i] = point[i] - x[i]
+        rr, rs, ss = curvature(apart, d, h)
+        f = apart[0] * d[0, 0] + apart[1] * d[0, 1] + apart[2] * d[0, 2]
+        g = apart[0] * d[1, 0] + apart[1] * d[1, 1] + apart[2] * d[1, 2]
+        determinant = rr * ss - rs * rs
+        if determinant <= 0.0:
+            break
+        old_r, old_s = r, s
+        r = min(max(r + (ss * f - rs * g) / determinant, -ROAM), 1.0 + ROAM)
+        s = min(max(s + (rr * g - rs * f) / determinant, -ROAM), 1.0 + ROAM)
+        if abs(r - old_r) + abs(s - old_s) < 1e-13:
+            break
+    shapes(r, s, N, D, H)
+    place(corners, N, D, H, x, d, h)
+    return r, s
+
+
+@njit(cache=True)
+def overhang(count, r, s):
+    """How far (r, s) lies outside a side of ``count`` nodes, and beyond which of its edges."""
+    if count == 6:
+        out, edge = -s, 0
+        if r + s - 1 > out:
+            out, edge = r + s - 1, 1
+        if -r > out:
+            out, edge = -r, 2
+        return out, edge
+    out, edge = -s, 0
+    if r - 1 > out:
+        out, edge = r - 1, 1
+    if s - 1 > out:
+        out, edge = s - 1, 2
+    if -r > out:
+        out, edge = -r, 3
+    return out, edge

@@ -1,0 +1,82 @@
+"""Layout: where the tangent's entries are, while contact ties unknowns of distant cells and lets them go again."""
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from turgor.engine.pattern import Pattern, locate
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+class Layout:
+    """The sparsity of the tangent: that of the cells, and what contact adds to it.
+
+    Parameters
+    ----------
+    base : Pattern
+        Of the cells and everything else that stays.
+    held : (size,) bool array
+        Prescribed unknowns.
+
+    Attributes
+    ----------
+    pattern : Pattern
+        The present one. It is another object after every change.
+    """
+
+    def __init__(self, base: Pattern, held: NDArray[np.bool_]) -> None:
+        self.base = self.pattern = base
+        self._held = held
+        self._known = np.zeros(0, dtype=np.int64)
+        self._place: NDArray[np.int32] | None = None
+        self._find_held()
+
+    def _find_held(self) -> None:
+        pattern = self.pattern
+        column_of = np.repeat(np.arange(pattern.size, dtype=np.int32), np.diff(pattern.indptr))
+        self.dropped = np.flatnonzero(self._held[pattern.indices] | self._held[column_of])
+        self.held_diagonal = pattern.diagonal[self._held]
+
+    def covers(self, keys: Ints) -> bool:
+        """Whether all ties, given by a key each, are in the present pattern."""
+        return bool(np.isin(keys, self._known).all())
+
+    def renew(self, keys: Ints, unknowns: list[Ints]) -> None:
+        """Take a new set of ties: their keys, and the unknowns of each in rows, −1 for none."""
+        self._known = np.sort(keys)
+        size = self.base.size
+        graph = sp.csc_matrix((size, size), dtype=np.int32)
+        for rows in unknowns:
+            graph = graph + _graph(rows, size)
+        base = sp.csc_matrix(
+            (np.ones(len(self.base.indices), np.int32), self.base.indices, self.base.indptr), shape=(size, size)
+        )
+        both = (base + graph).tocsc()
+        both.sort_indices()
+        self.pattern = Pattern(size, both.indptr.astype(np.int64), both.indices.astype(np.int32))
+        columns = np.repeat(np.arange(size, dtype=np.int32), np.diff(self.base.indptr))
+        self._place = locate(self.pattern.indptr, self.pattern.indices, self.base.indices, columns)
+        self._find_held()
+
+    def spread(self, data: Array) -> Array:
+        """Values of the base pattern in the present one."""
+        if self._place is None:
+            return data
+        out = np.zeros(len(self.pattern.indices))
+        out[self._place] = data
+        return out
+
+    def apply_supports(self, data: Array) -> None:
+        """Replace the equations of held unknowns by identities, in place."""
+        data[self.dropped] = 0.0
+        data[self.held_diagonal] = 1.0
+
+
+def _graph(unknowns: Ints, size: int) -> sp.csc_matrix:
+    """Lower triangle of the pattern that ties the unknowns of each row."""
+    rows, columns = np.nonzero(unknowns >= 0)
+    entries = np.ones(len(rows), dtype=np.int32)
+    incidence = sp.csr_matrix((entries, (rows, unknowns[rows, columns])), shape=(len(unknowns), size))
+    return sp.tril(incidence.T @ incidence, format="csc")

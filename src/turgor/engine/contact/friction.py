@@ -1,0 +1,87 @@
+"""Friction: points that touched in the last state stick there until Coulomb's limit, then slip.
+
+The tangential traction grows with the slip since the last state and is cut off at the coefficient times a normal
+pressure that is kept while Newton's method iterates, and renewed when it has converged: so friction has a potential
+in between, and its tangent is symmetric.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.contact.surface import Surface
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: What sticks gives way by this share of the length of a side before it slides, whatever the pressure: a point that is
+#: hardly pressed is hardly held.
+ELASTIC_SLIP = 0.005
+
+#: Points nearer than this share of the cell behind them may touch in the next step. They are anchored too, or the
+#: points over which a contact moves within a step would be free of friction in it.
+NEAR = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Anchors:
+    """Points that touched in the last state, k of them.
+
+    Parameters
+    ----------
+    points : (k, 2) int array
+        Side and quadrature point.
+    partner : (k,) int array
+        Side that was touched; zeros for obstacles without sides.
+    at : (k, 2) array
+        Place on it.
+    apart : (k, 3) array
+        Point minus place in the last state.
+    normal : (k, 3) array
+        Of the touched side in the last state, out of it.
+    traction : (k, 3) array
+        Tangential traction per reference area in the last state.
+    limit : (k,) array
+        Coulomb's limit of the traction, of the last converged pass.
+    slip : (k,) array
+        Slip at which the limit is reached from rest.
+    """
+
+    points: Ints
+    partner: Ints
+    at: Array
+    apart: Array
+    normal: Array
+    traction: Array
+    limit: Array
+    slip: Array
+
+
+def elastic_slip(surface: Surface, points: Ints) -> Array:
+    """Slip (k,) at which points of a surface begin to slide."""
+    return np.asarray(ELASTIC_SLIP * np.sqrt(surface.weights.sum(axis=1))[points[:, 0]])
+
+
+def tractions(anchors: Anchors, apart: Array) -> tuple[Array, Array]:
+    """Tractions (k, 3) and their derivatives (k, 3, 3) by the present ``apart`` (k, 3)."""
+    n = anchors.normal
+    across = np.eye(3) - n[:, :, None] * n[:, None, :]
+    slip = np.einsum("kij,kj->ki", across, apart - anchors.apart)
+    stiffness = anchors.limit / anchors.slip
+    trial = anchors.traction + stiffness[:, None] * slip
+    size = np.maximum(np.linalg.norm(trial, axis=1), 1e-300)
+    slides = size > anchors.limit
+    share = np.where(slides, anchors.limit / size, 1.0)
+    direction = trial / size[:, None]
+    along = direction[:, :, None] * direction[:, None, :]
+    matrices = across - np.where(slides, 1.0, 0.0)[:, None, None] * along
+    matrices *= (stiffness * share)[:, None, None]
+    return trial * share[:, None], matrices
+
+
+def turned(traction: Array, normal: Array) -> Array:
+    """Tractions (k, 3) laid into the planes across new normals (k, 3) at their size."""
+    flat = traction - np.einsum("ki,ki->k", traction, normal)[:, None] * normal
+    before, after = np.linalg.norm(traction, axis=1), np.linalg.norm(flat, axis=1)
+    return np.asarray(flat * (before / np.maximum(after, 1e-300))[:, None])

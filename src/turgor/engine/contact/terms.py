@@ -1,0 +1,205 @@
+"""ContactTerms: everything in a model that touches, in scaled units."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.contact.build import Bodies, build_parts
+from turgor.engine.contact.couplings import Layout
+from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.pair_part import PairPart
+from turgor.engine.contact.part import Found, Look
+from turgor.engine.contact.shape_part import ShapePart
+from turgor.engine.contact.surface import Surface
+from turgor.model.model import Model
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: One update of Newton's method deepens no penetration by more than this share of the cell behind the surface.
+DEEPER = 0.04
+
+#: Only where it would deepen one by this factor more, it is shortened.
+MARGIN = 1.5
+
+#: The shortest share of an update that the limit on penetration asks for at once.
+SHORTEST = 0.1
+
+#: Share of an update that is taken where a point was near nothing and is deep inside something after it.
+UNSEEN = 0.5
+
+#: The stiffness of a side grows by this factor at once at most, and altogether.
+STIFFER_AT_ONCE, STIFFER = 4.0, 64.0
+
+#: Friction is renewed until no limit changes by more than this share of the largest.
+FRICTION_TOLERANCE = 1e-4
+
+Part = PairPart | ShapePart
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contacts:
+    """What all parts found at one position.
+
+    Parameters
+    ----------
+    position : (n, 3) array
+    found : tuple of Found
+    """
+
+    position: Array
+    found: tuple[Found, ...]
+
+
+class ContactTerms:
+    """Forces and tangents of all contacts of a model.
+
+    Parameters
+    ----------
+    model : Model
+    surface : Surface
+        The whole surface of the mesh, scaled.
+    points : (n, 3) array
+        Scaled reference positions.
+    scales : (length, stress)
+    first_unknown : int
+        The unknowns of sprung bodies begin here, three of each.
+    """
+
+    def __init__(
+        self, model: Model, surface: Surface, points: Array, scales: tuple[float, float], first_unknown: int
+    ) -> None:
+        self._length, self._stress = scales
+        self._tolerance = model.contact.tolerance
+        self.bodies = Bodies.of(model, scales, first_unknown)
+        self._known: Contacts | None = None
+        self.parts: list[Part] = build_parts(model, surface, points, self._length, self.bodies)
+
+    @property
+    def rubs(self) -> bool:
+        """Whether friction holds anything."""
+        return any(part.anchors is not None and len(part.anchors.points) > 0 for part in self.parts)
+
+    @property
+    def anchors(self) -> tuple[Anchors | None, ...]:
+        """From where the points of each part slip."""
+        return tuple(part.anchors for part in self.parts)
+
+    @anchors.setter
+    def anchors(self, anchors: tuple[Anchors | None, ...]) -> None:
+        for part, its in zip(self.parts, anchors, strict=True):
+            part.anchors = its
+
+    def look(
+        self, position: Array, springs: Array, factor: float, known: Contacts | None = None, how: Look = Look.FOLLOW
+    ) -> Contacts:
+        """Find what touches at a position and load factor; ``springs`` are the unknowns of sprung bodies, in rows.
+
+        A whole search is made once in a step; in between, points follow their ``known`` partners from side to side:
+        by default those of the last search.
+        """
+        known = known or self._known
+        found = []
+        for k, part in enumerate(self.parts):
+            place = self._place(part, springs, factor)
+            found.append(part.look(position, place, None if known is None else known.found[k], how))
+        out = Contacts(position, tuple(found))
+        if known is None or how is Look.ANEW:
+            self._known = out
+        return out
+
+    def _place(self, part: Part, springs: Array, load_factor: float) -> Array:
+        obstacle = part.obstacle
+        if obstacle is None:
+            return np.zeros(3)
+        place = obstacle.displacement(load_factor) / self._length
+        return place + springs[self.bodies.names.index(part.name)] if part.unknown >= 0 else place
+
+    def forces(self, at: Contacts, springs: Array) -> tuple[Array, Array]:
+        """Internal forces on the nodes (n, 3), and the imbalance of the sprung bodies (b, 3)."""
+        count = len(at.position)
+        out, bodies = np.zeros((count, 3)), self.bodies.springs[:, None] * springs
+        for part, found in zip(self.parts, at.found, strict=True):
+            force = part.forces(at.position, found)
+            out += force[:count]
+            if part.unknown >= 0:
+                bodies[self.bodies.names.index(part.name)] += force[count:].sum(axis=0)
+        return out, bodies
+
+    def energy(self, at: Contacts, springs: Array) -> float:
+        """Scaled energy of penetration and springs; friction stores none."""
+        stored = sum(part.energy(found) for part, found in zip(self.parts, at.found, strict=True))
+        return float(stored + 0.5 * (self.bodies.springs[:, None] * springs**2).sum())
+
+    def prepare(self, layout: Layout, at: Contacts) -> None:
+        """Give the tangent room for what touches."""
+        offset, needed = 0, []
+        for part, found in zip(self.parts, at.found, strict=True):
+            needed.append(part.keys(found) + offset)
+            offset += part.key_count
+        if layout.covers(np.concatenate([np.zeros(0, dtype=np.int64), *needed])):
+            return
+        offset, ready, unknowns = 0, [], []
+        for part, found in zip(self.parts, at.found, strict=True):
+            keys = part.ready_keys(found)
+            ready.append(keys + offset)
+            unknowns.append(part.tied_unknowns(keys))
+            offset += part.key_count
+        layout.renew(np.concatenate(ready), unknowns)
+
+    def add_tangents(self, data: Array, layout: Layout, at: Contacts) -> None:
+        """Add all tangents to the lower triangle."""
+        for part, found in zip(self.parts, at.found, strict=True):
+            for ties in part.tangents(at.position, found):
+                ties.add_to(data, layout.pattern)
+        for k, unknown in enumerate(self.bodies.unknowns):
+            data[layout.pattern.diagonal[unknown : unknown + 3]] += self.bodies.springs[k]
+
+    def shortening(self, old: Contacts, new: Contacts) -> float:
+        """Share of the way from old to new after which no penetration has deepened too much; 1 if none has."""
+        share = 1.0
+        for part, before, after in zip(self.parts, old.found, new.found, strict=True):
+            deeper = DEEPER * part.surface.height[:, None]
+            allowed = np.minimum(before.gap, 0.0) - deeper
+            gap = np.minimum(after.gap, part.passed(new.position, before, after))
+            bad = gap < allowed - (MARGIN - 1) * deeper
+            if bad.any():
+                seen = bad & np.isfinite(before.gap)
+                way = (before.gap[seen] - allowed[seen]) / (before.gap[seen] - gap[seen])
+                share = min(share, float(way.min(initial=1.0)), 1.0 if seen.sum() == bad.sum() else UNSEEN)
+        return max(share, SHORTEST)
+
+    def settle(self, at: Contacts) -> bool:
+        """Renew the limits of friction by the present pressures; whether any changed noticeably."""
+        changed = False
+        for part, found in zip(self.parts, at.found, strict=True):
+            if part.anchors is None or not len(part.anchors.points):
+                continue
+            limit = part.limits(found)
+            largest = float(max(limit.max(), part.anchors.limit.max()))
+            changed |= bool(np.abs(limit - part.anchors.limit).max() > FRICTION_TOLERANCE * largest)
+            part.anchors = replace(part.anchors, limit=limit)
+        return changed
+
+    def accept(self, at: Contacts) -> None:
+        """Take a state as the one from which points slip in the next step."""
+        for part, found in zip(self.parts, at.found, strict=True):
+            if part.coefficient > 0:
+                part.anchors = part.anchored(at.position, found)
+
+    def share_of_tolerance(self, part: Part, found: Found) -> float:
+        """Penetration as a share of what the tolerance allows, at the worst place."""
+        depth = np.maximum(-found.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height)
+        return float(depth.max(initial=0.0))
+
+    def stiffen(self, at: Contacts) -> bool:
+        """Raise the stiffness of sides that are penetrated too far; whether there were any that could be raised."""
+        raised = False
+        for part, found in zip(self.parts, at.found, strict=True):
+            depth = np.maximum(-found.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height)
+            factor = np.clip(1.2 * depth, 1.0, STIFFER_AT_ONCE)
+            boost = np.where(depth > 1, np.minimum(part.boost * factor, STIFFER), part.boost)
+            raised |= bool((boost > part.boost).any())
+            part.boost = boost
+        return raised

@@ -1,0 +1,52 @@
+"""Call every kernel of contact once on two sides, so that compilation happens at a known time."""
+
+import numpy as np
+
+from turgor.engine.contact.couplings import Layout
+from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.pair_part import PairPart, Partners
+from turgor.engine.contact.surface import DEGREE, Surface, overhangs, strangers
+from turgor.engine.pattern import Pattern
+from turgor.engine.reference import reference_cell, reference_nodes
+from turgor.meshing.cells import side_type
+
+#: Depth to which the two sides lie in each other.
+INSIDE = 0.05
+
+
+def touch_contact_kernels(nodes: int) -> None:
+    """Call the kernels for sides of ``nodes`` nodes: two that face each other, pressed together and sticking."""
+    kind, r = side_type(nodes), reference_cell(nodes, DEGREE[nodes])
+    flat = np.zeros((nodes, 3))
+    flat[:, :2] = reference_nodes(nodes)
+    turned = flat[:, [1, 0, 2]] - [0, 0, INSIDE]  # the other side looks the other way
+    points = np.vstack([flat, turned])
+    sides = np.arange(2 * nodes, dtype=np.int64).reshape(2, nodes)
+    weights = np.ones((2, 1)) * r.weights
+    surface = Surface(sides, r.N, r.dN, weights, np.ones(2), np.ones(2))
+    none = np.zeros(len(points), dtype=bool)
+    around = (np.arange(3, dtype=np.int64), np.arange(2, dtype=np.int64))
+    partners = Partners(
+        sides=sides,
+        corners=kind.corners,
+        overhang=overhangs(points, sides, none),
+        depth=np.ones(2),
+        strangers=strangers(points, sides),
+        around=around,
+        reach=1.0,
+    )
+    part = PairPart("self", surface, partners, 0.5, 0.5)
+    found = part.look(points, np.zeros(3))
+    found = part.look(points, np.zeros(3), found)
+    part.anchors = part.anchored(points, found)
+    assert isinstance(part.anchors, Anchors)
+    part.forces(points, found)
+    part.passed(points, found, found)
+    size = 3 * len(points)
+    diagonal = Pattern(size, np.arange(size + 1, dtype=np.int64), np.arange(size, dtype=np.int32))
+    layout = Layout(diagonal, np.zeros(size, dtype=bool))
+    keys = part.ready_keys(found)
+    layout.renew(keys, [part.tied_unknowns(keys)])
+    data = layout.spread(np.zeros(size))
+    for ties in part.tangents(points, found):
+        ties.add_to(data, layout.pattern)

@@ -1,0 +1,95 @@
+"""How near walls come to their own mirror image: the distance that they keep from a mirror plane."""
+
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.surface import outer_triangles
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: A node nearer to a mirror plane at rest than this share of the longest side of the mesh lies in it.
+ON_PLANE = 1e-6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MirrorWalls:
+    """Nodes of walls on one side of a mirror plane.
+
+    Parameters
+    ----------
+    nodes : (k,) int array
+        Those that do not lie in the plane.
+    axis : int
+        The plane is ``x[axis] == level``.
+    level : float [m]
+    side : float
+        1 where the body lies above the level, -1 where it lies below.
+    """
+
+    nodes: Ints
+    axis: int
+    level: float
+    side: float
+
+
+def find_mirror_walls(mesh: Mesh, cavity: str | None = None) -> tuple[MirrorWalls, ...]:
+    """Find the nodes whose wall would meet its mirror image where they reach a mirror plane.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    cavity : str, optional
+        Name of a cavity: its walls are looked at instead of those outside.
+
+    Returns
+    -------
+    tuple of MirrorWalls
+        One for each mirror plane.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.meshing.generate import mesh
+    >>> half = mesh(FastPneuNet(chambers=2, length=20e-3, symmetric=True).build(), size=4e-3)
+    >>> [(walls.axis, walls.side) for walls in find_mirror_walls(half)]
+    [(1, 1.0)]
+    """
+    if cavity is None:
+        inside = [mesh.face_nodes(name) for name in mesh.cavities]
+        nodes = np.setdiff1d(outer_triangles(mesh), np.concatenate([np.zeros(0, dtype=np.int64), *inside]))
+    else:
+        nodes = mesh.face_nodes(cavity)
+    size = float(np.ptp(mesh.points, axis=0).max())
+    found = []
+    for name in mesh.symmetry_faces:
+        plane = mesh.points[mesh.face_nodes(name)]
+        axis = int(np.ptp(plane, axis=0).argmin())
+        level = float(plane[:, axis].mean())
+        side = 1.0 if mesh.points[:, axis].mean() > level else -1.0
+        off = side * (mesh.points[nodes, axis] - level) > ON_PLANE * size
+        found.append(MirrorWalls(nodes[off], axis, level, side))
+    return tuple(found)
+
+
+def mirror_gap(walls: tuple[MirrorWalls, ...], points: Array) -> float:
+    """Measure how far walls are from their mirror planes.
+
+    Parameters
+    ----------
+    walls : tuple of MirrorWalls
+    points : (n, 3) array [m]
+        Current positions of all nodes.
+
+    Returns
+    -------
+    float [m]
+        Smallest distance of a node, half of that from its image; negative once it has passed through, infinite
+        without mirror planes.
+    """
+    gaps = [each.side * (points[each.nodes, each.axis] - each.level) for each in walls]
+    return float(min((gap.min(initial=inf) for gap in gaps), default=inf))

@@ -1,0 +1,73 @@
+"""Contact: what may touch what."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from turgor.errors import TurgorError
+from turgor.meshing.bodies import find_bodies
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.proximity import find_facing_walls
+from turgor.model.obstacles import Obstacle, SelfContact
+
+#: Name of the results of the contact of the actuator with itself.
+SELF = "self"
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Contact:
+    """What may touch what: the actuator itself, and rigid obstacles.
+
+    Parameters
+    ----------
+    self_contact : SelfContact or bool, optional
+        Whether walls of the actuator stop each other. By default they do where walls face each other through air at
+        rest, as chambers and folds do, where the mesh holds several bodies, and in cavities that are pressed together.
+    obstacles : sequence of Obstacle
+        Rigid bodies around.
+    tolerance : float [-]
+        Deepest penetration as a share of the height of the cell behind the surface, which is the thickness of a wall
+        with one cell through it, and less than the wall where there are more; 1e-4 to 0.1. The contact
+        stiffness is raised until it holds.
+
+    Raises
+    ------
+    TurgorError
+        If two obstacles share a name, or the tolerance is out of its range.
+
+    Examples
+    --------
+    >>> Contact().tolerance
+    0.01
+    """
+
+    self_contact: SelfContact | None
+    automatic: bool
+    obstacles: tuple[Obstacle, ...]
+    tolerance: float
+
+    def __init__(
+        self,
+        self_contact: SelfContact | bool | None = None,
+        obstacles: Sequence[Obstacle] = (),
+        tolerance: float = 0.01,
+    ) -> None:
+        given = SelfContact() if self_contact is None or self_contact is True else (self_contact or None)
+        object.__setattr__(self, "self_contact", given)
+        object.__setattr__(self, "automatic", self_contact is None)
+        object.__setattr__(self, "obstacles", tuple(obstacles))
+        object.__setattr__(self, "tolerance", tolerance)
+        names = [SELF, *(obstacle.name for obstacle in self.obstacles)]
+        for name in names:
+            if names.count(name) > 1:
+                raise TurgorError(f"obstacle '{name}': the name is taken; every obstacle needs one of its own.")
+        if not 1e-4 <= tolerance <= 0.1:
+            raise TurgorError(f"contact: tolerance is {tolerance:g}; allowed is 0.0001 to 0.1 of the wall.")
+
+    def for_mesh(self, mesh: Mesh) -> SelfContact | None:
+        """Return the contact of a mesh with itself, None where there is none to be looked for."""
+        if not self.automatic or self.self_contact is None:
+            return self.self_contact
+        if not mesh.cell_type.side.triangles:
+            return None
+        wanted = len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0
+        return self.self_contact if wanted else None

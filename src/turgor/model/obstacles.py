@@ -1,0 +1,275 @@
+"""Obstacles: rigid bodies that the actuator may touch, and the shapes that they have."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError
+
+Vector = tuple[float, float, float]
+
+#: Points (load factor, displacement of the obstacle [m]).
+Path = tuple[tuple[float, Vector], ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plane:
+    """A rigid half space.
+
+    Parameters
+    ----------
+    point : (3,) floats [m]
+        Any point of its surface.
+    normal : (3,) floats
+        Direction out of the rigid side, towards the actuator; any length but zero.
+
+    Examples
+    --------
+    >>> Plane(point=(0, 0, -0.01), normal=(0, 0, 2)).normal
+    (0.0, 0.0, 1.0)
+    """
+
+    point: Vector
+    normal: Vector
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "point", _vector("plane: point", self.point))
+        object.__setattr__(self, "normal", _direction("plane: normal", self.normal))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sphere:
+    """A rigid ball.
+
+    Parameters
+    ----------
+    center : (3,) floats [m]
+    radius : float [m]
+        More than 0.
+    """
+
+    center: Vector
+    radius: float
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "center", _vector("sphere: center", self.center))
+        _positive("sphere: radius", self.radius)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cylinder:
+    """A rigid round bar, endless or with flat ends.
+
+    Parameters
+    ----------
+    center : (3,) floats [m]
+        A point of its axis: the middle of a bar that has ends.
+    axis : (3,) floats
+        Direction of its axis; any length but zero.
+    radius : float [m]
+        More than 0.
+    length : float [m], optional
+        More than 0; endless if left out.
+    """
+
+    center: Vector
+    axis: Vector
+    radius: float
+    length: float | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "center", _vector("cylinder: center", self.center))
+        object.__setattr__(self, "axis", _direction("cylinder: axis", self.axis))
+        _positive("cylinder: radius", self.radius)
+        if self.length is not None:
+            _positive("cylinder: length", self.length)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Box:
+    """A rigid block with its edges along x, y and z.
+
+    Parameters
+    ----------
+    center : (3,) floats [m]
+    size : (3,) floats [m]
+        Its lengths, more than 0 each.
+    rounding : float [m]
+        Radius of its edges, from 0 to half the shortest length. A sharp edge presses a soft body in a line, where the
+        penetration is largest; round edges are kinder to the solver too.
+    """
+
+    center: Vector
+    size: Vector
+    rounding: float = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "center", _vector("box: center", self.center))
+        object.__setattr__(self, "size", _vector("box: size", self.size))
+        for length in self.size:
+            _positive("box: size", length)
+        if not 0 <= self.rounding <= min(self.size) / 2:
+            raise TurgorError(
+                f"box: rounding is {self.rounding * 1e3:g} mm; allowed is 0 to half the shortest length, "
+                f"{min(self.size) * 500:g} mm."
+            )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class RigidSurface:
+    """A rigid body given by triangles, for instance from an STL file (`read_rigid`).
+
+    Parameters
+    ----------
+    points : (n, 3) array [m]
+    triangles : (f, 3) int array
+        Counterclockwise seen from outside, so that normals point out of the rigid body.
+    name : str
+        Where it came from, for messages.
+    """
+
+    points: NDArray[np.float64]
+    triangles: NDArray[np.int64]
+    name: str = "triangles"
+
+    def __post_init__(self) -> None:
+        points = np.ascontiguousarray(self.points, dtype=np.float64)
+        triangles = np.ascontiguousarray(self.triangles, dtype=np.int64)
+        if points.ndim != 2 or points.shape[1:] != (3,) or not np.isfinite(points).all():
+            raise TurgorError(f"rigid surface '{self.name}': points must be an (n, 3) array of finite numbers.")
+        if triangles.ndim != 2 or triangles.shape[1:] != (3,) or not len(triangles):
+            raise TurgorError(f"rigid surface '{self.name}': triangles must be an (f, 3) array with at least one row.")
+        if triangles.min() < 0 or triangles.max() >= len(points):
+            raise TurgorError(f"rigid surface '{self.name}': triangles name points that are not there.")
+        object.__setattr__(self, "points", points)
+        object.__setattr__(self, "triangles", triangles)
+
+
+Shape = Plane | Sphere | Cylinder | Box | RigidSurface
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Obstacle:
+    """A rigid body that the actuator may touch: fixed, moved along a path, or held by a spring.
+
+    Parameters
+    ----------
+    name : str
+        What its results are called.
+    shape : Plane, Sphere, Cylinder, Box or RigidSurface
+    friction : float [-]
+        Coulomb's coefficient, from 0 (frictionless) to 2.
+    path : sequence of (float, (3,) floats [m]), optional
+        Points (load factor, displacement), straight lines between them; from load factor 0 to 1. Left out, it stays.
+    spring : float [N/m], optional
+        Stiffness in all three directions of the spring that holds it at its place, or at its path's; it does not
+        turn. Of the whole obstacle, also where a half of the actuator is modeled. Left out, it is held rigidly.
+    face : str, optional
+        The only face of the actuator that may touch it; by default the whole surface outside the cavities.
+    stiffness : float [Pa/m], optional
+        Pressure per depth of penetration; chosen from the material and the mesh by default, and raised where the
+        penetration exceeds its tolerance.
+
+    Examples
+    --------
+    >>> plate = Obstacle(name="plate", shape=Plane(point=(0, 0, -2e-3), normal=(0, 0, 1)),
+    ...                  path=[(0, (0, 0, 0)), (1, (0, 0, 5e-3))])
+    >>> plate.displacement(0.5)
+    array([0.    , 0.    , 0.0025])
+    """
+
+    name: str
+    shape: Shape
+    friction: float = 0.0
+    path: Path = ()
+    spring: float | None = None
+    face: str | None = None
+    stiffness: float | None = None
+
+    def __post_init__(self) -> None:
+        if not self.name.isidentifier():
+            raise TurgorError(f"obstacle '{self.name}': a name holds letters, digits and underscores only.")
+        check_friction(f"obstacle '{self.name}'", self.friction)
+        for key in ("spring", "stiffness"):
+            if getattr(self, key) is not None:
+                _positive(f"obstacle '{self.name}': {key}", getattr(self, key), "")
+        object.__setattr__(self, "path", _path(self.name, self.path))
+
+    def displacement(self, load_factor: float) -> NDArray[np.float64]:
+        """Return how far its path has moved it at a load factor, (3,) [m]."""
+        if not self.path:
+            return np.zeros(3)
+        factors = [factor for factor, _ in self.path]
+        moved = np.array([place for _, place in self.path])
+        return np.array([np.interp(load_factor, factors, moved[:, i]) for i in range(3)])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SelfContact:
+    """Contact of the actuator with itself: chamber walls, folds, several bodies in one mesh.
+
+    Parameters
+    ----------
+    friction : float [-]
+        Coulomb's coefficient, from 0 (frictionless) to 2.
+    stiffness : float [Pa/m], optional
+        Pressure per depth of penetration; see `Obstacle`.
+    """
+
+    friction: float = 0.0
+    stiffness: float | None = None
+
+    def __post_init__(self) -> None:
+        check_friction("self_contact", self.friction)
+        if self.stiffness is not None:
+            _positive("self_contact: stiffness", self.stiffness, "")
+
+
+def check_friction(what: str, friction: float) -> None:
+    """Refuse a coefficient of friction outside 0 to 2."""
+    if not 0 <= friction <= 2:
+        raise TurgorError(f"{what}: friction is {friction:g}; Coulomb's coefficient lies between 0 and 2.")
+
+
+def _positive(what: str, value: float, unit: str = " mm") -> None:
+    if not (np.isfinite(value) and value > 0):
+        shown = value * 1e3 if unit else value
+        raise TurgorError(f"{what} is {shown:g}{unit}; allowed is more than 0.")
+
+
+def _vector(what: str, values: Any) -> Vector:
+    try:
+        x, y, z = (float(value) for value in values)
+    except (TypeError, ValueError):
+        raise TurgorError(f"{what} is {values!r}; three numbers are needed.") from None
+    if not np.isfinite([x, y, z]).all():
+        raise TurgorError(f"{what} is {values!r}; three finite numbers are needed.")
+    return x, y, z
+
+
+def _direction(what: str, values: Any) -> Vector:
+    vector = np.array(_vector(what, values))
+    length = float(np.linalg.norm(vector))
+    if not length > 0:
+        raise TurgorError(f"{what} is a zero vector; give a direction such as (0, 0, 1).")
+    if abs(length - 1) > 1e-15:  # what was normalized before keeps every digit
+        vector = vector / length
+    x, y, z = (float(value) for value in vector)
+    return x, y, z
+
+
+def _path(name: str, path: Iterable[Any]) -> Path:
+    said = f"obstacle '{name}': path is {path!r}"
+    try:
+        points = tuple((float(factor), _vector(f"obstacle '{name}': path", place)) for factor, place in path)
+    except (TypeError, ValueError):
+        raise TurgorError(
+            f"{said}; points (load factor, displacement) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."
+        ) from None
+    if points and (points[0][0] != 0 or points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points))):
+        raise TurgorError(f"{said}; the load factors must rise from 0 to 1.")
+    return points

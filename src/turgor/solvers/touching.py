@@ -1,0 +1,86 @@
+"""Newton's method where things touch: friction and the contact stiffness are renewed until nothing changes."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from turgor.engine.contact.part import Look
+from turgor.engine.contact.pressure import nodal_pressure, touched_area
+from turgor.engine.system import Evaluation, System
+from turgor.engine.tangent import Tangent
+from turgor.solvers.newton import NewtonResult, NewtonSettings, Report, Start, newton, relative_residual
+from turgor.solvers.solution import Touch
+
+#: Times that friction and stiffness are renewed at most.
+PASSES = 20
+
+#: A state holds if the residual is at most this many times the tolerance when what touches is searched for anew.
+SEARCHED_ANEW = 10.0
+
+#: From this pass on a state holds too if the residual is at most this much then: in the wedge of a kink between two
+#: sides a point changes its partner with every search, by a gap that is next to nothing.
+PATIENCE, WEDGED = 3, 1e-3
+
+
+def newton_with_contact(
+    system: System, tangent: Tangent, start: Start, load_factor: float, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Find equilibrium at a load factor; the iterations of all passes count."""
+    contact = system.contact
+    result = newton(system, tangent, start, load_factor, settings, report)
+    if not contact.parts:
+        return result
+    before, iterations, hardest = contact.anchors, result.iterations, result.iterations
+    for number in range(PASSES):
+        if not result.converged or result.evaluation is None:
+            break
+        last = result.evaluation
+        at = system.evaluate(last.unknowns, load_factor, last.contacts, Look.ANEW)
+        if at is None:
+            break
+        changed = contact.stiffen(at.contacts) | contact.settle(at.contacts)
+        residual = relative_residual(system, at)
+        if not changed and residual <= SEARCHED_ANEW * settings.tolerance:
+            return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
+        if not changed and number >= PATIENCE and residual <= WEDGED:
+            return replace(result, iterations=iterations, hardest=hardest)
+        again = Start(at.unknowns, system.stresses(at))
+        result = newton(system, tangent, again, load_factor, settings, report)
+        iterations += result.iterations
+        hardest = max(hardest, result.iterations)
+    if result.converged:
+        reason = f"what touches did not settle in {PASSES} passes"
+        result = replace(result, converged=False, reason=reason)
+    contact.anchors = before
+    return replace(result, iterations=iterations)
+
+
+def touches(system: System, at: Evaluation) -> dict[str, Touch]:
+    """What every contact does in a state, in SI units, by its name."""
+    length, stress = system.length, system.stress
+    count = system.node_count
+    out: dict[str, Touch] = {}
+    for part, found in zip(system.contact.parts, at.contacts.found, strict=True):
+        force = -part.forces(at.contacts.position, found)[:count]  # on the body: against the internal force
+        one = Touch(
+            force=force * stress * length**2,
+            pressure=nodal_pressure(part, found, count) * stress,
+            area=touched_area(part, found) * length**2,
+            penetration=max(0.0, -float(found.gap.min(initial=0.0))) * length,
+            place=found.place * length,
+            share=system.contact.share_of_tolerance(part, found),
+        )
+        out[part.name] = one if part.name not in out else _both(out[part.name], one)
+    return out
+
+
+def _both(a: Touch, b: Touch) -> Touch:
+    """Two parts of one contact."""
+    return Touch(
+        force=a.force + b.force,
+        pressure=np.maximum(a.pressure, b.pressure),
+        area=a.area + b.area,
+        penetration=max(a.penetration, b.penetration),
+        place=a.place,
+        share=max(a.share, b.share),
+    )

@@ -1,0 +1,347 @@
+"""Contact and obstacles in jobs: what they become, every mistake, what the report says, and the way back."""
+
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import turgor as tg
+from turgor.cli import main
+from turgor.errors import TurgorError
+from turgor.job.export import InpOptions, export_job
+from turgor.job.job import Job
+from turgor.job.lock import lock_text
+from turgor.job.obstacles import SHAPES, obstacle_table
+from turgor.job.problems import JobError
+from turgor.job.read import read_job
+from turgor.job.run import prepare
+from turgor.meshing.exchange.stl import stl_bytes
+from turgor.model.contact import Contact
+from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
+from turgor.model.write_inp import compressible, write_inp
+from turgor.results import describe
+from turgor.units import mm
+
+FINGER = """\
+[actuator]
+type = "fast_pneunet"
+chambers = 1
+length = "10 mm"
+
+[mesh]
+size = "4 mm"
+
+[materials]
+body = { law = "neo_hooke", C10 = "0.12 MPa" }
+base = { law = "neo_hooke", C10 = "0.12 MPa" }
+
+[loads]
+pressure = "10 kPa"
+
+[output]
+measures = ["bending_angle"]
+
+[contact]
+friction = 0.3
+
+[obstacles.plate]
+shape = "plane"
+point = [0, 0, "-2 mm"]
+normal = "+z"
+friction = 0.2
+"""
+
+CONTACT = FINGER[FINGER.index("[contact]") :]
+BARE = FINGER.replace(CONTACT, "")
+
+EVERY_KEY = """\
+[contact]
+self_contact = true
+friction = 0.25
+tolerance = 0.02
+stiffness = "5 MPa/mm"
+
+[obstacles.floor]
+shape = "plane"
+point = ["1 mm", 0, "-2 cm"]
+normal = [1, 2, -2]
+
+[obstacles.ball]
+shape = "sphere"
+center = [0, 0, "-9 mm"]
+radius = "7.3 mm"
+friction = 0.5
+path = [[0, [0, 0, 0]], [0.4, [0, 0, "3.3 mm"]], [1, [0, 0, 0]]]
+
+[obstacles.bar]
+shape = "cylinder"
+center = [0, 0, "-9 mm"]
+axis = "y"
+radius = "7 mm"
+length = "30 mm"
+spring = "50 N/m"
+face = "tip"
+
+[obstacles.rail]
+shape = "cylinder"
+center = [0, 0, 0]
+axis = [0.3, -0.5, 0.7]
+radius = "7 mm"
+
+[obstacles.block]
+shape = "box"
+center = [0, 0, "-9 mm"]
+size = ["10 mm", "20 mm", "6 mm"]
+rounding = "1 mm"
+stiffness = "3e6 Pa/m"
+"""
+
+
+def read(tmp_path: Path, text: str) -> Job:
+    file = tmp_path / "finger.toml"
+    file.write_text(text, encoding="utf-8")
+    return read_job(file)
+
+
+def problems(tmp_path: Path, text: str) -> list[str]:
+    with pytest.raises(JobError) as caught:
+        read(tmp_path, text)
+    return [line.replace(f"{tmp_path}/", "") for line in caught.value.problems]
+
+
+def again(tmp_path: Path, job: Job) -> Job:
+    """Write the lock file of a job and read it."""
+    return read(tmp_path, lock_text(job, {"turgor": "0"}))
+
+
+def block(path: Path, side=10.0):
+    """Write a cube as STL, from the origin."""
+    points = side * np.array([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    path.parent.mkdir(exist_ok=True)
+    path.write_bytes(stl_bytes(points, np.array([[q[0], *pair] for q in quads for pair in (q[1:3], q[2:])])))
+    return path
+
+
+def test_nothing_stated_is_the_default(tmp_path):
+    assert read(tmp_path, BARE).contact == Contact()
+
+
+@pytest.mark.parametrize(
+    ("stated", "meant"),
+    [
+        ("self_contact = true", Contact(self_contact=True)),
+        ("self_contact = false", Contact(self_contact=False)),
+        ("self_contact = 'automatic'\ntolerance = 0.05", Contact(tolerance=0.05)),
+        ("friction = 0.4", Contact(self_contact=SelfContact(friction=0.4))),
+        ("stiffness = '2 MPa/mm'", Contact(self_contact=SelfContact(stiffness=2e9))),
+    ],
+)
+def test_self_contact(tmp_path, stated, meant):
+    job = read(tmp_path, f"{BARE}[contact]\n{stated}\n")
+    assert job.contact == meant
+    assert again(tmp_path, job).contact == meant
+
+
+def test_every_key_reaches_the_job_and_comes_back_from_the_lock_file(tmp_path):
+    job = read(tmp_path, BARE + EVERY_KEY)
+    assert job.contact.self_contact == SelfContact(friction=0.25, stiffness=5e9)
+    assert job.contact.tolerance == 0.02
+    floor, ball, bar, rail, box = job.contact.obstacles
+    assert floor == Obstacle(name="floor", shape=Plane(point=(1 * mm, 0, -20 * mm), normal=(1, 2, -2)))
+    assert ball == Obstacle(
+        name="ball",
+        shape=Sphere(center=(0, 0, -9 * mm), radius=7.3 * mm),
+        friction=0.5,
+        path=((0, (0, 0, 0)), (0.4, (0, 0, 3.3 * mm)), (1, (0, 0, 0))),
+    )
+    around = Cylinder(center=(0, 0, -9 * mm), axis=(0, 1, 0), radius=7 * mm, length=30 * mm)
+    assert bar == Obstacle(name="bar", shape=around, spring=50, face="tip")
+    assert rail.shape == Cylinder(center=(0, 0, 0), axis=(0.3, -0.5, 0.7), radius=7 * mm)
+    assert box.shape == Box(center=(0, 0, -9 * mm), size=(10 * mm, 20 * mm, 6 * mm), rounding=1 * mm)
+    assert box.stiffness == 3e6
+    assert again(tmp_path, job) == job
+    stated = tomllib.loads(lock_text(job, {}))["obstacles"]
+    assert stated["ball"]["path"][1] == [0.4, ["0 mm", "0 mm", "3.3 mm"]]
+    assert stated["bar"]["spring"] == "50 N/m"
+
+
+def test_keys_of_a_shape_are_its_fields():
+    assert set(obstacle_table("plane").model_fields) - set(obstacle_table("sphere").model_fields) == {"point", "normal"}
+    for name, kind in SHAPES.items():
+        assert set(kind.__dataclass_fields__) < set(obstacle_table(name).model_fields)
+
+
+def test_stl_body_is_found_beside_the_job_file(tmp_path):
+    block(tmp_path / "parts" / "block.stl")
+    text = f'{BARE}[obstacles.block]\nshape = "stl"\nfile = "parts/block.stl"\nunit = "cm"\nfriction = 0.1\n'
+    job = read(tmp_path, text)
+    (obstacle,) = job.contact.obstacles
+    assert isinstance(obstacle.shape, RigidSurface)
+    assert np.ptp(obstacle.shape.points, axis=0) == pytest.approx([0.1, 0.1, 0.1])
+    back = again(tmp_path, job)
+    assert back.rigid_files == job.rigid_files
+    assert back.contact.obstacles[0].shape.points.tolist() == obstacle.shape.points.tolist()
+    assert replace(back, contact=job.contact) == job  # triangles are compared by identity
+    with pytest.raises(TurgorError, match="obstacle 'block': triangles without a file have no form in a job file"):
+        lock_text(replace(job, rigid_files={}), {})
+
+
+def test_changed_stl_body_is_noticed(tmp_path):
+    file = block(tmp_path / "block.stl")
+    lock = lock_text(read(tmp_path, f'{BARE}[obstacles.block]\nshape = "stl"\nfile = "block.stl"\n'), {})
+    block(file, side=11.0)
+    (problem,) = problems(tmp_path, lock)
+    assert "obstacles.block.sha256: " in problem
+    assert "the file has changed since" in problem
+
+
+BAD_STL = [
+    ('shape = "stl"', "19: obstacles.block.file: 'file' is missing, and it has no default."),
+    (
+        'shape = "stl"\nfile = "blok.stl"',
+        "21: obstacles.block.file: there is no STL file 'blok.stl'; did you mean 'block.stl'?",
+    ),
+    ('shape = "stl"\nfile = "block.stl"\nunit = "mmm"', "22: obstacles.block.unit: 'mmm'; did you mean 'mm'?"),
+    ('shape = "stl"\nfile = "open.stl"', "19: obstacles.block: 'open.stl' is no closed surface: 3 edges"),
+    (
+        'shape = "stl"\nfile = "block.stl"\nradius = "1 mm"',
+        "22: obstacles.block.radius: unknown key 'radius'. Known keys: shape, friction, path",
+    ),
+]
+
+
+@pytest.mark.parametrize(("stated", "problem"), BAD_STL, ids=range(len(BAD_STL)))
+def test_each_mistake_with_a_file_is_one_clear_sentence(tmp_path, stated, problem):
+    block(tmp_path / "block.stl")
+    (tmp_path / "open.stl").write_bytes(stl_bytes(np.eye(3), np.array([[0, 1, 2]])))
+    (found,) = problems(tmp_path, f"{BARE}[obstacles.block]\n{stated}\n")
+    assert found.startswith(f"finger.toml:{problem}")
+
+
+PLATE = FINGER[FINGER.index("[obstacles") :]
+POINT = 'point = [0, 0, "-2 mm"]'
+MISTAKES = [
+    # (what stands in the file, what it is changed to, problem)
+    ("[contact]", "[contcat]", "19: contcat: unknown key 'contcat'; did you mean 'contact'? Known keys: name"),
+    ("[obstacles.plate]", "[obstacle.plate]", "22: obstacle: unknown key 'obstacle'; did you mean 'obstacles'?"),
+    ("friction = 0.3", "frction = 0.3", "20: contact.frction: unknown key 'frction'; did you mean 'friction'? Known "
+     "keys: self_contact, friction, tolerance, stiffness."),
+    ("friction = 0.3", "friction = 3", "20: contact.friction: 3; Coulomb's coefficient lies between 0 and 2."),
+    ("friction = 0.3", "friction = true", "20: contact.friction: true is not a number without a unit."),
+    ("friction = 0.3", "self_contact = 'yes'", "20: contact.self_contact: 'yes' is not allowed; write true, false"),
+    ("friction = 0.3", "self_contact = false\nfriction = 0.3", "21: contact.friction: that of self-contact, which "
+     "self_contact = false switches off."),
+    ("friction = 0.3", "tolerance = 0.5", "20: contact.tolerance: 0.5; allowed is 0.0001 to 0.1 of the wall."),
+    ("friction = 0.3", "stiffness = '5 MPa'", "20: contact.stiffness: '5 MPa' is a pressure, but a contact stiffness "
+     "is needed. Known contact stiffness units: Pa/m, kPa/mm, MPa/mm."),
+    ("friction = 0.3", "stiffness = '-5 MPa/mm'", "20: contact.stiffness: -5e+09; allowed is more than 0."),
+    ("[obstacles.plate]", "[obstacles]", "23: obstacles.shape: an obstacle needs a name of its own; write"),
+    ("[obstacles.plate]", "[obstacles.self]", "22: obstacles.self: the name 'self' is that of the results of"),
+    ("[obstacles.plate]", "[obstacles.my-plate]", "22: obstacles.my-plate: obstacle 'my-plate': a name holds letters"),
+    ('shape = "plane"', "", "22: obstacles.plate.shape: 'shape' is missing; allowed: plane, sphere, cylinder, box, st"),
+    ('"plane"', '"plain"', "23: obstacles.plate.shape: unknown shape 'plain'; did you mean 'plane'?"),
+    ('"plane"', '"sphere"', "25: obstacles.plate.normal: unknown key 'normal'. Known keys: shape, friction, path, "
+     "spring, face, stiffness, center, radius."),
+    ('"plane"', '"sphere"', "22: obstacles.plate.radius: 'radius' is missing, and it has no default."),
+    ("point =", "pint =", "24: obstacles.plate.pint: unknown key 'pint'; did you mean 'point'?"),
+    ('"-2 mm"', "-2", "24: obstacles.plate.point: -2 needs a unit, for example '1.5 mm'."),
+    ('"-2 mm"', '"-2 kPa"', "24: obstacles.plate.point: '-2 kPa' is a pressure, but a length is needed."),
+    ('[0, 0, "-2 mm"]', '"-2 mm"', "24: obstacles.plate.point: '-2 mm' is not three lengths along x, y and z, such"),
+    ('[0, 0, "-2 mm"]', "[0, 0]", "24: obstacles.plate.point: [0, 0] is not three lengths along x, y and z, such"),
+    ('"+z"', '"+w"', "25: obstacles.plate.normal: unknown direction '+w'. Known: +x, +y"),
+    ('"+z"', "[0, 1]", "25: obstacles.plate.normal: [0, 1] is not a direction; write '+z', or three numbers such as "),
+    ('"+z"', "[0, 0, '1 mm']", "25: obstacles.plate.normal: [0, 0, '1 mm'] is not a direction; write"),
+    ('"+z"', "[0, 0, 0]", "25: obstacles.plate.normal: a zero vector; give a direction such as (0, 0, 1)."),
+    ("friction = 0.2", "friction = -1", "26: obstacles.plate.friction: -1; Coulomb's coefficient lies between"),
+    ("friction = 0.2", 'face = "tipp"', "26: obstacles.plate.face: unknown face 'tipp'; did you mean 'tip'?"),
+    ("friction = 0.2", 'spring = "50 mm"', "26: obstacles.plate.spring: '50 mm' is a length, but a spring stiffness"),
+    ("friction = 0.2", 'spring = "0 N/m"', "26: obstacles.plate.spring: 0; allowed is more than 0."),
+    ("friction = 0.2", "path = [[0, 1]]", "26: obstacles.plate.path: 1 is not three lengths along x, y and z, such"),
+    ("friction = 0.2", "path = 3", "26: obstacles.plate.path: 3 is no point of a path; write [load factor, [x, y"),
+    ("friction = 0.2", "path = [[0, [0, 0, 0]], ['5 mm', [0, 0, 0]]]", "26: obstacles.plate.path: ['5 mm', [0, 0, 0]] "
+     "is no point of a path; write [load factor, [x, y, z]], such as"),
+    ("friction = 0.2", "path = [[0, [0, 0, 0]], [0.5, [0, 0, 0]]]", "26: obstacles.plate.path: ((0.0, (0.0, 0.0, "),
+    (PLATE, '[obstacles.box]\nshape = "box"\ncenter = [0, 0, 0]\nsize = ["1 mm", "1 mm", "1 mm"]\nrounding = "2 mm"',
+     "26: obstacles.box.rounding: 2 mm; allowed is 0 to half the shortest length, 0.5 mm."),
+    (PLATE, '[obstacles.ball]\nshape = "sphere"\ncenter = [0, 0, 0]\nradius = "0 mm"',
+     "25: obstacles.ball.radius: 0 mm; allowed is more than 0."),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "problem"), MISTAKES, ids=[f"{new}"[:40] for _, new, _ in MISTAKES])
+def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, problem):
+    assert old in FINGER
+    found = problems(tmp_path, FINGER.replace(old, new, 1))
+    assert any(line.startswith(f"finger.toml:{problem}") for line in found), "\n".join(found)
+    assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
+
+
+def test_what_is_no_table(tmp_path):
+    found = problems(tmp_path, f"contact = 3\nobstacles = 4\n{BARE}")
+    assert found == [
+        "finger.toml:1: contact: 3 is not a table; write [contact] and its keys below it.",
+        "finger.toml:2: obstacles: 4 is not a table; write [obstacles.plate] and the keys of a plate below it.",
+    ]
+
+
+def test_moved_obstacle_drives_without_loads(tmp_path):
+    loads = '[loads]\npressure = "10 kPa"\n'
+    moved = "friction = 0.2\npath = [[0, [0, 0, 0]], [1, [0, 0, '1 mm']]]"
+    assert read(tmp_path, FINGER.replace(loads, "").replace("friction = 0.2", moved)).loads == ()
+    assert problems(tmp_path, FINGER.replace(loads, "")) == ["finger.toml: loads: the table [loads] is missing."]
+
+
+def test_contact_reaches_the_model_and_the_report(tmp_path):
+    job = read(tmp_path, BARE + EVERY_KEY)
+    model, _ = prepare(job)
+    assert model.contact == job.contact
+    assert describe.contact(model) == [
+        "The actuator touches itself with friction 0.25.",
+        "floor: plane through (1, 0, -20) mm with the normal (0.3333, 0.6667, -0.6667); without friction.",
+        "ball: sphere of radius 7.3 mm around (0, 0, -9) mm; with friction 0.5; moved by (0, 0, 3.3) mm at load factor "
+        "0.4, (0, 0, 0) mm at load factor 1.",
+        "bar: cylinder 30 mm long of radius 7 mm around (0, 0, -9) mm along (0, 1, 0); without friction; touches tip "
+        "only; held by a spring of 50 N/m.",
+        "rail: endless cylinder of radius 7 mm around (0, 0, 0) mm along (0.3293, -0.5488, 0.7683); without friction.",
+        "block: box of 10 × 20 × 6 mm around (0, 0, -9) mm, its edges rounded by 1 mm; without friction.",
+    ]
+    off = tg.Model(model.mesh, model.materials, [], model.loads, contact=Contact(self_contact=False))
+    assert describe.contact(off) == ["Walls of the actuator do not stop each other: self-contact is off."]
+    assert describe.contact(tg.Model(model.mesh, model.materials, [], model.loads)) == []  # one chamber meets no other
+    tent = RigidSurface(points=np.eye(3), triangles=np.array([[0, 1, 2]]), name="tent")
+    given = Contact(self_contact=False, obstacles=[Obstacle(name="tent", shape=tent)])
+    tented = tg.Model(model.mesh, model.materials, [], model.loads, contact=given)
+    assert describe.contact(tented)[1:] == ["tent: 1 triangles of tent; without friction."]
+
+
+def test_check_tells_what_may_touch_what(tmp_path, capsys):
+    read(tmp_path, FINGER)
+    main(["check", str(tmp_path / "finger.toml")])
+    said = capsys.readouterr().out.splitlines()
+    assert said[1:3] == [
+        "The actuator touches itself with friction 0.3.",
+        "plate: plane through (0, 0, -2) mm with the normal (0, 0, 1); with friction 0.2.",
+    ]
+
+
+def test_a_face_that_nothing_can_touch_is_refused(tmp_path):
+    text = FINGER.replace("friction = 0.2", 'face = "strain_limiting_layer"')
+    with pytest.raises(TurgorError, match="obstacle 'plate': face 'strain_limiting_layer' lies inside the actuator"):
+        prepare(read(tmp_path, text))
+    assert prepare(read(tmp_path, text.replace("strain_limiting_layer", "tip")))[0].contact.obstacles[0].face == "tip"
+
+
+def test_inp_files_have_no_contact(tmp_path):
+    model, _ = prepare(read(tmp_path, FINGER))
+    with pytest.raises(TurgorError, match=r"the obstacle 'plate' has no form in \.inp files"):
+        export_job(read(tmp_path, FINGER), tmp_path / "files", ["inp"], inp=InpOptions(poisson=0.45))
+    with pytest.raises(TurgorError, match=r"the obstacle 'plate' has no form in \.inp files"):
+        write_inp(compressible(model, 0.45), tmp_path / "a.inp")
+    file = tmp_path / "a.inp"
+    for wanted, said in ((SelfContact(friction=0.3), True), (None, False)):
+        bare = tg.Model(model.mesh, model.materials, model.supports, model.loads, contact=Contact(self_contact=wanted))
+        write_inp(compressible(bare, 0.45), file)
+        assert ("** without contact: walls that meet pass through each other" in file.read_text()) is said
