@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification actuators docs bench fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators docs bench nasty fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -26,6 +26,7 @@ help:
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
+	@echo "make nasty         run the nasty cases (some minutes); writes benchmarks/nasty.md"
 	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
 	@echo "make lock          renew requirements/*.lock from pyproject.toml (needs uv)"
 	@echo "make clean         remove .venv, caches and what was built"
@@ -61,6 +62,9 @@ docs: $(DOCS)
 
 bench: $(RUN)
 	$(BIN)/python benchmarks/run.py
+
+nasty: $(RUN)
+	$(BIN)/python benchmarks/nasty.py
 
 fast: $(RUN) requirements/fast.lock
 	$(PIP) install -r requirements/fast.lock

@@ -1,6 +1,6 @@
 """`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
 
-python benchmarks/run.py [bender] [demo] [growth] [contact]   all four where none is named; writes benchmarks/results.md
+python benchmarks/run.py [bender] [demo] [growth] [contact] [newton]   all where none is named; writes results.md
 """
 
 import json
@@ -8,14 +8,16 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import contact
+import newton
 from machine import machine
+from tables import table
 from turgor.engine.linear import available_solvers
 
 HERE = Path(__file__).parent
@@ -43,15 +45,6 @@ def measure(request: Mapping[str, Any], cache: str | None = None) -> Facts:
     command = [sys.executable, str(HERE / "case.py"), json.dumps(request)]
     result = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True)
     return json.loads(result.stdout.splitlines()[-1])
-
-
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table, readable as text too."""
-    widths = [max(len(row[i]) for row in (head, *rows)) for i in range(len(head))]
-    lines = [
-        "| " + " | ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)) + " |" for row in (head, *rows)
-    ]
-    return "\n".join([lines[0], "|" + "|".join("-" * (w + 2) for w in widths) + "|", *lines[1:]])
 
 
 def memory(facts: Facts) -> str:
@@ -152,7 +145,7 @@ def growth() -> str:
 
 def main() -> None:
     """Run the parts named on the command line, print each as it is done, write them all."""
-    parts = {"bender": bender, "demo": demo, "growth": growth, "contact": contact.section}
+    parts = {"bender": bender, "demo": demo, "growth": growth, "contact": contact.section, "newton": newton.section}
     chosen = sys.argv[1:] or list(parts)
     if unknown := [name for name in chosen if name not in parts]:
         sys.exit(f"unknown part {', '.join(unknown)}; known: {', '.join(parts)}.")

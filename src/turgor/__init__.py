@@ -9,6 +9,7 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from turgor.engine.mass import total_mass as total_mass
     from turgor.engine.runtime import EngineOptions as EngineOptions
     from turgor.errors import TurgorError as TurgorError
     from turgor.finding import Finding as Finding
@@ -65,7 +66,9 @@ if TYPE_CHECKING:
     from turgor.materials.fit_checks import check_modes as check_modes
     from turgor.materials.fit_checks import check_order as check_order
     from turgor.materials.fit_checks import check_stretch_range as check_stretch_range
+    from turgor.materials.fit_history import fit_history as fit_history
     from turgor.materials.fit_record import save_fits as save_fits
+    from turgor.materials.fit_record import save_material as save_material
     from turgor.materials.fit_result import Fit as Fit
     from turgor.materials.fit_result import TestError as TestError
     from turgor.materials.fitting import fit as fit
@@ -73,9 +76,11 @@ if TYPE_CHECKING:
     from turgor.materials.handling import crop as crop
     from turgor.materials.handling import remove_slack as remove_slack
     from turgor.materials.handling import remove_tail as remove_tail
+    from turgor.materials.handling import rest_below as rest_below
     from turgor.materials.handling import select_cycle as select_cycle
     from turgor.materials.handling import set_zero_length as set_zero_length
     from turgor.materials.handling import thin as thin
+    from turgor.materials.history_fit import HistoryFit as HistoryFit
     from turgor.materials.laws import ArrudaBoyce as ArrudaBoyce
     from turgor.materials.laws import GeneralizedRivlin as GeneralizedRivlin
     from turgor.materials.laws import Gent as Gent
@@ -94,7 +99,11 @@ if TYPE_CHECKING:
     from turgor.materials.records import from_library as from_library
     from turgor.materials.records import library as library
     from turgor.materials.records import records as records
+    from turgor.materials.softening import Mullins as Mullins
     from turgor.materials.stability import first_instability as first_instability
+    from turgor.materials.stress_history import StressHistory as StressHistory
+    from turgor.materials.stress_history import stress_history as stress_history
+    from turgor.materials.viscoelastic import Prony as Prony
     from turgor.meshing.combine import together as together
     from turgor.meshing.exchange import MeshFile as MeshFile
     from turgor.meshing.exchange import mesh_surfaces as mesh_surfaces
@@ -108,6 +117,7 @@ if TYPE_CHECKING:
     from turgor.model.contact import Contact as Contact
     from turgor.model.fibers import Fibers as Fibers
     from turgor.model.fibers import Winding as Winding
+    from turgor.model.history import over_time as over_time
     from turgor.model.loads import BodyForce as BodyForce
     from turgor.model.loads import Gravity as Gravity
     from turgor.model.loads import Pressure as Pressure
@@ -147,6 +157,7 @@ if TYPE_CHECKING:
     from turgor.results.convergence import Convergence as Convergence
     from turgor.results.fibers import FiberResult as FiberResult
     from turgor.results.fibers import fiber_results as fiber_results
+    from turgor.results.history_plots import history_figure as history_figure
     from turgor.results.measures import bending_angle as bending_angle
     from turgor.results.measures import cavity_volume as cavity_volume
     from turgor.results.measures import maximum_fiber_tension as maximum_fiber_tension
@@ -161,19 +172,34 @@ if TYPE_CHECKING:
     from turgor.results.measures import tip_displacement_z as tip_displacement_z
     from turgor.results.measures import twist_angle as twist_angle
     from turgor.results.measures import volume_of as volume_of
+    from turgor.results.modes_vtu import write_modes as write_modes
     from turgor.results.reading import Measure as Measure
     from turgor.solvers.blocked_force import BlockedForce as BlockedForce
     from turgor.solvers.driver import solve as solve
+    from turgor.solvers.dynamic import Dynamic as Dynamic
+    from turgor.solvers.energies import Energies as Energies
     from turgor.solvers.grasp import Grasp as Grasp
+    from turgor.solvers.modes import Modes as Modes
+    from turgor.solvers.modes import natural_frequencies as natural_frequencies
+    from turgor.solvers.path_procedures import ArcLength as ArcLength
+    from turgor.solvers.path_procedures import Auto as Auto
+    from turgor.solvers.path_procedures import GasMass as GasMass
+    from turgor.solvers.path_procedures import VolumeControl as VolumeControl
     from turgor.solvers.procedures import Static as Static
+    from turgor.solvers.solution import LimitPoint as LimitPoint
     from turgor.solvers.solution import Solution as Solution
     from turgor.solvers.solution import SolveError as SolveError
     from turgor.solvers.solution import State as State
     from turgor.solvers.solution import Status as Status
     from turgor.solvers.solution import Touch as Touch
+    from turgor.solvers.stabilized import Stabilized as Stabilized
+    from turgor.solvers.stages import Sealed as Sealed
+    from turgor.solvers.stages import Stage as Stage
+    from turgor.solvers.stages import Stages as Stages
     from turgor.source import Source as Source
 
 _ROOMS = {
+    "turgor.engine.mass": ("total_mass",),
     "turgor.engine.runtime": ("EngineOptions",),
     "turgor.errors": ("TurgorError",),
     "turgor.finding": (
@@ -246,7 +272,11 @@ _ROOMS = {
         "check_order",
         "check_stretch_range",
     ),
-    "turgor.materials.fit_record": ("save_fits",),
+    "turgor.materials.fit_history": ("fit_history",),
+    "turgor.materials.fit_record": (
+        "save_fits",
+        "save_material",
+    ),
     "turgor.materials.fit_result": (
         "Fit",
         "TestError",
@@ -257,10 +287,12 @@ _ROOMS = {
         "crop",
         "remove_slack",
         "remove_tail",
+        "rest_below",
         "select_cycle",
         "set_zero_length",
         "thin",
     ),
+    "turgor.materials.history_fit": ("HistoryFit",),
     "turgor.materials.laws": (
         "ArrudaBoyce",
         "GeneralizedRivlin",
@@ -287,7 +319,13 @@ _ROOMS = {
         "library",
         "records",
     ),
+    "turgor.materials.softening": ("Mullins",),
     "turgor.materials.stability": ("first_instability",),
+    "turgor.materials.stress_history": (
+        "StressHistory",
+        "stress_history",
+    ),
+    "turgor.materials.viscoelastic": ("Prony",),
     "turgor.meshing.combine": ("together",),
     "turgor.meshing.exchange": (
         "MeshFile",
@@ -307,6 +345,7 @@ _ROOMS = {
         "Fibers",
         "Winding",
     ),
+    "turgor.model.history": ("over_time",),
     "turgor.model.loads": (
         "BodyForce",
         "Gravity",
@@ -364,6 +403,7 @@ _ROOMS = {
         "FiberResult",
         "fiber_results",
     ),
+    "turgor.results.history_plots": ("history_figure",),
     "turgor.results.measures": (
         "bending_angle",
         "cavity_volume",
@@ -380,17 +420,37 @@ _ROOMS = {
         "twist_angle",
         "volume_of",
     ),
+    "turgor.results.modes_vtu": ("write_modes",),
     "turgor.results.reading": ("Measure",),
     "turgor.solvers.blocked_force": ("BlockedForce",),
     "turgor.solvers.driver": ("solve",),
+    "turgor.solvers.dynamic": ("Dynamic",),
+    "turgor.solvers.energies": ("Energies",),
     "turgor.solvers.grasp": ("Grasp",),
+    "turgor.solvers.modes": (
+        "Modes",
+        "natural_frequencies",
+    ),
+    "turgor.solvers.path_procedures": (
+        "ArcLength",
+        "Auto",
+        "GasMass",
+        "VolumeControl",
+    ),
     "turgor.solvers.procedures": ("Static",),
     "turgor.solvers.solution": (
+        "LimitPoint",
         "Solution",
         "SolveError",
         "State",
         "Status",
         "Touch",
+    ),
+    "turgor.solvers.stabilized": ("Stabilized",),
+    "turgor.solvers.stages": (
+        "Sealed",
+        "Stage",
+        "Stages",
     ),
     "turgor.source": ("Source",),
 }

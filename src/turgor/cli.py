@@ -20,6 +20,7 @@ from turgor.cli_fit import fit_command
 from turgor.cli_inspect import inspect_command
 from turgor.cli_materials import materials_app
 from turgor.cli_mesh import mesh_command
+from turgor.cli_modes import modes_command
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -92,7 +93,7 @@ def _run(
         if not quiet:
             _tell(outcome)
         _warn(outcome.findings)
-        if not outcome.solution.converged:
+        if not outcome.solution.complete:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
             raise typer.Exit(NOT_CONVERGED)
         raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
@@ -139,6 +140,7 @@ app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
 app.command("export")(export_command)
 app.command("mesh")(mesh_command)
+app.command("modes")(modes_command)
 app.command("convergence")(convergence_command)
 
 
@@ -158,17 +160,17 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
 
 def _tell(outcome: "RunOutcome") -> None:
     """Say how it ended, the numbers at the end, and where everything is."""
-    from turgor.model.drive import drive_text
     from turgor.results.drive import with_each_cavity
     from turgor.results.measures import find_measure
+    from turgor.solvers.pressures import pressure_text
 
     solution, response = outcome.solution, outcome.response
-    if solution.converged:
+    if solution.complete:
         typer.echo(f"{solution.message} {solution.advice}".strip())
     wanted = [name for each in outcome.job.output.measures for name in with_each_cavity(response, each)]
     measures = [find_measure(name) for name in dict.fromkeys(wanted)]
     numbers = [f"{m.name.replace('_', ' ')} {m.text(response.column(m.name)[-1])}" for m in measures]
-    drive = drive_text(solution.model, solution.states[-1].load_factor) or "the end"
+    drive = pressure_text(solution.states[-1]) or "the end"
     typer.echo(f"At {drive}: {', '.join(numbers)}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
 

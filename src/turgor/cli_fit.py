@@ -46,6 +46,10 @@ def fit_command(
     each: Annotated[bool, typer.Option("--each", help="Every file is a material of its own.")] = False,
     starts: Annotated[int, typer.Option(min=1, help="Starts of the search.")] = 20,
     seed: Annotated[int, typer.Option(help="Seed of the starts.")] = 0,
+    relaxation: Annotated[
+        int, typer.Option(min=0, help="Terms of a Prony series, fitted over time after the law; 0 for none.")
+    ] = 0,
+    softening: Annotated[bool, typer.Option("--softening", help="Fit stress softening to cycles, too.")] = False,
     output: Annotated[Path | None, typer.Option(help="Folder for plots and constants.", show_default=False)] = None,
     debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
 ) -> None:
@@ -58,6 +62,10 @@ def fit_command(
         wanted, names = _range(range_), [law.strip() for law in laws.split(",") if law.strip()]
         modes, dimensions = _modes(mode, len(files)), _specimen(specimen)
         rest = _preload(preload)
+        if relaxation or softening:
+            whole = [_whole(f, m, stress, dimensions, rest) for f, m in zip(files, modes, strict=True)]
+            _fit_over_time(whole, names, relaxation, softening, (_common_name(files), output))
+            return
         tests = []
         for file, known in zip(files, modes, strict=True):
             read = _read(file, known, stress, dimensions, cycle)
@@ -77,6 +85,32 @@ def fit_command(
             _show_each(rankings, names)
         if output is not None:
             _write(output, rankings)
+
+
+def _whole(
+    file: Path, mode: str | None, stress: str, specimen: "Specimen | None", preload: float | None
+) -> "MaterialTest":
+    """A test with all its cycles, at rest where it is slack."""
+    from turgor.materials.handling import rest_below
+    from turgor.materials.read_tests import read_test
+
+    test = read_test(file, mode=mode, stress_measure=stress or None, specimen=specimen, cyclic=True)
+    test = test if preload is None else rest_below(test, preload)
+    typer.echo(f"{file.name}: {test!r}")
+    for step in test.steps:
+        typer.echo(f"  {step.text}")
+    return test
+
+
+def _fit_over_time(
+    tests: "list[MaterialTest]", laws: list[str], terms: int, softening: bool, goal: tuple[str, Path | None]
+) -> None:
+    from turgor.cli_fit_history import fit_over_time, write_history_fit
+
+    name, output = goal
+    found = fit_over_time(tests, laws, terms=terms, softening=softening, name=name)
+    if output is not None:
+        write_history_fit(output, found, tests)
 
 
 def _read(file: Path, mode: str | None, stress: str, specimen: "Specimen | None", cycle: int | None) -> "MaterialTest":

@@ -10,8 +10,8 @@ from rich.progress import BarColumn, Progress, ProgressColumn, SpinnerColumn, Ta
 from rich.text import Text
 
 from turgor.errors import TurgorError
-from turgor.model.drive import drive_text
 from turgor.results.measures import bending_angle
+from turgor.solvers.pressures import pressure_text
 from turgor.solvers.solution import Iteration, State
 from turgor.units import deg
 
@@ -48,6 +48,8 @@ class Course:
         if len(self._accepted) < 2:
             return None
         (before, began), (now, last) = self._accepted[0], self._accepted[-1]
+        if now <= before:
+            return None  # beyond a limit point the load falls: it does not tell how far the end is
         left = (1 - now) * (last - began) / (now - before) - (perf_counter() - last)
         return max(left, 0.0)
 
@@ -153,7 +155,7 @@ class LiveDisplay:
 
 def describe(iteration: Iteration, state: State) -> str:
     """Write one accepted step in words."""
-    pressures = drive_text(state.model, state.load_factor)
+    pressures = pressure_text(state)
     load = f", {pressures}" if pressures else ""
     work = f"{iteration.iteration} iterations, residual {iteration.residual:.1e}"
     return f"step {iteration.step}: load factor {state.load_factor:.4f}{load}, {work}"

@@ -51,6 +51,11 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "length": MappingProxyType({"m": m, "cm": cm, "mm": mm, "um": um, "µm": um, "in": inch}),
         "angle": MappingProxyType({"rad": rad, "deg": deg, "°": deg}),
         "pressure": MappingProxyType({"Pa": Pa, "kPa": kPa, "MPa": MPa, "GPa": GPa, "bar": bar, "psi": psi}),
+        "time": MappingProxyType({"s": s, "ms": ms, "min": 60.0, "h": 3600.0}),
+        "volume": MappingProxyType(
+            {"m³": 1.0, "m3": 1.0, "L": L, "mL": mL, "cm³": mL, "cm3": mL, "mm³": mm**3, "mm3": mm**3}
+        ),
+        "rate": MappingProxyType({"1/s": 1.0, "1/ms": 1e3}),
         "density": MappingProxyType({"kg/m³": 1.0, "kg/m3": 1.0, "g/cm³": 1e3, "g/cm3": 1e3}),
         "spring stiffness": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
         "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9}),
@@ -166,6 +171,9 @@ def _example(dimension: str) -> str:
         "length": "1.5 mm",
         "angle": "90 deg",
         "pressure": "60 kPa",
+        "time": "2 s",
+        "rate": "1 1/s",
+        "volume": "12 mL",
         "density": "1130 kg/m³",
         "spring stiffness": "50 N/m",
         "contact stiffness": "10 MPa/mm",

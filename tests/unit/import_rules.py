@@ -18,9 +18,11 @@ COMMAND_LINE = (
     "cli_convergence",
     "cli_export",
     "cli_fit",
+    "cli_fit_history",
     "cli_inspect",
     "cli_materials",
     "cli_mesh",
+    "cli_modes",
     "console",
     "__main__",
 )

@@ -118,8 +118,8 @@ def test_a_history_passes_through_its_points_exactly(drawn: tuple[list[float], l
         ([(0, 0), (0.5, 1)], "the load factors must rise from 0 to 1"),
         ([(0, 0), (0.5, 1), (0.5, 0), (1, 1)], "the load factors must rise from 0 to 1"),
         ([(0, 0), (float("nan"), 1), (1, 1)], "the load factors must rise from 0 to 1"),
-        ([(0, 0), (1, 1.5)], "shares of the pressure lie between -1 and 1"),
-        ([(0, 0), (1, float("nan"))], "shares of the pressure lie between -1 and 1"),
+        ([(0, 0), (1, 1.5)], "shares of the load lie between -1 and 1"),
+        ([(0, 0), (1, float("nan"))], "shares of the load lie between -1 and 1"),
         ([0, 1], r"points \(load factor, share\) are needed, such as \[\[0, 0\], \[0.5, 1\], \[1, 0.5\]\]"),
         ([(0, 0), (0.5, 1, 2), (1, 1)], r"points \(load factor, share\) are needed"),
         ("ramp", r"pressure on 'cavity_1': history is 'ramp'; points"),
@@ -383,12 +383,12 @@ MISTAKES = [
     ('cavity_3 = "20 kPa"', "0.1", "twin.toml:11: loads.cavity_3: the actuator has no cavity 'cavity_3'; did you mean"),
     ("[loads.cavity_1]", "0.1", "twin.toml:11: loads.cavity_1.pressure: 'pressure' is missing, and it has no default."),
     ('[loads.cavity_1]\npressure = "1 kPa"\nhistroy = []', "0.1", "twin.toml:13: loads.cavity_1.histroy: unknown key "
-     "'histroy'; did you mean 'history'? Known keys: pressure, history."),
+     "'histroy'; did you mean 'history'? Known keys: pressure, history, history_over_time."),
     ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = [[0, 0], [0.5, 1]]', "0.1", "twin.toml:13: loads.cavity_1."
-     "history: [[0.0, 0.0], [0.5, 1.0]]; the load factors must rise from 0 to 1."),
+     "history: [[0, 0], [0.5, 1]]; the load factors must rise from 0 to 1."),
     ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = [[0], [1]]', "0.1", "twin.toml:13: loads.cavity_1.history: "),
-    ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = "ramp"', "0.1", "twin.toml:13: loads.cavity_1.history: 'ramp' is "
-     "not a list in square brackets."),
+    ('[loads.cavity_1]\npressure = "1 kPa"\nhistory = "ramp"', "0.1", "twin.toml:13: loads.cavity_1.history: 'ramp'; "
+     "points (load factor, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]], or an expression of"),
     ('pressure = "1 kPa"\nhistory = [[0, 0], [1, 1]]', "0.1", "twin.toml:12: loads.history: a history belongs to one "
      "cavity; write it below [loads.cavity_1]."),
     (EACH.replace("gravity", 'pressure = "2 kPa"\ngravity'), "0.1", "twin.toml:11: loads.pressure: 2 kPa acts nowhere, "

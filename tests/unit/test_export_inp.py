@@ -93,6 +93,15 @@ def test_histories_become_amplitudes(tmp_path, mesh):
     file = tmp_path / "finger.inp"
     write_inp(question(mesh, loads=[pressure]), file)
     assert section(file.read_text(), "*AMPLITUDE, NAME=history_1") == ["0, 0", "0.5, 1", "1, 0.25"]
+    first = tg.Gravity((0, 0, -1), history=[(0, 0), (0.2, 1), (1, 1)])
+    swelling = tg.Pressure("cavity", 5 * kPa, history="s**2")
+    write_inp(question(mesh, loads=[tg.Gravity(), swelling, first]), file)
+    text = file.read_text()
+    assert section(text, "*AMPLITUDE, NAME=weight_1") == ["0, 0", "0.2, 1", "1, 1"]
+    assert section(text, "*AMPLITUDE, NAME=history_1")[100] == "0.5, 0.25"
+    assert "*DLOAD, AMPLITUDE=ramp" in text
+    assert "*DLOAD, AMPLITUDE=weight_1" in text
+    assert "weight_2" not in text
 
 
 def test_cells_for_each_program(tmp_path, mesh):

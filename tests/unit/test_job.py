@@ -346,7 +346,8 @@ def test_the_lock_file_states_every_default_with_its_unit(tmp_path: Path) -> Non
     content = tomllib.loads(lock(read(tmp_path, SMALL)))
     assert set(content["actuator"]) == {"type", *(item.name for item in fields(FastPneuNet))}
     assert content["actuator"]["wall"] == "1 mm"
-    assert set(content["procedure"]) == {"type", *(item.name for item in fields(Static))}
+    stated = {item.name for item in fields(Static) if item.default is not None}  # TOML has no word for nothing
+    assert set(content["procedure"]) == {"type", *stated}
     assert content["mesh"] == {"size": "3 mm", "grading": 0.5, "face_sizes": {}, "wall_cells": 1, "cells": "tetrahedra"}
     assert content["materials"]["body"]["C10"] == "0.11 MPa"
     assert "Mosadegh" in content["materials"]["body"]["source"]["text"]

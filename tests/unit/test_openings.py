@@ -5,6 +5,7 @@ import pytest
 from netgen.occ import Box, Cylinder, Pnt, X, Z
 
 import turgor as tg
+from turgor.engine.openings import cap_volume
 from turgor.engine.surfaces import enclosed_volume
 from turgor.finding import Severity
 from turgor.geometry import Geometry
@@ -95,3 +96,17 @@ def test_a_wall_without_a_name_is_no_opening():
     (finding,) = check_surface(tg.Mesh(points=mesh.points, cells=mesh.cells, regions=mesh.regions, faces=faces))
     assert finding.code == "G02"  # plane, but in the wall of a closed void
     assert finding.severity is Severity.ERROR
+
+
+def test_a_slice_between_two_planes_is_closed_at_both():
+    """The rim of a quarter of a ring's bore: two straight sides and one arc in mirror planes, one arc in none."""
+    angle = np.pi / 2 * np.arange(9) / 8
+    arc = np.column_stack([5 * np.cos(angle), 5 * np.sin(angle), np.full(9, 2.0)])
+    points = np.vstack([arc, arc * [1, 1, 0], arc[[0, -1]] * [1, 1, 0.5]])
+    upper = np.array([[k, k + 2, k + 1] for k in range(0, 8, 2)])
+    lower = np.array([[k + 2, k, k + 1] for k in range(9, 17, 2)])
+    rim = np.vstack([upper, lower, [[8, 17, 19], [9, 0, 18]]])
+    sector = np.pi * 25 / 4
+    assert abs(cap_volume(points, rim)) == pytest.approx(2.0 * sector / 3, rel=1e-3)
+    assert cap_volume(points, rim) == pytest.approx(cap_volume(points, upper), rel=1e-12)
+    assert cap_volume(points * [1, 1, 2], rim) == pytest.approx(2 * cap_volume(points, rim), rel=1e-12)

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from turgor.materials.homogeneous import equibiaxial, nominal_stress, planar
+from turgor.materials.homogeneous import biaxial, equibiaxial, nominal_stress, planar
 from turgor.materials.laws import Law
 
 
@@ -38,6 +38,29 @@ def tube_pressure(law: Law, stretch: float, inner: float, outer: float) -> float
 def tube_stretch(law: Law, pressure: float, inner: float, outer: float, limit: float = 4.0) -> float:
     """Stretch of the inner wall of the tube at a pressure, between 1.01 and ``limit``."""
     return float(brentq(lambda x: tube_pressure(law, x, inner, outer) - pressure, 1.01, limit, xtol=1e-13))
+
+
+def closed_tube(law: Law, stretch: float, inner: float, outer: float) -> tuple[float, float]:
+    """Axial stretch and internal pressure [Pa] of a thick tube with closed, free ends.
+
+    With Ŵ(λ, λz) = W(λ, λz, 1/(λ λz)) and r² − a² = (R² − A²)/λz: P = ∫ Ŵ,λ / (λ² λz − 1) dλ from the stretch of the
+    outer to that of the inner wall, and the force beyond that of the pressure on the ends, which is nought, is as
+    ∫ (2 λz Ŵ,z − λ Ŵ,λ) λ / (λ² λz − 1)² dλ (Haughton and Ogden 1979).
+    """
+
+    def integral(axial: float, force: bool) -> float:
+        outside = (((stretch * inner) ** 2 + (outer**2 - inner**2) / axial) ** 0.5) / outer
+
+        def integrand(x: float) -> float:
+            nominal = nominal_stress(law, biaxial(x, axial))
+            hoop, along, below = nominal[0, 0], nominal[1, 1], x * x * axial - 1
+            return float((2 * axial * along - x * hoop) * x / below**2 if force else hoop / below)
+
+        tiny = 1e-9 * law.shear_modulus  # the force passes through zero, where no relative error can be asked for
+        return float(quad(integrand, outside, stretch, epsabs=tiny, epsrel=1e-10)[0])
+
+    axial = float(brentq(lambda z: integral(z, True), 1.0, 2.0, xtol=1e-13))
+    return axial, integral(axial, False)
 
 
 def sphere_stretch(law: Law, pressure: float, inner: float, outer: float, limit: float) -> float:

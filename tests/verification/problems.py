@@ -76,12 +76,12 @@ def mean_radius(state: tg.State, face: str, axes: Sequence[int]) -> float:
 
 def fields(state: tg.State) -> CellFields:
     """Stresses and stretches of a state at the quadrature points."""
-    return cell_fields(state.model, state.displacement, state.mean_stress)
+    return cell_fields(state.model, state.displacement, state.mean_stress, state.memory)
 
 
 def energy(state: tg.State) -> float:
     """Stored energy of the modeled part [J]."""
-    return strain_energy(state.model, state.displacement, state.mean_stress)
+    return strain_energy(state.model, state.displacement, state.mean_stress, state.memory)
 
 
 def at_quadrature_points(state: tg.State, nodal: np.ndarray) -> np.ndarray:

@@ -19,6 +19,7 @@ import exact
 import meshes
 import problems
 import turgor as tg
+from turgor.solvers.path_procedures import VolumeControl
 
 INNER, OUTER = 5 * problems.MM, 7 * problems.MM
 STRETCHES = (1.05, 1.10, 1.20, 1.30, 1.50, 1.75, 2.00, 2.50, 3.00)
@@ -110,3 +111,23 @@ def test_stress_and_plane_strain(record_verification):
     )
     assert worst < 0.01
     assert out_of_plane < 1e-4
+
+
+def test_volume_control_finds_the_pressures(record_verification):
+    """The other way around: the volume at the tabulated stretches is injected, and the pressure is the answer."""
+    law, pressures, _ = TABLE["neo-Hookean"]
+    volumes = [np.pi * INNER**2 * problems.MM * (stretch**2 - 1) for stretch in STRETCHES]
+    at = tuple(volume / volumes[-1] for volume in volumes[:-1])
+    mesh = meshes.tube_sector(INNER, OUTER, 1 * problems.MM, (3, 6, 1))
+    model = problems.one_material(mesh, law, supports=problems.PLANE_STRAIN)
+    solution = problems.solve(model, VolumeControl(volume=volumes[-1], at=at, tolerance=1e-8))
+    found = [problems.state_at(solution, factor).pressures["cavity"] / problems.MPA for factor in (*at, 1.0)]
+    record_verification(
+        claim="thick tube, neo-Hookean, volume control: pressures at the tabulated stretches [MPa]",
+        source="V05, exact",
+        expected=pressures,
+        got=found,
+        tolerance="0.1 %",
+    )
+    assert found == pytest.approx(pressures, rel=1e-3)
+    assert not solution.limit_points

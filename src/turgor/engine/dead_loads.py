@@ -1,35 +1,54 @@
 """Dead loads: weight, body forces and tractions, whose nodal forces do not change with the deformation."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.reference import side_tables
 from turgor.errors import TurgorError
+from turgor.model.history import History, share_at
 from turgor.model.loads import BodyForce, Gravity, Traction
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
 
 
-def dead_forces(model: Model, points: Array, dV: Array, N: Array, scales: tuple[float, float]) -> Array:
-    """Scaled nodal forces (n, 3) of the dead loads at load factor 1.
+@dataclass(frozen=True, slots=True, eq=False)
+class DeadForces:
+    """Scaled nodal forces (n, 3) of the dead loads, those with the same history together."""
+
+    parts: Sequence[tuple[History, Array]]
+    rest: Array
+
+    def at(self, load_factor: float) -> Array:
+        """Sum (n, 3) at a load factor."""
+        return self.rest + sum(share_at(history, load_factor) * forces for history, forces in self.parts)
+
+
+def dead_forces(model: Model, points: Array, dV: Array, N: Array, scales: tuple[float, float]) -> DeadForces:
+    """Scaled nodal forces of the dead loads.
 
     Points and volumes ``dV`` (c, q) come scaled by the first of the two scales, length and stress; ``N`` (q, n) are the
     shape functions at the integration points.
     """
     length, stress = scales
-    forces = np.zeros_like(points)
+    by_history: dict[History, Array] = {}
     for load in model.loads:
+        if not isinstance(load, Traction | Gravity | BodyForce):
+            continue
+        forces = by_history.setdefault(load.history, np.zeros_like(points))
         if isinstance(load, Traction):
             forces += _traction(points, model.mesh.face(load.face), np.asarray(load.vector) / stress)
         elif isinstance(load, Gravity):
             density = _density(model)[:, None, None] * _acceleration(load)
             forces += _volume(model, points, dV, N, np.broadcast_to(density, (*dV.shape, 3)) * length / stress)
-        elif isinstance(load, BodyForce):
+        else:
             where = np.einsum("qa,cai->cqi", N, model.mesh.points[model.mesh.cells])
             value = np.asarray(load.value(where.reshape(-1, 3))).reshape(where.shape)
             forces += _volume(model, points, dV, N, value * length / stress)
-    return forces
+    return DeadForces(tuple(by_history.items()), np.zeros_like(points))
 
 
 def _acceleration(load: Gravity) -> Array:

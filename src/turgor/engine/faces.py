@@ -23,17 +23,20 @@ Triangles = NDArray[np.int64]
 
 @dataclass(slots=True, eq=False)
 class _Pressed:
-    """Faces under the same pressure: triangles, the load of one of them, scale, whether it has a potential."""
+    """Faces under the same pressure: triangles, the load of one of them, scale, whether it has a potential.
+
+    No load: the pressure is not stated but sought.
+    """
 
     triangles: Triangles
-    load: Pressure
+    load: Pressure | None
     stress: float
     symmetric: bool
     positions: NDArray[np.int32]
 
     def at(self, load_factor: float) -> float:
         """Scaled pressure at a load factor."""
-        return self.load.share(load_factor) * (self.load.pressure / self.stress)
+        return 0.0 if self.load is None else self.load.share(load_factor) * (self.load.pressure / self.stress)
 
 
 @dataclass(slots=True, eq=False)
@@ -79,10 +82,20 @@ class FaceTerms:
         Prescribed components.
     length, stress : float
         Scales.
+    controlled : tuple of str
+        Faces whose pressure is sought; they come first, in this order.
     """
 
-    def __init__(self, model: Model, points: Array, held: NDArray[np.bool_], length: float, stress: float) -> None:
-        self._pressed = _group_pressures(model, points, held, stress)
+    def __init__(
+        self,
+        model: Model,
+        points: Array,
+        held: NDArray[np.bool_],
+        length: float,
+        stress: float,
+        controlled: tuple[str, ...] = (),
+    ) -> None:
+        self._pressed = _group_pressures(model, points, held, stress, controlled)
         self._sheets = []
         for name, membrane in model.membranes.items():
             law, scale = membrane.material.law, membrane.thickness / (length * stress)
@@ -133,12 +146,28 @@ class FaceTerms:
                 pattern.indptr, pattern.indices, unknowns[:, rows].ravel(), unknowns[:, columns].ravel()
             )
 
-    def forces(self, position: Array, load_factor: float) -> tuple[Array, Array]:
+    def _acting(self, load_factor: float, sought: Array | None) -> list[tuple[_Pressed, float]]:
+        """Groups of pressed faces with their scaled pressures, the sought ones as given."""
+        acting = [group.at(load_factor) for group in self._pressed]
+        if sought is not None:
+            acting[: len(sought)] = [float(pressure) for pressure in sought]
+        return list(zip(self._pressed, acting, strict=True))
+
+    def unit_forces(self, position: Array, count: int) -> list[Array]:
+        """External forces (n, 3) of a scaled pressure of one on each of the first ``count`` groups."""
+        found = []
+        for group in self._pressed[:count]:
+            local = surfaces.pressure_forces(position, group.triangles, *_tables(group.triangles))
+            found.append(np.zeros_like(position))
+            _add_at_nodes(found[-1], group.triangles, -local)
+        return found
+
+    def forces(self, position: Array, load_factor: float, sought: Array | None = None) -> tuple[Array, Array]:
         """Internal forces of the membranes and external forces of the pressures, (n, 3) each."""
         internal, external = np.zeros_like(position), np.zeros_like(position)
-        for group in self._pressed:
+        for group, pressure in self._acting(load_factor, sought):
             local = surfaces.pressure_forces(position, group.triangles, *_tables(group.triangles))
-            _add_at_nodes(external, group.triangles, -group.at(load_factor) * local)
+            _add_at_nodes(external, group.triangles, -pressure * local)
         for sheet, stress in zip(self._sheets, self.membrane_stresses(position), strict=True):
             local = membranes.membrane_forces(position, sheet.triangles, sheet.gradients, sheet.areas, stress)
             _add_at_nodes(internal, sheet.triangles, local)
@@ -183,11 +212,18 @@ class FaceTerms:
             total += 0.5 * float((sheet.areas[..., None] * stress * strain).sum())
         return total
 
-    def add_tangents(self, data: Array, position: Array, load_factor: float, given: "FaceStresses | None") -> None:
+    def add_tangents(
+        self,
+        data: Array,
+        position: Array,
+        load_factor: float,
+        given: "FaceStresses | None",
+        sought: Array | None = None,
+    ) -> None:
         """Add the symmetric parts of all tangents to the lower triangle; the given stresses enter the geometric one."""
-        for group in self._pressed:
+        for group, pressure in self._acting(load_factor, sought):
             local = surfaces.pressure_tangents(position, group.triangles, *_tables(group.triangles))
-            local *= group.at(load_factor)
+            local *= pressure
             local = 0.5 * (local + local.transpose(0, 2, 1))
             scatter_add(data, group.positions, _lower(local))
         stresses = given or self.stresses(position)
@@ -211,14 +247,16 @@ class FaceTerms:
         """Stresses of membranes and tensions of fibers, linearized for an update where one is given."""
         return FaceStresses(self.membrane_stresses(position, update), self.fiber_tensions(position, update))
 
-    def skew_matrix(self, position: Array, load_factor: float, size: int) -> sp.csc_matrix | None:
+    def skew_matrix(
+        self, position: Array, load_factor: float, size: int, sought: Array | None = None
+    ) -> sp.csc_matrix | None:
         """Skew part of the tangents of pressures without potential; None where there are none."""
         total: sp.csc_matrix | None = None
-        for group in self._pressed:
+        for group, pressure in self._acting(load_factor, sought):
             if group.symmetric:
                 continue
             local = surfaces.pressure_tangents(position, group.triangles, *_tables(group.triangles))
-            local *= group.at(load_factor)
+            local *= pressure
             local = 0.5 * (local - local.transpose(0, 2, 1))
             unknowns = _unknowns(group.triangles)
             count = unknowns.shape[1]
@@ -260,12 +298,19 @@ def _scaled(pieces: fibers.Pieces, length: float, stress: float) -> fibers.Piece
     )
 
 
-def _group_pressures(model: Model, points: Array, held: NDArray[np.bool_], stress: float) -> list[_Pressed]:
+def _group_pressures(
+    model: Model, points: Array, held: NDArray[np.bool_], stress: float, controlled: tuple[str, ...]
+) -> list[_Pressed]:
     """Join faces under equal pressure at all times: together they may be closed where each alone is open."""
+    groups = []
+    for name in controlled:
+        triangles = np.ascontiguousarray(model.mesh.face(name))
+        symmetric = surfaces.has_potential(points, triangles, held)
+        groups.append(_Pressed(triangles, None, stress, symmetric, np.empty(0, np.int32)))
     alike: dict[tuple[float, History], list[Pressure]] = {}
     for load in model.pressures:
-        alike.setdefault((load.pressure, load.history), []).append(load)
-    groups = []
+        if load.face not in controlled:
+            alike.setdefault((load.pressure, load.history), []).append(load)
     for loads in alike.values():
         triangles = np.ascontiguousarray(np.concatenate([model.mesh.face(load.face) for load in loads]))
         symmetric = surfaces.has_potential(points, triangles, held)

@@ -10,6 +10,7 @@ from turgor.engine import kernels
 from turgor.engine.cell_materials import CellMaterials
 from turgor.engine.element import Element, element_of, tables_with
 from turgor.engine.faces import FaceTerms
+from turgor.engine.memory import Memory
 from turgor.engine.reference import reference_nodes
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.mesh import Mesh
@@ -54,6 +55,14 @@ def _geometry(mesh: Mesh, points: int) -> tuple[Array, Array]:
     return kernels.reference_geometry((0,) * nodes, mesh.points, mesh.cells, r.dN, r.weights)
 
 
+def _materials(model: Model, points: int, memory: Memory | None) -> CellMaterials:
+    """The laws in SI units, at a state that remembers; a sudden step at a state gives its own stress."""
+    materials = CellMaterials(model, 1.0, points)
+    materials.memory = memory
+    materials.begin_step(0.0)
+    return materials
+
+
 def _mean_stress(model: Model, element: Element, J: Array, mean_stress: Array, compliance: Array) -> Array:
     """Mean stress (c, q) at the integration points."""
     if not element.modes:
@@ -61,7 +70,7 @@ def _mean_stress(model: Model, element: Element, J: Array, mean_stress: Array, c
     return np.einsum("qm,cm->cq", element.tables.M, mean_stress[element.mean])
 
 
-def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFields:
+def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: Memory | None = None) -> CellFields:
     """Compute stresses and stretches at the quadrature points.
 
     Parameters
@@ -70,6 +79,8 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFi
     displacement : (n, 3) array [m]
     mean_stress : (m,) array [Pa]
         The mean stresses of a `State`.
+    memory : Memory, optional
+        What its rubber remembers, where any relaxes or softens; by default the deformation is a sudden one from rest.
     """
     mesh, element = model.mesh, element_of(model)
     r = element.tables
@@ -80,9 +91,9 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFi
     I1 = np.trace(B, axis1=-2, axis2=-1)
     I2 = 0.5 * (I1**2 - np.einsum("cqij,cqij->cq", B, B))
     j = J ** (-2 / 3)
-    materials = CellMaterials(model, 1.0)
-    by_stretches = F[materials.stretch_cells]
-    laws = materials.isochoric(j * I1, j * j * I2, by_stretches)
+    materials = _materials(model, len(r.weights), memory)
+    chosen = F[materials.gradient_cells]
+    laws = materials.isochoric(j * I1, j * j * I2, chosen)
     W1, W2 = laws.derivatives[:2]
     identity = np.eye(3)
     mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
@@ -91,8 +102,8 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array) -> CellFi
     b2 = I1[..., None, None] * B - B @ B - (2 * I2 / 3)[..., None, None] * identity
     deviator = (2 / J)[..., None, None] * ((W1 * j)[..., None, None] * b1 + (W2 * j * j)[..., None, None] * b2)
     second = laws.stress[..., [[0, 3, 5], [3, 1, 4], [5, 4, 2]]]
-    pushed = by_stretches @ second @ by_stretches.swapaxes(-1, -2)
-    deviator[materials.stretch_cells] = pushed / J[materials.stretch_cells, :, None, None]
+    pushed = chosen @ second @ chosen.swapaxes(-1, -2)
+    deviator[materials.gradient_cells] += pushed / J[materials.gradient_cells, :, None, None]
     von_mises = np.sqrt(1.5 * np.einsum("cqij,cqij->cq", deviator, deviator))
     return CellFields(
         cauchy=deviator + mean[..., None, None] * identity,
@@ -144,18 +155,19 @@ def _smooth(nodes: int, points: Array) -> Array:
     return np.column_stack(linear if nodes == TETRAHEDRON.nodes else [*linear, x * y, y * z, z * x, x * y * z])
 
 
-def strain_energy(model: Model, displacement: Array, mean_stress: Array) -> float:
+def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory: Memory | None = None) -> float:
     """Stored energy of cells and membranes of the modeled part [J].
 
-    Where a material is compressible its volumetric energy is p²/(2κ), with κ (J − 1) = p.
+    Where a material is compressible its volumetric energy is p²/(2κ), with κ (J − 1) = p. Of a rubber that relaxes or
+    softens it is what infinitely slow unloading gives back; ``memory`` is that of the state.
     """
     mesh, element = model.mesh, element_of(model)
     r = element.tables
     Jinv, weight = _geometry(mesh, len(r.weights))
     I1, I2, J = kernels.kinematics(element.shape, mesh.cells, displacement, r.dN, Jinv)
-    materials = CellMaterials(model, 1.0)
+    materials = _materials(model, len(r.weights), memory)
     mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
-    chosen = materials.stretch_cells
+    chosen = materials.gradient_cells
     F = kernels.deformation_gradients(element.shape, mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
     density = materials.energy(I1, I2, F) + 0.5 * mean**2 * materials.compliance[:, None]
     held = np.zeros((len(mesh.points), 3), dtype=bool)

@@ -41,9 +41,9 @@ def cap_volume(points: Array, edges: Ints) -> float:
     """Compute what the caps on all loops of a rim add to ⅓ ∮ x·n da.
 
     A cap is the fan of straight lines from an apex, the mean of the loop's nodes, to every point of the loop; around
-    a plane opening it is the plane itself. Where a loop runs partly in a coordinate plane through the origin (a
-    mirror plane that cuts the opening), the apex is the mean of the rest, moved into that plane: the part of the fan
-    in the plane then adds nothing, and the other part is half of the whole opening's cap.
+    a plane opening it is the plane itself. Edges in a coordinate plane through the origin, where a mirror plane cuts
+    the body, need no cap; of a loop that ends in such planes the apex is moved into them: the part of the fan in the
+    planes then adds nothing, and the rest is the cap of the modeled part of the opening.
 
     Parameters
     ----------
@@ -57,30 +57,76 @@ def cap_volume(points: Array, edges: Ints) -> float:
 
     Examples
     --------
-    >>> corners = np.array([[0, 0, 1.0], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+    >>> corners = np.array([[0, 0, 1.0], [1, 0, 1], [1, 1, 1], [0, 1, 1]]) + [2, 3, 4]
     >>> points = np.vstack([corners, (corners + np.roll(corners, -1, axis=0)) / 2])
     >>> rim = np.array([[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]])
-    >>> round(cap_volume(points, rim[:, [1, 0, 2]]), 12)  # the open top of a unit cube: a third of it
-    0.333333333333
+    >>> round(cap_volume(points, rim[:, [1, 0, 2]]), 12)  # a third of the area times its height, 5
+    1.666666666667
     """
-    if not len(edges):
-        return 0.0
-    tolerance = IN_PLANE * float(np.ptp(points, axis=0).max())
     total = 0.0
-    for loop in rim_loops(edges):
-        a, b, m = (points[loop[:, i]] for i in range(3))
+    for loop in open_loops(points, edges):
+        apex, _ = _apex(points, loop)
         turning = np.zeros(3)
-        for t, weight in _GAUSS:
-            position = (1 - t) * (1 - 2 * t) * a + t * (2 * t - 1) * b + 4 * t * (1 - t) * m
-            tangent = (4 * t - 3) * a + (4 * t - 1) * b + (4 - 8 * t) * m
+        for position, tangent, weight, _ in _along(points, loop):
             turning += weight * np.cross(position, tangent).sum(axis=0)
-        total -= float(_apex(points, loop, tolerance) @ turning) / 6  # the cap's rim runs the other way around
+        total -= float(apex @ turning) / 6  # the cap's rim runs the other way around
     return total
 
 
-def _apex(points: Array, loop: Ints, tolerance: float) -> Array:
-    flat = np.abs(points[loop]).max(axis=1) <= tolerance  # (k, 3): the edge lies in this coordinate plane
-    cutting = flat.any(axis=0) & ~flat.all(axis=0)
-    free = loop[~flat[:, cutting].any(axis=1)]
-    apex = points[np.unique(free if len(free) else loop)].mean(axis=0)
-    return np.asarray(np.where(cutting, 0.0, apex))
+def cap_gradient(points: Array, edges: Ints) -> Array:
+    """Derivative of `cap_volume` by the nodal positions, as long as what lies in a coordinate plane stays there.
+
+    Parameters
+    ----------
+    points : (n, 3) array [m]
+    edges : (e, 3) int array
+
+    Returns
+    -------
+    (n, 3) array [m²]
+    """
+    out = np.zeros_like(points)
+    for loop in open_loops(points, edges):
+        apex, weights = _apex(points, loop)
+        turning = np.zeros(3)
+        for position, tangent, weight, (along, across) in _along(points, loop):
+            turning += weight * np.cross(position, tangent).sum(axis=0)
+            by_position, by_tangent = np.cross(tangent, apex), np.cross(apex, position)
+            for k in range(3):
+                np.add.at(out, loop[:, k], -weight / 6 * (along[k] * by_position + across[k] * by_tangent))
+        out[np.unique(loop)] -= weights * turning / 6
+    return out
+
+
+def open_loops(points: Array, edges: Ints) -> list[Ints]:
+    """Sort the edges of a rim that lie in no coordinate plane through the origin into loops."""
+    if not len(edges):
+        return []
+    in_plane = np.abs(points[edges]).max(axis=1) <= _tolerance(points)  # (e, 3)
+    return rim_loops(edges[~in_plane.any(axis=1)])
+
+
+def _along(points: Array, loop: Ints) -> list[tuple[Array, Array, float, tuple[Array, Array]]]:
+    """Positions and tangents of all edges at the points of Gauss, weights, and the shape functions of both."""
+    a, b, m = (points[loop[:, i]] for i in range(3))
+    found = []
+    for t, weight in _GAUSS:
+        along = np.array([(1 - t) * (1 - 2 * t), t * (2 * t - 1), 4 * t * (1 - t)])
+        across = np.array([4 * t - 3, 4 * t - 1, 4 - 8 * t])
+        position = along[0] * a + along[1] * b + along[2] * m
+        found.append((position, across[0] * a + across[1] * b + across[2] * m, weight, (along, across)))
+    return found
+
+
+def _apex(points: Array, loop: Ints) -> tuple[Array, Array]:
+    """The apex, and what each component of it takes of every node of the loop."""
+    nodes, count = np.unique(loop[:, :2], return_counts=True)
+    ends = points[nodes[count == 1]]  # those of a loop that runs from mirror plane to mirror plane
+    cutting = (np.abs(ends) <= _tolerance(points)).any(axis=0) if len(ends) else np.zeros(3, dtype=bool)
+    every = points[np.unique(loop)]
+    weights = np.where(cutting, 0.0, 1 / len(every))
+    return weights * every.sum(axis=0), weights
+
+
+def _tolerance(points: Array) -> float:
+    return IN_PLANE * float(np.ptp(points, axis=0).max())

@@ -12,7 +12,11 @@ from threadpoolctl import threadpool_limits
 
 from turgor.engine.contact.warmup import touch_contact_kernels
 from turgor.engine.kernels_warmup import touch_kernels
-from turgor.errors import TurgorError
+from turgor.errors import TurgorError, unknown
+
+#: Ways of Newton's method, for measurements: all that is done; without mixed integration points; and without
+#: extrapolation and kept factors too, which is the textbook.
+MIXED, NEWTON, PLAIN = "mixed", "newton", "plain"
 
 #: Compilation that lasts longer than this [s] is announced.
 QUIET_SECONDS = 1.5
@@ -34,13 +38,20 @@ class EngineOptions:
         Threads of the kernels and the linear solver; all processors by default.
     notify : callable or None
         ``notify(text)``, called when something takes long, such as the first compilation on a machine.
+    iteration : str
+        How Newton's method iterates, to measure what its refinements save: ``"mixed"`` does all that it can,
+        ``"newton"`` leaves out mixed integration points, ``"plain"`` also starts each step at the last state instead
+        of extrapolating to it, and factors every tangent.
     """
 
     linear_solver: str = "auto"
     threads: int = field(default_factory=_processors)
     notify: Callable[[str], None] | None = None
+    iteration: str = MIXED
 
     def __post_init__(self) -> None:
+        if self.iteration not in (MIXED, NEWTON, PLAIN):
+            raise unknown("iteration", self.iteration, (MIXED, NEWTON, PLAIN))
         if self.threads < 1:
             raise TurgorError(f"threads is {self.threads}; allowed is 1 or more.")
 

@@ -12,6 +12,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.engine import kernels
+from turgor.engine.additions import Addition
 from turgor.engine.boundary import held_components
 from turgor.engine.cell_materials import CellMaterials, Isochoric
 from turgor.engine.contact.couplings import Layout
@@ -21,9 +22,10 @@ from turgor.engine.contact.terms import Contacts, ContactTerms
 from turgor.engine.dead_loads import dead_forces
 from turgor.engine.element import element_of
 from turgor.engine.faces import FaceStresses, FaceTerms
+from turgor.engine.memory import Memory
 from turgor.engine.pattern import Pattern, build_pattern, locate, scatter_add
 from turgor.errors import TurgorError
-from turgor.model.drive import kinks
+from turgor.model.drive import extremes
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -75,6 +77,8 @@ class Evaluation:
         What touches.
     contact_force : float
         Size of the contact forces on the free nodes.
+    sought : (k,) array or None
+        Scaled pressures of the controlled faces.
     """
 
     unknowns: Array
@@ -84,6 +88,7 @@ class Evaluation:
     isochoric: Isochoric
     contacts: Contacts
     contact_force: float
+    sought: Array | None = None
 
 
 class System:
@@ -93,6 +98,8 @@ class System:
     ----------
     model : Model
         The question.
+    controlled : tuple of str
+        Faces whose pressure is sought: `evaluate` is told it.
 
     Attributes
     ----------
@@ -108,11 +115,16 @@ class System:
         What may touch what.
     full_force : float
         Scaled size of the loads' forces on the free nodes at their largest, at rest: a measure of what is small.
+    addition : Addition or None
+        Forces besides those of the model, such as inertia; a procedure puts them here.
     """
 
-    def __init__(self, model: Model) -> None:
+    addition: Addition | None = None
+
+    def __init__(self, model: Model, controlled: tuple[str, ...] = ()) -> None:
         mesh = model.mesh
         self.model = model
+        self.controlled = controlled
         self.node_count = len(mesh.points)
         self.length = _mean_edge(mesh.points, mesh.cells)
         self.stress = max(m.law.shear_modulus for m in model.region_materials.values())
@@ -128,9 +140,9 @@ class System:
         self.mean_stress_volumes = np.bincount(
             self.element.mean.ravel(), (self.dV @ r.M[:, :modes]).ravel(), minlength=self.element.mean_count
         )
-        self.materials = CellMaterials(model, self.stress)
-        stretch_cells = self.materials.stretch_cells
-        self._stretch_Jinv = self.Jinv if len(stretch_cells) == len(self.cells) else self.Jinv[stretch_cells]
+        self.materials = CellMaterials(model, self.stress, len(r.weights))
+        chosen = self.materials.gradient_cells
+        self._gradient_Jinv = self.Jinv if len(chosen) == len(self.cells) else self.Jinv[chosen]
         supports = held_components(model)
         self._supports = supports
         self._frames = supports.frames
@@ -138,9 +150,9 @@ class System:
         bodies = self.contact.bodies.held
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
         self.size = len(self.held)
-        self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress)
+        self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress, controlled)
         self._dead = dead_forces(model, self.points, self.dV, r.N, (self.length, self.stress))
-        self.full_force = max(self._applied(factor) for factor in (*kinks(model), 1.0))
+        self.full_force = max(self._applied(factor) for factor in extremes(model))
         self._cell_unknowns = _cell_unknowns(self.cells, self.element.mean, self.node_count)
         self._build_pattern()
 
@@ -151,9 +163,9 @@ class System:
         return ContactTerms(self.model, surface, self.points, scales, first)
 
     def _applied(self, load_factor: float) -> float:
-        """Size of the loads' forces on the free nodes at rest."""
-        _, external = self.faces.forces(self.points, load_factor)
-        forces = self._frames.to_local(external + load_factor * self._dead)
+        """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
+        _, external = self.faces.forces(self.points, load_factor, np.ones(len(self.controlled)))
+        forces = self._frames.to_local(external + self._dead.at(load_factor))
         return float(np.linalg.norm(forces.ravel()[~self.held[: 3 * self.node_count]]))
 
     def _build_pattern(self) -> None:
@@ -190,10 +202,47 @@ class System:
         """Scaled displacements (b, 3) of sprung obstacles from their places."""
         return unknowns[3 * self.node_count + self.element.mean_count :].reshape(-1, 3)
 
+    def joined(self, by_node: Array) -> Array:
+        """Forces (n, 3) or their like as a vector (size,) along the directions of each node; none on mean stresses."""
+        out = np.zeros(self.size)
+        out[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
+        return out
+
+    def external(self, unknowns: Array, load_factor: float, sought: Array | None = None) -> Array:
+        """Scaled external forces (size,) on a body that is held still, whatever is inside out."""
+        _, forces = self.faces.forces(self.points + self.split(unknowns)[0], load_factor, sought)
+        return self.joined(forces + self._dead.at(load_factor))
+
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
         """Displacement (n, 3) [m] and mean stress (m,) [Pa]."""
         u, p = self.split(unknowns)
         return u * self.length, p * self.stress
+
+    def unknowns(self, displacement: Array, mean_stress: Array) -> Array:
+        """Scaled unknowns (size,) of a displacement (n, 3) [m] and mean stress (m,) [Pa]; inverse of `physical`."""
+        components = self._frames.to_local(displacement / self.length)
+        return np.concatenate([components.ravel(), mean_stress / self.stress])
+
+    @property
+    def cell_size(self) -> int:
+        """Unknowns of a cell, displacements node by node first."""
+        return self._cell_unknowns.shape[1]
+
+    def scattered(self, entries: NDArray[np.int64], values: Array) -> Array:
+        """Sum chosen entries (k,) of the lower triangles of cell matrices, values (c, k), into that of the tangent."""
+        data = np.zeros(len(self.layout.base.indices))
+        for chunk in self._chunks():
+            scatter_add(data, self._positions[chunk][:, entries].ravel(), values[chunk].ravel())
+        self._frames.turn_tangent(self.layout.base, data, self.node_count)
+        return data
+
+    def gathered(self, by_cell: Array) -> Array:
+        """Sum nodal forces of the cells (c, 3 nodes) into forces along the directions of the nodes (size,)."""
+        places = self._cell_unknowns[:, : by_cell.shape[1]]
+        out: Array = np.bincount(places.ravel(), by_cell.ravel(), minlength=self.size).astype(np.float64)
+        components = out[: 3 * self.node_count].reshape(-1, 3)
+        out[: 3 * self.node_count] = self._frames.to_local(components).ravel()
+        return out
 
     def prescribed(self, load_factor: float) -> Array:
         """Scaled values of the held unknowns at a load factor."""
@@ -203,16 +252,24 @@ class System:
         return values[self.held]
 
     def evaluate(
-        self, unknowns: Array, load_factor: float, known: Contacts | None = None, how: Look = Look.FOLLOW
+        self,
+        unknowns: Array,
+        load_factor: float,
+        sought: Array | None = None,
+        known: Contacts | None = None,
+        how: Look = Look.FOLLOW,
     ) -> Evaluation | None:
-        """Residual at a point; None where a cell is turned inside out. `ContactTerms.look` explains ``known``."""
+        """Residual at a point; None where a cell is turned inside out.
+
+        ``sought`` are scaled pressures of the controlled faces; `ContactTerms.look` explains ``known`` and ``how``.
+        """
         u, p = self.split(unknowns)
         e, r = self.element, self.element.tables
         I1, I2, _ = kernels.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
         if not np.isfinite(I1).all():
             return None
         rubber = self.materials
-        F = kernels.deformation_gradients(e.shape, self.cells[rubber.stretch_cells], u, r.dN, self._stretch_Jinv)
+        F = kernels.deformation_gradients(e.shape, self.cells[rubber.gradient_cells], u, r.dN, self._gradient_Jinv)
         laws = rubber.isochoric(I1, I2, F)
         by_cell = kernels.residual(
             e.shape,
@@ -233,7 +290,7 @@ class System:
         )
         internal: Array = np.bincount(self._cell_unknowns.ravel(), by_cell.ravel(), minlength=self.size).astype(float)
         position = self.points + u
-        forces, external = self.faces.forces(position, load_factor)
+        forces, external = self.faces.forces(position, load_factor, sought)
         springs = self.springs(unknowns)
         contacts = self.contact.look(position, springs, load_factor, known, how)
         pressing, bodies = self.contact.forces(contacts, springs)
@@ -241,13 +298,26 @@ class System:
         internal[self.size - bodies.size :] = bodies.ravel()
         internal[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         outer = np.zeros(self.size)
-        outer[: 3 * self.node_count] = self._frames.to_local(external + load_factor * self._dead).ravel()
+        outer[: 3 * self.node_count] = self._frames.to_local(external + self._dead.at(load_factor)).ravel()
+        if self.addition is not None:
+            internal += self.addition.forces(unknowns)
         total = internal - outer
         if not np.isfinite(total).all():
             return None
         free = ~self.held[: 3 * self.node_count]
         pressed = float(np.linalg.norm(self._frames.to_local(pressing).ravel()[free]))
-        return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed)
+        return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought)
+
+    def remembered(self, at: Evaluation) -> Memory | None:
+        """What the rubber remembers at the end of the step that has begun, None where nothing relaxes or softens.
+
+        Put it into ``materials.memory`` to accept the step; `CellMaterials.begin_step` begins one.
+        """
+        if not self.materials.remembers:
+            return None
+        e = self.element
+        u = self.split(at.unknowns)[0]
+        return self.materials.remembered(kernels.deformation_gradients(e.shape, self.cells, u, e.tables.dN, self.Jinv))
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
@@ -278,17 +348,19 @@ class System:
             )
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
         given = None if geometric is None else geometric.faces
-        self.faces.add_tangents(data, self.points + u, at.load_factor, given)
+        self.faces.add_tangents(data, self.points + u, at.load_factor, given, at.sought)
         self.contact.prepare(self.layout, at.contacts)
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
         self._frames.turn_tangent(self.pattern, data, self.node_count)
+        if self.addition is not None:
+            data += self.layout.spread(self.addition.data(at.unknowns))
         return data
 
     def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
         """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""
         u, _ = self.split(at.unknowns)
-        matrix = self.faces.skew_matrix(self.points + u, at.load_factor, self.size)
+        matrix = self.faces.skew_matrix(self.points + u, at.load_factor, self.size, at.sought)
         return None if matrix is None else self._frames.turn_matrix(matrix)
 
     def apply_supports(self, data: Array) -> None:

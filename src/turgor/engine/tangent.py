@@ -8,6 +8,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.engine.linear import LinearSolver, UnsymmetricSolver, linear_solver
+from turgor.engine.runtime import MIXED, PLAIN
 from turgor.engine.system import Evaluation, Stresses, System
 
 Array = NDArray[np.float64]
@@ -45,11 +46,14 @@ class Tangent:
     solver : str
         ``"auto"``, ``"rslab"`` or ``"mkl-pardiso"``.
     threads : int
+    iteration : str
+        Which tangents Newton's method asks for, and how often; see `EngineOptions`.
     """
 
-    def __init__(self, system: System, solver: str, threads: int) -> None:
+    def __init__(self, system: System, solver: str, threads: int, iteration: str = MIXED) -> None:
         self._system = system
         self._solver, self._threads = solver, threads
+        self.mixed_points, self.plain = iteration == MIXED, iteration == PLAIN
         self.clock = Clock()
         self._symmetric: LinearSolver | None = None
         self._general: UnsymmetricSolver | None = None

@@ -15,6 +15,7 @@ from turgor.meshing.exchange.write_stl import write_stl
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.model.write_inp import PROGRAMS, compressible, write_inp
+from turgor.solvers.procedures import question_of
 
 #: What can be exported.
 KINDS = ("inp", "step", "stl", "mold")
@@ -118,7 +119,7 @@ def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
         reinforcements=tuple(job.fibers.values()),
         contact=job.contact,
     )
-    model = job.procedure.amended(model)  # what stops the tip is part of the question
+    model = question_of(model, job.procedure)  # what stops the tip is part of the question
     if options.poisson is not None:
         model = compressible(model, options.poisson)
     write_inp(model, file, program=options.program, at=sorted({*job.procedure.at, 1.0}))

@@ -4,19 +4,25 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from turgor.errors import near_match
+from turgor.errors import TurgorError, near_match
 from turgor.geometry import Geometry
 from turgor.geometry.names import cavity_names
 from turgor.job.problems import Problems
-from turgor.job.tables import DIRECTIONS, CavityTable, LoadsTable, read_table
+from turgor.job.tables import DIRECTIONS, CavityTable, GravityTable, LoadsTable, read_table
 from turgor.materials.material import Material
-from turgor.model.loads import RAMP, Gravity, Load, Pressure
+from turgor.model.history import RAMP, History, over_time
+from turgor.model.loads import Gravity, Load, Pressure
 from turgor.model.model import Membrane
 from turgor.units import format_quantity
 
 
 def read_loads(
-    values: Any, geometry: Geometry | None, materials: Mapping[str, Material | Membrane], problems: Problems
+    values: Any,
+    geometry: Geometry | None,
+    materials: Mapping[str, Material | Membrane],
+    problems: Problems,
+    needed: bool = True,
+    duration: float | None = None,
 ) -> tuple[Pressure | Gravity, ...]:
     """Read ``[loads]``: a gauge pressure in all cavities, ``[loads.cavity_1]`` and the like for one, gravity."""
     key = ("loads",)
@@ -28,14 +34,20 @@ def read_loads(
         plain = _without_history(plain, cavities, problems)
     table = read_table(LoadsTable, plain, key, problems)
     pressures = {} if table is None or table.pressure is None else _in_all(table.pressure, cavities, own, problems)
-    pressures |= _in_each(own, None if geometry is None else cavities, problems)
+    pressures |= _in_each(own, None if geometry is None else cavities, duration, problems)
     if table is None:
         return ()
     loads: list[Pressure | Gravity] = [pressures[name] for name in (*cavities, *pressures) if name in pressures]
     loads = list(dict.fromkeys(loads))
-    if table.gravity is not None and _gravity_allowed(table.gravity, geometry, materials, problems):
-        loads.append(Gravity(DIRECTIONS[table.gravity]))
-    if table.pressure is None and table.gravity is None and not own:
+    if table.gravity is not None and _gravity_allowed(table.gravity.direction, geometry, materials, problems):
+        fallen, direction = table.gravity, DIRECTIONS[table.gravity.direction]
+        made = problems.attempt(
+            ("loads", "gravity"),
+            lambda: Gravity(direction, history=_history(fallen, "gravity", duration)),
+            fields=("history", "history_over_time"),
+        )
+        loads += [] if made is None else [made]
+    if needed and table.pressure is None and table.gravity is None and not own:
         problems.add(key, "nothing drives the actuator; give pressure, gravity or both.")
     return tuple(loads)
 
@@ -64,7 +76,9 @@ def _in_all(
     return {name: Pressure(name, pressure) for name in rest}
 
 
-def _in_each(own: Mapping[str, Any], cavities: tuple[str, ...] | None, problems: Problems) -> dict[str, Pressure]:
+def _in_each(
+    own: Mapping[str, Any], cavities: tuple[str, ...] | None, duration: float | None, problems: Problems
+) -> dict[str, Pressure]:
     """The pressures of tables such as ``[loads.cavity_1]``; ``cavities`` is None where the shape is not known."""
     found = {}
     for name, values in own.items():
@@ -77,15 +91,25 @@ def _in_each(own: Mapping[str, Any], cavities: tuple[str, ...] | None, problems:
         table = read_table(CavityTable, values, key, problems)
         if table is None:
             continue
-        made = problems.attempt(key, partial(_pressure, name, table), fields=("pressure", "history"))
+        made = problems.attempt(key, partial(_pressure, name, table, duration), fields=("pressure", "history"))
         if made is not None:
             found[name] = made
     return found
 
 
-def _pressure(face: str, table: CavityTable) -> Pressure:
-    history: Any = RAMP if table.history is None else table.history
-    return Pressure(face, table.pressure, history)
+def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure:
+    return Pressure(face, table.pressure, _history(table, f"pressure on '{face}'", duration))
+
+
+def _history(table: CavityTable | GravityTable, what: str, duration: float | None) -> Any:
+    """The history that a table states over the load factor or, with a duration, over the time in seconds."""
+    if table.history_over_time is None:
+        return RAMP if table.history is None else table.history
+    if table.history is not None:
+        raise TurgorError(f"{what}: history and history_over_time are both given; one says it.")
+    if duration is None:
+        raise TurgorError(f"{what}: history_over_time needs a procedure with a duration; give history instead.")
+    return over_time(table.history_over_time, duration)
 
 
 def _gravity_allowed(
@@ -156,9 +180,16 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
         values["pressure"] = format_quantity(pressures.pop().pressure, "kPa")
     for load in loads:
         if isinstance(load, Gravity):
-            values["gravity"] = next(text for text, vector in DIRECTIONS.items() if vector == load.direction)
+            direction = next(text for text, vector in DIRECTIONS.items() if vector == load.direction)
+            turned = {"direction": direction, "history": _listed(load.history)}
+            values["gravity"] = direction if load.history == RAMP else turned
     for load in pressures:
         values[load.face] = {"pressure": format_quantity(load.pressure, "kPa")}
         if load.history != RAMP:
-            values[load.face]["history"] = [list(point) for point in load.history]
+            values[load.face]["history"] = _listed(load.history)
     return values
+
+
+def _listed(history: History) -> Any:
+    """A history as a job file states it."""
+    return history if isinstance(history, str) else [list(point) for point in history]

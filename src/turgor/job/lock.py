@@ -1,7 +1,7 @@
 """Lock file: every value that a run used, defaults included, as a job file from which it can be repeated."""
 
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import Field, fields
 from math import inf
 from typing import Any
 
@@ -17,7 +17,9 @@ from turgor.job.mesh_files import mesh_file_table
 from turgor.job.obstacles import obstacles_tables
 from turgor.job.sections import PROCEDURES
 from turgor.job.supports import held_text
+from turgor.job.tables import procedure_fields
 from turgor.materials.material import Material
+from turgor.materials.record_history import history_tables
 from turgor.materials.records import DIMENSIONLESS, LAWS
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.model import Membrane
@@ -101,6 +103,7 @@ def _material(entry: Material | Membrane) -> dict[str, Any]:
     if law != "hooke":
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
+    values |= history_tables(material.viscoelasticity, material.stress_softening)
     if material.density is not None:
         values["density"] = format_quantity(material.density, "kg/m³")
     if material.stretch_range is not None:
@@ -123,10 +126,10 @@ def _constants(value: Any, unit: str | None) -> Any:
 
 def _procedure(job: Job) -> dict[str, Any]:
     name = next(name for name, kind in PROCEDURES.items() if type(job.procedure) is kind)
-    values = {item.name: _plain(getattr(job.procedure, item.name)) for item in fields(job.procedure)}
-    for item in fields(job.procedure):
-        if "dimension" in item.metadata:
-            values[item.name] = format_quantity(getattr(job.procedure, item.name), _UNIT[item.metadata["dimension"]])
+    values = {
+        item.name: _stated(item, getattr(job.procedure, item.name)) for item in procedure_fields(type(job.procedure))
+    }
+    values = {name: value for name, value in values.items() if value is not None}
     top = None if isinstance(job.procedure, Grasp) else only_pressure(job.loads)
     return {"type": name} | values | {"at": [_requested(factor, top) for factor in job.procedure.at]}
 
@@ -140,6 +143,16 @@ def _requested(factor: float, top: float | None) -> str | float:
         if pressure / top == factor:
             return format_quantity(pressure, "kPa")
     return factor
+
+
+def _stated(item: Field[Any], value: Any) -> Any:
+    """A field of a procedure as a job file states it: with its unit, for each cavity where there are several."""
+    if isinstance(value, Mapping):
+        return {name: _stated(item, each) for name, each in value.items()}
+    unit = {"volume": "mL", "pressure": "kPa", "length": "mm", "time": "s", "rate": "1/s"}.get(
+        item.metadata.get("dimension", "")
+    )
+    return _plain(value) if unit is None or value is None else format_quantity(value, unit)
 
 
 def _plain(value: Any) -> Any:

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable
 
+import numpy as np
+
 from turgor.engine.fields import cell_fields
 from turgor.finding import Finding, Severity
 from turgor.materials.doubts import doubts_of
@@ -21,10 +23,15 @@ def constants_in_doubt(model: Model) -> tuple[Finding, ...]:
 
 
 def laws_beyond_their_tests(solution: Solution) -> tuple[Finding, ...]:
-    """M01 for every region that is stretched beyond the tests of its law, at the end or where a pressure turns."""
+    """M01 for every region that is stretched beyond the tests of its law.
+
+    Looked at are the end, where a pressure turns, and where the actuator moved farthest.
+    """
     model, turns = solution.model, kinks(solution.model)
     largest = dict.fromkeys(model.region_materials, 1.0)
-    for state in (*(s for s in solution.states[:-1] if s.load_factor in turns), solution.states[-1]):
+    farthest = max(solution.states, key=lambda state: float(np.abs(state.displacement).max()))
+    looked_at = (*(s for s in solution.states if s.load_factor in turns), farthest, solution.states[-1])
+    for state in {id(state): state for state in looked_at}.values():
         stretch = cell_fields(model, state.displacement, state.mean_stress).stretch
         for name in largest:
             largest[name] = max(largest[name], float(stretch[model.mesh.regions[name]].max()))

@@ -21,6 +21,9 @@ from turgor.source import Source
 #: the constants of the whole region below it.
 MEMBRANE, SHELL, SOLID, COMBINED = FORMS = ("membrane", "shell", "solid", "combined")
 
+#: What a rubber can do in time, besides its law.
+HISTORY = ("viscoelasticity", "stress_softening")
+
 #: The region that combined constants stand for.
 BASE = "base"
 
@@ -134,7 +137,11 @@ def _form_fits(
 
 
 def _from_library(table: LibraryTable, key: Key, problems: Problems) -> Material | None:
-    return read_library(table.library, table.record, table.density, key, problems)
+    material = read_library(table.library, table.record, table.density, key, problems)
+    stated = {name: getattr(table, name) for name in HISTORY if getattr(table, name) is not None}
+    if material is None or not stated:
+        return material
+    return problems.attempt(key, lambda: replace(material, **stated), fields=HISTORY)
 
 
 def read_library(name: str, record: str | None, density: float | None, key: Key, problems: Problems) -> Material | None:
@@ -166,6 +173,7 @@ def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
             density=table.density,
             stretch_range=(stretch_range[0], stretch_range[1]) if stretch_range else None,
             source=source,
+            **{name: getattr(table, name, None) for name in HISTORY},
         )
 
     return problems.attempt(key, make, fields=(*(item.name for item in fields(kind)), "bulk_modulus", "density"))

@@ -17,6 +17,8 @@ from turgor.job.materials import read_materials, refuse_shells
 from turgor.job.mesh_files import MESH_FILE
 from turgor.job.problems import JobError, Problems
 from turgor.job.sections import (
+    drives,
+    duration_of,
     read_actuator,
     read_engine,
     read_mesh,
@@ -25,6 +27,7 @@ from turgor.job.sections import (
 )
 from turgor.job.supports import read_supports
 from turgor.job.tables import shown
+from turgor.model.loads import Gravity, Pressure
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
 SECTIONS = (
@@ -98,6 +101,9 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     given = {key: content.get(key, DEFAULTS.get(key)) for key in SECTIONS}
     if given["actuator"] is None and isinstance(given["mesh"], Mapping) and "file" in given["mesh"]:
         given["actuator"], given["mesh"] = {"type": MESH_FILE, **given["mesh"]}, {}  # a mesh stands for both
+    alone = drives(given["procedure"])
+    if alone and given["loads"] is None:
+        given["loads"] = {}
     for key in ("actuator", "materials", "loads"):
         if given[key] is None and not (key == "loads" and _moves(given["obstacles"])):
             problems.add((key,), f"the table [{key}] is missing.")
@@ -107,7 +113,9 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
     fibers = read_fibers(given["fibers"], geometry, problems)
-    loads = read_loads(given["loads"], geometry, materials, problems) if given["loads"] is not None else ()
+    loads: tuple[Pressure | Gravity, ...] = ()
+    if given["loads"] is not None:
+        loads = read_loads(given["loads"], geometry, materials, problems, not alone, duration_of(given["procedure"]))
     supports = read_supports(given["supports"], geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
     procedure = read_procedure(given["procedure"], loads, problems)

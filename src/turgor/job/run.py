@@ -19,8 +19,11 @@ from turgor.results.measures import check_measures, find_measure, measure
 from turgor.solvers.checks import check_supports, unloaded_cavities
 from turgor.solvers.contact_checks import check_contact
 from turgor.solvers.driver import Progress, solve
+from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.fiber_checks import check_fibers
 from turgor.solvers.obstacle_checks import overlapping_obstacles
+from turgor.solvers.paths import controlled_faces
+from turgor.solvers.procedures import question_of
 
 Notify = Callable[[str], None]
 
@@ -62,8 +65,9 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
         reinforcements=wound,
         contact=job.contact,
     )
-    check_supports(model)
-    check_measures(job.procedure.amended(model), [find_measure(name) for name in job.output.measures])
+    check_supports(model, inertia=isinstance(job.procedure, Dynamic))
+    controlled_faces(model, job.procedure)
+    check_measures(question_of(model, job.procedure), [find_measure(name) for name in job.output.measures])
     return model, (
         *geometry.findings,
         *constants_in_doubt(model),

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
-from turgor.errors import unknown
+from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
 from turgor.job.cad import CAD_FILE, read_cad_file
 from turgor.job.job import ACTUATORS, Actuator, Output, standard_measures
@@ -26,11 +26,29 @@ from turgor.meshing.sizes import check_face_sizes, check_settings, default_size
 from turgor.meshing.swept import check_cells
 from turgor.model.loads import Gravity, Pressure
 from turgor.solvers.blocked_force import BlockedForce
+from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.grasp import Grasp
+from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
 from turgor.solvers.procedures import Static
+from turgor.solvers.stabilized import Stabilized
+from turgor.solvers.stages import OneProcedure
+from turgor.units import parse_quantity
 
 #: Procedures by the name that job files use. A new one is one line here; its keys are its fields.
-PROCEDURES: Mapping[str, type[Static]] = {"static": Static, "blocked_force": BlockedForce, "grasp": Grasp}
+PROCEDURES: Mapping[str, type[Any]] = {
+    "static": Static,
+    "blocked_force": BlockedForce,
+    "grasp": Grasp,
+    "volume_control": VolumeControl,
+    "gas_mass": GasMass,
+    "arc_length": ArcLength,
+    "auto": Auto,
+    "stabilized": Stabilized,
+    "dynamic": Dynamic,
+}
+
+#: Procedures that drive the actuator without any load.
+DRIVING = ("volume_control", "gas_mass")
 
 
 def _chosen(kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems) -> Any | None:
@@ -88,7 +106,7 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     return table.model_copy(update={"size": size})
 
 
-def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems: Problems) -> Static | None:
+def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems: Problems) -> OneProcedure | None:
     """Read ``[procedure]``; requested pressures become load factors."""
     key = ("procedure",)
     kind = _chosen(PROCEDURES, "procedure", values, key, problems)
@@ -101,8 +119,21 @@ def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems:
         problems.add((*key, "at"), f"a pressure does not say which state is meant: {why}; request load factors.")
         return None
     given["at"] = tuple(requested_factors(given["at"], loads, problems))
-    made: Static | None = problems.attempt(key, lambda: kind(**given), fields=given)
+    made: OneProcedure | None = problems.attempt(key, lambda: kind(**given), fields=given)
     return made
+
+
+def drives(values: Any) -> bool:
+    """Whether ``[procedure]`` drives the actuator by itself, so that there need not be any load."""
+    return isinstance(values, Mapping) and values.get("type") in DRIVING
+
+
+def duration_of(values: Any) -> float | None:
+    """Duration of ``[procedure]`` [s], None where it has none or a wrong one, which `read_procedure` will say."""
+    try:
+        return parse_quantity(values["duration"], "time")
+    except (TurgorError, TypeError, KeyError):
+        return None
 
 
 def read_engine(values: Any, problems: Problems) -> int | None:

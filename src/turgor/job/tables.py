@@ -15,6 +15,7 @@ from turgor.errors import TurgorError, near_match, unknown
 from turgor.job.lines import Key
 from turgor.job.problems import Problems
 from turgor.materials.laws import Hooke
+from turgor.materials.record_history import read_stress_softening, read_viscoelasticity
 from turgor.materials.records import DIMENSIONLESS
 from turgor.units import parse_quantity
 
@@ -35,6 +36,8 @@ Length = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="len
 Angle = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="angle"))]
 Pressure = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="pressure"))]
 Density = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="density"))]
+Viscoelasticity = Annotated[Any, BeforeValidator(read_viscoelasticity)]
+Softening = Annotated[Any, BeforeValidator(read_stress_softening)]
 
 #: Type of a float field by the dimension that its dataclass states.
 QUANTITIES: Mapping[str, Any] = {
@@ -101,6 +104,8 @@ class LibraryTable(Table):
     thickness: Length | None = None
     form: str | None = None
     density: Density | None = None
+    viscoelasticity: Viscoelasticity | None = None
+    stress_softening: Softening | None = None
 
 
 class SourceTable(Table):
@@ -123,18 +128,43 @@ class StatedTable(Table):
     source: SourceTable | None = None
 
 
+def _history(value: object) -> object:
+    """Points or an expression; what they must be is checked where the load is made."""
+    if not isinstance(value, str | list):
+        raise TurgorError(f"{shown(value)} is not a list in square brackets, nor an expression in quotes.")
+    return value
+
+
+class GravityTable(Table):
+    """``[loads.gravity]``: where things fall, and when they begin to."""
+
+    direction: Annotated[str, AfterValidator(_direction)]
+    history: Annotated[Any, BeforeValidator(_history)] = None
+    history_over_time: Annotated[Any, BeforeValidator(_history)] = None
+
+
+def _gravity(value: object) -> object:
+    """A direction, or a table with one."""
+    if isinstance(value, str):
+        return GravityTable(direction=_direction(value))
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise TurgorError(f"{shown(value)} is neither a direction such as '-z' nor a table with one.")
+
+
 class LoadsTable(Table):
     """``[loads]``."""
 
     pressure: Pressure | None = None
-    gravity: Annotated[str, AfterValidator(_direction)] | None = None
+    gravity: Annotated[GravityTable, BeforeValidator(_gravity)] | None = None
 
 
 class CavityTable(Table):
     """``[loads.cavity_1]``: the pressure in one cavity and how it gets there."""
 
     pressure: Pressure
-    history: list[list[float]] | None = None
+    history: Annotated[Any, BeforeValidator(_history)] = None
+    history_over_time: Annotated[Any, BeforeValidator(_history)] = None
 
 
 class EngineTable(Table):
@@ -166,18 +196,39 @@ def dataclass_table(value: type) -> type[Table]:
 
 @cache
 def procedure_table(value: type) -> type[Table]:
-    """Make the table of a procedure: one key per field, numbers unless its dimension is stated, and ``at``.
+    """Make the table of a procedure: one key per field, and ``at`` as pressures or load factors.
 
-    ``at`` holds pressures or load factors.
+    Fields are plain numbers unless they state a dimension: ``field(metadata={"dimension": "volume"})``; such a field
+    may be a table with one value for each cavity.
     """
     keys: dict[str, Any] = {"type": (str, ...)}
-    keys |= {
-        item.name: (QUANTITIES.get(item.metadata.get("dimension", ""), item.type), _default_of(item))
-        for item in fields(value)
-    }
+    keys |= {item.name: (_step_type(item), _default_of(item)) for item in procedure_fields(value)}
     if "at" in keys:
         keys["at"] = (list[Annotated[Any, BeforeValidator(_load_factor_or_pressure)]], [])
     return create_model(f"{value.__name__}Table", __base__=Table, **keys)
+
+
+def procedure_fields(value: type) -> list[Field[Any]]:
+    """Return the fields of a procedure that job files state: all but functions, ``field(metadata={"job": False})``."""
+    return [item for item in fields(value) if item.metadata.get("job", True)]
+
+
+def _step_type(item: Field[Any]) -> Any:
+    """Type of a field of a procedure."""
+    if "dimension" not in item.metadata:
+        return item.type
+    return Annotated[Any, BeforeValidator(partial(_quantities, dimension=item.metadata["dimension"]))]
+
+
+def _quantities(value: object, dimension: str) -> object:
+    """Read a quantity, or one for each cavity."""
+    if isinstance(value, Mapping):
+        return {name: _quantities(each, dimension) for name, each in value.items()}
+    if dimension != "number":
+        return parse_quantity(value, dimension)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise TurgorError(f"{shown(value)} is not a number without a unit.")
+    return float(value)
 
 
 @cache
@@ -186,6 +237,7 @@ def law_table(law: type) -> type[Table]:
     keys: dict[str, Any] = {item.name: (_constant_type(item), _default_of(item)) for item in fields(law)}
     if law is not Hooke:
         keys["bulk_modulus"] = (Annotated[float, AllowInfNan(True), BeforeValidator(_bulk_modulus)], inf)
+        keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
     return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
 
 

@@ -21,11 +21,13 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
         "kgf/cm²": 98066.5,
         "kgf/cm2": 98066.5,
     },
+    "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
     "ratio": {"-": 1.0, "": 1.0, "1": 1.0, "%": 0.01, "mm/mm": 1.0, "m/m": 1.0},
 }
 
 #: What a role is measured in.
 DIMENSIONS: Mapping[str, str] = {
+    "time": "time",
     "stretch": "ratio",
     "stretch_2": "ratio",
     "nominal_strain": "ratio",
@@ -43,6 +45,7 @@ DIMENSIONS: Mapping[str, str] = {
 
 #: The first pattern that a name matches, in lower case and without its unit, tells its role.
 _PATTERNS: tuple[tuple[str, str], ...] = (
+    (r"^(test |elapsed |total )?time$|^t$", "time"),
     (r"time|cycle|resistance|temperature|width|thickness|area|speed|load factor", ""),
     (r"specimen|sample|replicate|^id$|probe", "specimen"),
     (r"cauchy.*difference|difference.*cauchy|stress difference", "cauchy_difference"),
@@ -98,7 +101,7 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
     Examples
     --------
     >>> [(c.role, c.factor) for c in find_columns(["Time (s)", "True Strain", "grip_length_mm"], {}, "a.csv")]
-    [('true_strain', 1.0), ('length', 0.001)]
+    [('time', 1.0), ('true_strain', 1.0), ('length', 0.001)]
     """
     stated = {}
     for role, name in roles.items():
@@ -113,6 +116,8 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
         role = stated.get(index, _role(text))
         if role == "specimen":
             found.append(Column(index=index, name=name, role=role, factor=1.0))
+        elif role == "time" and unit not in FACTORS["time"] and index not in stated:
+            continue  # a clock or a counter; only relaxation and cycles need a time, and say so
         elif role:
             found.append(Column(index=index, name=name, role=role, factor=_factor(name, unit, DIMENSIONS[role], file)))
     return tuple(found)

@@ -1,7 +1,7 @@
 """What printed constants mean: conventions of the literature, turned into laws in canonical coefficients."""
 
 from collections.abc import Mapping
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, fields, replace
 from typing import Any
 
 from turgor.errors import TurgorError, unknown
@@ -144,6 +144,34 @@ def describe(law: Law | Hooke) -> str:
         for key, value in _coefficients(law).items()
         if value != 0
     )
+
+
+def scaled_law(law: Law, factor: float) -> Law:
+    """Return a law whose energy is multiplied by a factor, its exponents and limits as they are.
+
+    Parameters
+    ----------
+    law : Law
+        Any law of a rubber.
+    factor : float [-]
+        What its moduli are multiplied by.
+
+    Examples
+    --------
+    >>> from turgor.materials.laws import Ogden
+    >>> scaled_law(Ogden(mu=(2e4,), alpha=(1.5,)), 1.5)
+    Ogden(mu=(30000.0,), alpha=(1.5,))
+    """
+
+    def times(value: Any) -> Any:
+        if not isinstance(value, tuple):
+            return factor * value
+        if isinstance(value[0], tuple):
+            return tuple((*exponents, factor * number) for *exponents, number in value)
+        return tuple(factor * number for number in value)
+
+    moduli = [item.name for item in fields(law) if item.name not in DIMENSIONLESS]  # type: ignore[arg-type]
+    return replace(law, **{name: times(getattr(law, name)) for name in moduli})  # type: ignore[type-var]
 
 
 def _coefficients(law: Any) -> dict[str, float]:

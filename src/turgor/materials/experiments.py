@@ -63,6 +63,8 @@ class MaterialTest:
         Nominal stress along the second axis, in ``biaxial`` tests only.
     spread : (n,) array [Pa], optional
         Standard deviation of the replicates that were averaged.
+    time : (n,) array [s], optional
+        Time of every point, none before the one ahead of it; needed for relaxation, hysteresis and softening.
     raw : MaterialTest, optional
         The test as it was read, before anything was done to it.
     steps : tuple of Step
@@ -83,13 +85,14 @@ class MaterialTest:
     stretch_2: Array | None = None
     nominal_stress_2: Array | None = None
     spread: Array | None = None
+    time: Array | None = None
     raw: "MaterialTest | None" = None
     steps: tuple[Step, ...] = ()
 
     def __post_init__(self) -> None:
         if self.mode not in MODES:
             raise unknown("mode", self.mode, MODES)
-        for key in ("stretch", "nominal_stress", "stretch_2", "nominal_stress_2", "spread"):
+        for key in ("stretch", "nominal_stress", "stretch_2", "nominal_stress_2", "spread", "time"):
             if getattr(self, key) is not None:
                 object.__setattr__(self, key, self._checked(key, getattr(self, key)))
         if len(self.stretch) < 2:
@@ -189,7 +192,7 @@ class MaterialTest:
             stretch=self.stretch[gone],
             nominal_stress=self.nominal_stress[gone],
         )
-        optional = ("stretch_2", "nominal_stress_2", "spread")
+        optional = ("stretch_2", "nominal_stress_2", "spread", "time")
         kept = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in optional}
         kept |= {"stretch": self.stretch[keep], "nominal_stress": self.nominal_stress[keep]}
         return self.changed(step, kept)
@@ -220,6 +223,11 @@ class MaterialTest:
             raise TurgorError(
                 f"test '{self.name}': {key} of point {where} is {array[where - 1]:g}; a stretch is length over initial "
                 "length, more than 0. If the column holds strain, say so in its header."
+            )
+        if key == "time" and (np.diff(array) < 0).any():
+            where = int(np.argmax(np.diff(array) < 0)) + 1
+            raise TurgorError(
+                f"test '{self.name}': time runs backwards after point {where}, at {array[where - 1]:g} s."
             )
         array.flags.writeable = False
         return array

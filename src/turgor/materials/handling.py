@@ -105,6 +105,48 @@ def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> M
     return taut.changed(Step(text=f"Stretch counted from the length at {zero:.5g}{rest}."), values)
 
 
+def rest_below(test: MaterialTest, stress: float) -> MaterialTest:
+    """Count the stretch of a cyclic test from where it is taut, and let it rest, free of stress, below that length.
+
+    Cycles between grips may go back behind the length at which the specimen carries a load. It is taken from the last
+    loading curve, where the stress first stays above a threshold. Shorter ones become stretch 1 without stress; these
+    points stay, because time goes on in them, and no fit is held against them. A rubber that relaxes by much more than
+    silicone is slack before it is back at its length, which is then found too large.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        Points in the order of time.
+    stress : float [Pa]
+        Nominal stress at which the specimen counts as taut: the preload.
+
+    Examples
+    --------
+    >>> stretch, pull = [1.0, 1.1, 1.5, 2.2, 1.5, 1.0], [-8e3, 1e3, 5e4, 1e5, 5e4, -8e3]
+    >>> sheet = MaterialTest(mode="planar", stretch=stretch, nominal_stress=pull, name="a sheet")
+    >>> rest_below(sheet, 500.0).stretch.round(3)
+    array([1.   , 1.   , 1.364, 2.   , 1.364, 1.   ])
+    """
+    last = [half for half in half_cycles(test) if test.stretch[half][-1] >= test.stretch[half][0]][-1]
+    taut = np.flatnonzero(test.nominal_stress[last] > stress)
+    start = next((i for i in taut if (test.nominal_stress[last][i : i + 5] > stress).all()), None)
+    if start is None:
+        raise TurgorError(f"test '{test.name}' does not stay above {stress:g} Pa; choose a smaller preload.")
+    zero = float(test.stretch[last][start])
+    slack = test.stretch <= zero
+    step = Step(
+        text=f"Stretch counted from the length at {zero:.5g}, where the last cycle exceeds {stress:g} Pa; at rest "
+        f"below it, {int(slack.sum())} of {len(slack)} points.",
+        stretch=test.stretch[slack],
+        nominal_stress=test.nominal_stress[slack],
+    )
+    values = {
+        "stretch": np.where(slack, 1.0, test.stretch / zero),
+        "nominal_stress": np.where(slack, 0.0, test.nominal_stress),
+    }
+    return test.changed(step, values)
+
+
 def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
     """Count the stretch from another length: all stretches are divided by a number.
 
@@ -194,7 +236,12 @@ def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
 
     step = Step(text=f"{len(test.stretch)} points averaged over {int(filled.sum())} equal intervals of stretch.")
     spread = None if test.spread is None else mean(test.spread)
-    values = {"stretch": mean(test.stretch), "nominal_stress": mean(test.nominal_stress), "spread": spread}
+    values = {
+        "stretch": mean(test.stretch),
+        "nominal_stress": mean(test.nominal_stress),
+        "spread": spread,
+        "time": None,
+    }
     return test.changed(step, values)
 
 

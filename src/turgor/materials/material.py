@@ -5,6 +5,8 @@ from math import inf
 
 from turgor.errors import TurgorError
 from turgor.materials.laws import Hooke, Law
+from turgor.materials.softening import Mullins
+from turgor.materials.viscoelastic import Prony
 from turgor.source import Source
 
 UNSTATED = Source(text="stated in the script")
@@ -28,6 +30,10 @@ class Material:
         Smallest and largest stretch of the tests that the law was fitted to, when known.
     source : Source
         Where the coefficients came from.
+    viscoelasticity : Prony or None
+        How the isochoric stress relaxes; by default not at all.
+    stress_softening : Mullins or None
+        How the rubber softens below its largest stretch so far; by default not at all.
 
     Examples
     --------
@@ -42,12 +48,18 @@ class Material:
     density: float | None = None
     stretch_range: tuple[float, float] | None = None
     source: Source = field(default=UNSTATED)
+    viscoelasticity: Prony | None = None
+    stress_softening: Mullins | None = None
 
     def __post_init__(self) -> None:
         if not self.bulk_modulus > 0:
             raise TurgorError(f"material '{self.name}': bulk_modulus is {self.bulk_modulus:g} Pa; it must be positive.")
         if self.density is not None and not self.density > 0:
             raise TurgorError(f"material '{self.name}': density is {self.density:g} kg/m³; it must be positive.")
+        if isinstance(self.law, Hooke) and (self.viscoelasticity or self.stress_softening):
+            raise TurgorError(
+                f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
+            )
 
     @property
     def incompressible(self) -> bool:

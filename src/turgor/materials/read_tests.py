@@ -184,13 +184,15 @@ def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table
     """Split a table into its specimens."""
     stem = Path(table.file).stem
     label = next((column for column in columns if column.role == "specimen"), None)
-    measured = [column for column in columns if column.role != "specimen"]
+    measured = [column for column in columns if column.role not in ("specimen", "time")]
+    times = [column for column in columns if column.role == "time"]
+    clock = {"time": times[0]} if times else {}
     if label is not None:
         names = [row[label.index] for row in table.rows]
         parts = []
         for name in dict.fromkeys(names):
             rows = tuple(row for row, each in zip(table.rows, names, strict=True) if each == name)
-            parts.append((f"{stem} {name}", replace(table, rows=rows), {c.role: c for c in measured}))
+            parts.append((f"{stem} {name}", replace(table, rows=rows), {c.role: c for c in measured} | clock))
         return parts
     roles = [column.role for column in measured]
     copies = max((roles.count(role) for role in roles), default=1)
@@ -203,10 +205,11 @@ def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table
                     f"{column.role.replace('_', ' ')}; say which with columns={{'{column.role}': ...}}."
                 )
             first[column.role] = column
-        return [(stem, table, first)]
+        return [(stem, table, first | clock)]
     names = list(dict.fromkeys(roles))
     groups = [{role: [c for c in measured if c.role == role][i] for role in names} for i in range(copies)]
-    return [(f"{stem} {i + 1}", _filled(table, group), group) for i, group in enumerate(groups)]
+    clocks = [{"time": column} for column in times] if len(times) == copies else [clock] * copies
+    return [(f"{stem} {i + 1}", _filled(table, group), group | clocks[i]) for i, group in enumerate(groups)]
 
 
 def _filled(table: Table, group: Mapping[str, Column]) -> Table:
@@ -227,6 +230,7 @@ def _test(
     stretch, how = _stretch(table.file, values, columns, mode, specimen)
     stress, also = _stress(table.file, values, columns, stretch, measure, specimen, mode)
     detail = f"{table.file}: {how}; {also}"
+    time, clock = _time(table, columns.get("time"))
     source = Source(text=f"test {name}", detail=detail)
     return MaterialTest(
         mode=mode,
@@ -236,12 +240,29 @@ def _test(
         source=source,
         stretch_2=values.get("stretch_2") if mode == "biaxial" else None,
         nominal_stress_2=values.get("nominal_stress_2") if mode == "biaxial" else None,
-        steps=(Step(text=f"Read {len(stretch)} rows; {how}; {also}."),),
+        time=time,
+        steps=(Step(text=f"Read {len(stretch)} rows; {how}; {also}{clock}."),),
     )
+
+
+def _time(table: Table, column: Column | None) -> tuple[Array | None, str]:
+    """Time since the first row, and what is to be said about it; None where there is none that can be used."""
+    if column is None:
+        return None, ""
+    time = table.seconds(column.index)
+    if time is None:
+        return None, f"; '{column.name}' left out, not all of it are times"
+    time = time * column.factor
+    back = np.flatnonzero(np.diff(time) < 0)
+    if len(back):
+        return None, f"; '{column.name}' left out, it runs backwards at line {table.first_line + int(back[0]) + 1}"
+    return time - time[0], f"; time from '{column.name}'"
 
 
 def _used(role: str, columns: Mapping[str, Column]) -> bool:
     """Whether a column is needed: where a file states a quantity twice, the nominal one is read."""
+    if role == "time":
+        return False  # read apart: a test can do without it
     shadows = {"true_strain": {"nominal_strain", "stretch"}, "nominal_strain": {"stretch"}, "force": {"nominal_stress"}}
     return not shadows.get(role, set()) & set(columns)
 

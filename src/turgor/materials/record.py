@@ -1,13 +1,17 @@
 """Record: one published set of constants as printed, and how it is read from the table of a file."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import inf, isfinite
 from typing import Any
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError
 from turgor.materials.conventions import DIMENSIONLESS, describe, law_from_printed
 from turgor.materials.laws import Hooke, Law
+from turgor.materials.record_history import read_stress_softening, read_viscoelasticity
+from turgor.materials.softening import Mullins
+from turgor.materials.table_keys import table
+from turgor.materials.viscoelastic import Prony
 from turgor.units import parse_quantity
 
 REVIEW = (
@@ -21,6 +25,7 @@ KINDS = ("rubber", "fiber", "sheet", "composite")
 FILE_KEYS = ("name", "kind", "shore_hardness", "density", "supplier", "records")
 RECORD_KEYS = (
     *("law", "parameters", "convention", "convention_reason", "assumed", "compressibility", "stretch_range"),
+    *("viscoelasticity", "stress_softening"),
     *("density", "diameter", "software", "source", "cited_by", "references", "quoted_in", "printed_name", "doubts"),
 )
 
@@ -97,6 +102,10 @@ class Record:
         Doubts about the constants written in the file, besides those that `turgor.materials.doubts` computes.
     density_doubts : tuple of str
         Doubts about the density written in the file.
+    viscoelasticity : Prony or None
+        How the rubber relaxes, when known.
+    stress_softening : Mullins or None
+        How it softens, when known.
     """
 
     library: str
@@ -122,6 +131,8 @@ class Record:
     supplier: Supplier | None = None
     stated_doubts: tuple[str, ...] = ()
     density_doubts: tuple[str, ...] = ()
+    viscoelasticity: Prony | None = None
+    stress_softening: Mullins | None = None
 
     def build_law(self) -> Law | Hooke:
         """Return the law in canonical coefficients; raises TurgorError where none can exist."""
@@ -190,21 +201,13 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         supplier=_supplier(content.get("supplier"), f"{library}: supplier", references),
         stated_doubts=_texts(entry, "doubts", where),
         density_doubts=density[1],
+        viscoelasticity=_part(entry, "viscoelasticity", where, read_viscoelasticity),
+        stress_softening=_part(entry, "stress_softening", where, read_stress_softening),
     )
 
 
-def table(values: Any, where: str, known: Iterable[str] = (), needed: Iterable[str] = ()) -> Mapping[str, Any]:
-    """Return a table whose keys are all known and none of whose needed keys is missing."""
-    if not isinstance(values, Mapping) or not values:
-        raise TurgorError(f"{where}: a table with at least one key is needed.")
-    known = tuple(known)
-    for key in values:
-        if known and key not in known:
-            raise TurgorError(f"{where}: unknown key '{key}'{near_match(key, known) or '.'} Known: {', '.join(known)}.")
-    for key in needed:
-        if key not in values:
-            raise TurgorError(f"{where}: '{key}' is missing, and it has no default.")
-    return values
+def _part(entry: Mapping[str, Any], key: str, where: str, read: Any) -> Any:
+    return read(entry[key], f"{where}.{key}") if key in entry else None
 
 
 def _text(entry: Mapping[str, Any], key: str, where: str) -> str:

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from turgor.errors import TurgorError, near_match
-from turgor.materials.record import FILE_KEYS, Record, read_record, table
+from turgor.materials.record import FILE_KEYS, Record, read_record
+from turgor.materials.table_keys import table
 
 _NO_SEPARATORS = str.maketrans("", "", "-_ ")
 

@@ -7,6 +7,7 @@ from turgor.errors import TurgorError
 from turgor.materials.doubts import find_doubts
 from turgor.materials.record import Record
 from turgor.materials.record_files import all_records, library, records
+from turgor.materials.record_history import describe_history
 from turgor.materials.records import find_record
 
 
@@ -110,6 +111,8 @@ def _lines(record: Record) -> Iterator[str]:
         yield f"bulk modulus: {record.bulk_modulus / 1e6:.4g} MPa"
     if record.stretch_range is not None:
         yield f"fitted from stretch {record.stretch_range[0]:g} to {record.stretch_range[1]:g}"
+    for what, text in describe_history(record.viscoelasticity, record.stress_softening):
+        yield f"{what}: {text}"
     if record.density is not None:
         yield f"density: {record.density:g} kg/m³"
     if record.diameter is not None:

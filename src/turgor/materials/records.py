@@ -114,5 +114,7 @@ def material_of(record: Record) -> Material:
         bulk_modulus=record.bulk_modulus,
         density=record.density,
         stretch_range=record.stretch_range,
+        viscoelasticity=record.viscoelasticity,
+        stress_softening=record.stress_softening,
         source=Source(text=record.source, detail=f"{stated}{quoted}", doubts=tuple(str(doubt) for doubt in doubts)),
     )

@@ -66,6 +66,26 @@ class Table:
             values.append(value)
         return np.array(values)
 
+    def seconds(self, index: int) -> NDArray[np.float64] | None:
+        """Return a column of times, as numbers or as a clock such as ``00:06:57.69``; None where one is neither.
+
+        Parameters
+        ----------
+        index : int
+            Place of the column, from 0.
+        """
+        values = []
+        for row in self.rows:
+            parts = row[index].replace(",", ".").split(":") if index < len(row) else [""]
+            try:
+                values.append(sum(float(part) * 60.0**power for power, part in enumerate(reversed(parts))))
+            except ValueError:
+                return None
+            if len(parts) == 2:
+                return None  # hours and minutes, or minutes and seconds
+        times = np.array(values)
+        return times if np.isfinite(times).all() else None
+
 
 def read_table(path: str | Path) -> Table:
     """Read a table of numbers: semicolons, tabs, commas or spaces, header lines, decimal points or commas.

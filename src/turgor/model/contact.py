@@ -63,6 +63,11 @@ class Contact:
         if not 1e-4 <= tolerance <= 0.1:
             raise TurgorError(f"contact: tolerance is {tolerance:g}; allowed is 0.0001 to 0.1 of the wall.")
 
+    def with_obstacles(self, obstacles: Sequence[Obstacle]) -> "Contact":
+        """Return a contact with other obstacles and the rest as it was."""
+        with_itself = None if self.automatic else self.self_contact or False
+        return Contact(with_itself, obstacles, self.tolerance)
+
     def for_mesh(self, mesh: Mesh) -> SelfContact | None:
         """Return the contact of a mesh with itself, None where there is none to be looked for."""
         if not self.automatic or self.self_contact is None:

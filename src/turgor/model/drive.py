@@ -1,5 +1,6 @@
 """Drive: which pressures act at a load factor, as numbers and in words."""
 
+from turgor.model.history import peak_of, share_at, turns_of
 from turgor.model.loads import RAMP, Pressure
 from turgor.model.model import Model
 from turgor.units import kPa
@@ -50,7 +51,27 @@ def kinks(model: Model) -> tuple[float, ...]:
     -------
     tuple of float
     """
-    return tuple(sorted({factor for load in model.pressures for factor, _ in load.history if 0 < factor < 1}))
+    histories = [load.history for load in model.loads]
+    return tuple(sorted({factor for history in histories for factor in turns_of(history)}))
+
+
+def extremes(model: Model) -> tuple[float, ...]:
+    """Return load factors among which every load is largest in size: the kinks, the peaks of expressions, and 1.
+
+    And 0, where a load acts there already.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    tuple of float
+    """
+    histories = [load.history for load in model.loads]
+    peaks = {peak_of(history) for history in histories if isinstance(history, str)}
+    first = {0.0} if any(share_at(history, 0.0) for history in histories) else set()
+    return tuple(sorted({*first, *kinks(model), *peaks, 1.0}))
 
 
 def pressed_together(model: Model) -> tuple[str, ...]:
@@ -66,7 +87,7 @@ def pressed_together(model: Model) -> tuple[str, ...]:
         In the order of the mesh; their walls may be pressed together.
     """
     found = set()
-    for factor in (*kinks(model), 1.0):
+    for factor in extremes(model):
         pressures = {name: p for name, p in pressures_at(model, factor).items() if name in model.mesh.cavities}
         found |= {name for name, pressure in pressures.items() if pressure < max(0.0, *pressures.values())}
     return tuple(name for name in model.mesh.cavities if name in found)

@@ -1,21 +1,16 @@
-"""Loads: what drives the actuator. All grow in proportion to the load factor, unless a pressure has its own history."""
+"""Loads: what drives the actuator. All grow in proportion to the load factor, unless one has its own history."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.errors import TurgorError
+from turgor.model.history import RAMP as RAMP
+from turgor.model.history import History as History
+from turgor.model.history import checked, share_at
 
 STANDARD_GRAVITY = 9.80665
-
-History = tuple[tuple[float, float], ...]
-
-#: The history of a load that grows in proportion to the load factor.
-RAMP: History = ((0.0, 0.0), (1.0, 1.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,10 +23,11 @@ class Pressure:
         Name of the face, usually ``"cavity"``, or ``"cavity_1"`` where there are several.
     pressure : float [Pa], gauge
         The whole pressure; positive pushes against the solid.
-    history : sequence of (float, float), optional
+    history : sequence of (float, float), or str, optional
         Points (load factor, share of the pressure that acts then), straight lines between them. The load factor
         rises from 0 to 1; the share is 0 at first, within -1 to 1, and may fall again. By default the pressure grows
-        in proportion to the load factor. `solve` makes a state at every point.
+        in proportion to the load factor. `solve` makes a state at every point. An expression of the load factor ``s``
+        such as ``"sin(pi * s)"`` says the same without points; `over_time` turns times into load factors.
 
     Raises
     ------
@@ -50,12 +46,11 @@ class Pressure:
     history: History = RAMP
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "history", _points(self.face, self.history))
+        object.__setattr__(self, "history", checked(self.history, f"pressure on '{self.face}'"))
 
     def share(self, load_factor: float) -> float:
         """Return the share of the pressure that acts at a load factor."""
-        factors, shares = zip(*self.history, strict=True)
-        return float(np.interp(load_factor, factors, shares))
+        return share_at(self.history, load_factor)
 
     def at(self, load_factor: float) -> float:
         """Return the pressure at a load factor [Pa]."""
@@ -71,11 +66,17 @@ class Traction:
     face : str
         Name of the face.
     vector : (3,) floats [Pa]
-        Force per reference area at load factor 1.
+        Force per reference area, all of it.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
     """
 
     face: str
     vector: tuple[float, float, float]
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "history", checked(self.history, f"traction on '{self.face}'"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,10 +89,30 @@ class Gravity:
         Direction of the fall; normalized.
     acceleration : float [m/s²]
         Its magnitude.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`: ``[(0, 0), (0.2, 1), (1, 1)]`` lets the weight act first, and then stay.
+
+    Raises
+    ------
+    TurgorError
+        If the history is none.
+
+    Examples
+    --------
+    >>> Gravity((0, 0, -1), history=[(0, 0), (0.2, 1), (1, 1)]).share(0.5)
+    1.0
     """
 
     direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
     acceleration: float = STANDARD_GRAVITY
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "history", checked(self.history, "gravity"))
+
+    def share(self, load_factor: float) -> float:
+        """Return the share of the weight that acts at a load factor."""
+        return share_at(self.history, load_factor)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,27 +123,15 @@ class BodyForce:
     ----------
     value : callable
         ``value(points) -> (n, 3) force per volume [N/m³]`` at the (n, 3) reference points [m].
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
     """
 
     value: Callable[[NDArray[np.float64]], NDArray[np.float64]]
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "history", checked(self.history, "body force"))
 
 
 Load = Pressure | Traction | Gravity | BodyForce
-
-
-def _points(face: str, history: Iterable[Any]) -> History:
-    """Check a history and return it as floats."""
-    said = f"pressure on '{face}': history is {history!r}"
-    try:
-        points = tuple((float(factor), float(share)) for factor, share in history)
-    except (TypeError, ValueError):
-        raise TurgorError(
-            f"{said}; points (load factor, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]]."
-        ) from None
-    if not points or points[0] != (0.0, 0.0):
-        raise TurgorError(f"{said}; it must begin with (0, 0), because the actuator starts without load.")
-    if points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points)):
-        raise TurgorError(f"{said}; the load factors must rise from 0 to 1.")
-    if not all(-1 <= share <= 1 for _, share in points):
-        raise TurgorError(f"{said}; shares of the pressure lie between -1 and 1.")
-    return points

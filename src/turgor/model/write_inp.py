@@ -13,6 +13,7 @@ from turgor.materials.material import Material
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.exchange.abaqus import SIDES
 from turgor.meshing.mesh import Mesh
+from turgor.model.history import RAMP, points_of
 from turgor.model.inp_materials import material_lines
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane, Model
@@ -261,7 +262,11 @@ def _amplitude_lines(model: Model) -> list[str]:
     lines = ["*AMPLITUDE, NAME=ramp, TIME=TOTAL TIME", "0., 0., 1., 1."]
     for i, load in enumerate(model.pressures):
         lines.append(f"*AMPLITUDE, NAME=history_{i + 1}, TIME=TOTAL TIME")
-        lines += [f"{factor:.12g}, {share:.12g}" for factor, share in load.history]
+        lines += [f"{factor:.12g}, {share:.12g}" for factor, share in points_of(load.history)]
+    weights = [load for load in model.loads if isinstance(load, Gravity) and load.history != RAMP]
+    for i, weight in enumerate(weights):
+        lines.append(f"*AMPLITUDE, NAME=weight_{i + 1}, TIME=TOTAL TIME")
+        lines += [f"{factor:.12g}, {share:.12g}" for factor, share in points_of(weight.history)]
     return lines
 
 
@@ -272,7 +277,8 @@ def _step_lines(model: Model, at: Sequence[float], program: str) -> list[str]:
         lines += ["*STEP, NLGEOM, INC=1000" if program == "calculix" else "*STEP, NLGEOM=YES, INC=1000"]
         if program == "calculix":
             lines += ["*CONTROLS, PARAMETERS=FIELD", f"{CALCULIX_TOLERANCE:g}, {CALCULIX_TOLERANCE:g}"]
-        lines += ["*STATIC", f"{length / 20:.12g}, {length:.12g}, {length * 1e-5:.3g}, {length / 10:.12g}"]
+        lines.append(_static(model, program))
+        lines.append(f"{length / 20:.12g}, {length:.12g}, {length * 1e-5:.3g}, {length / 10:.12g}")
         if number == 0:
             lines += _load_lines(model)
         lines += ["*NODE FILE, FREQUENCY=1000", "U", "*EL FILE, FREQUENCY=1000", "S"]
@@ -280,8 +286,14 @@ def _step_lines(model: Model, at: Sequence[float], program: str) -> list[str]:
     return lines
 
 
+def _static(model: Model, program: str) -> str:
+    """The kind of step: one so slow that everything has relaxed, as that of a path without time."""
+    relaxes = any(material.viscoelasticity is not None for material in model.region_materials.values())
+    return "*STATIC, LONG TERM" if relaxes and program == "abaqus" else "*STATIC"
+
+
 def _load_lines(model: Model) -> list[str]:
-    lines, pressures = [], 0
+    lines, pressures, weights = [], 0, 0
     for load in model.loads:
         if isinstance(load, Pressure):
             pressures += 1
@@ -289,7 +301,9 @@ def _load_lines(model: Model) -> list[str]:
         elif isinstance(load, Gravity):
             direction = np.array(load.direction) / np.linalg.norm(load.direction)
             values = ", ".join(f"{value:.12g}" for value in (load.acceleration / mm, *direction))
-            lines += ["*DLOAD, AMPLITUDE=ramp", f"Eall, GRAV, {values}"]
+            weights += load.history != RAMP
+            amplitude = "ramp" if load.history == RAMP else f"weight_{weights}"
+            lines += [f"*DLOAD, AMPLITUDE={amplitude}", f"Eall, GRAV, {values}"]
         else:
             raise TurgorError(f"a load of kind {type(load).__name__} has no form in .inp files; leave it out.")
     return lines

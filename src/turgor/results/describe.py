@@ -2,20 +2,24 @@
 
 import inspect
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from math import isinf
 from typing import Any
 
 from turgor.materials.material import Material
+from turgor.materials.record_history import describe_history
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality import MeshQuality
 from turgor.model.drive import rises
 from turgor.model.fibers import Fibers
-from turgor.model.loads import BodyForce, Gravity, Pressure, Traction
+from turgor.model.loads import RAMP, BodyForce, Gravity, History, Load, Pressure, Traction
 from turgor.model.model import Membrane, Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
 from turgor.model.supports import Displacement, Fixed, Radial
-from turgor.units import GPa, MPa, deg, kPa, mm
+from turgor.solvers.solution import Procedure
+from turgor.solvers.stages import Stages
+from turgor.units import GPa, MPa, deg, kPa, mL, mm
 
 Rows = list[tuple[str, str]]
 
@@ -34,28 +38,56 @@ class MaterialText:
 
 def loads(model: Model) -> list[str]:
     """Say what drives a model at load factor 1, a sentence for each load."""
-    said = []
-    for load in model.loads:
-        match load:
-            case Pressure(face):
-                said.append(f"Gauge pressure {load.at(1.0) / kPa:g} kPa on {face}, following the surface{_way(load)}.")
-            case Traction(face, vector):
-                shown = ", ".join(f"{component / kPa:g}" for component in vector)
-                said.append(f"Traction ({shown}) kPa on {face}, fixed in direction.")
-            case Gravity(direction, acceleration):
-                said.append(f"Gravity {acceleration:g} m/s² along {direction}.")
-            case BodyForce():
-                said.append("Force per volume, given as a function of position.")
-    return said or ["None."]
+    return [_load(load) for load in model.loads] or ["None."]
+
+
+def _load(load: Load) -> str:
+    match load:
+        case Pressure(face):
+            return f"Gauge pressure {load.at(1.0) / kPa:g} kPa on {face}, following the surface{_way(load)}."
+        case Traction(face, vector):
+            shown = ", ".join(f"{component / kPa:g}" for component in vector)
+            return f"Traction ({shown}) kPa on {face}, fixed in direction{_shares(load.history)}."
+        case Gravity(direction, acceleration, history):
+            return f"Gravity {acceleration:g} m/s² along {direction}{_shares(history)}."
+        case BodyForce():
+            return f"Force per volume, given as a function of position{_shares(load.history)}."
+
+
+def procedure(of: Procedure) -> Rows:
+    """Say how the path was followed: the fields of a procedure, or what each stage of a sequence changed."""
+    if not isinstance(of, Stages):
+        return fields_of(of)
+    rows = []
+    for stage in of.stages:
+        said = [type(stage.procedure).__name__, *(_load(load).rstrip(".") for load in stage.loads)]
+        said += [f"{each.face} is moved in {each.directions}" for each in stage.displacements]
+        said += [f"{name} moves to {_in_mm(place)} from where it was at first" for name, place in stage.moves.items()]
+        rows.append((stage.name, "; ".join(said)))
+    return rows
+
+
+def _shares(history: History) -> str:
+    """How a dead load gets to its last value, unless it just grows."""
+    return "" if history == RAMP else f", its share over the load factor: {_history_text(history)}"
 
 
 def _way(load: Pressure) -> str:
     """How a pressure gets to its last value, unless it just grows."""
     if rises(load):
         return ""
+    if isinstance(load.history, str):
+        return f", of {load.pressure / kPa:g} kPa times {load.history}"
     return ", after " + ", ".join(
         f"{load.at(factor) / kPa:g} kPa at load factor {factor:g}" for factor, _ in load.history[:-1]
     )
+
+
+def _history_text(history: History) -> str:
+    """A history in words."""
+    if isinstance(history, str):
+        return history
+    return ", ".join(f"{share:g} at {factor:g}" for factor, share in history)
 
 
 def supports(model: Model) -> list[str]:
@@ -198,6 +230,7 @@ def _material(names: list[str], used: Material | Membrane) -> MaterialText:
         values.append(("density", f"{held.density:g} kg/m³"))
     if held.stretch_range is not None:
         values.append(("fitted to stretches", f"{held.stretch_range[0]:g} to {held.stretch_range[1]:g}"))
+    values += describe_history(held.viscoelasticity, held.stress_softening)
     formula = (inspect.getdoc(type(held.law)) or type(held.law).__name__).splitlines()[0]
     return MaterialText(where, held.name, formula, values, str(held.source), held.source.doubts)
 
@@ -246,8 +279,18 @@ def fields_of(value: Any) -> Rows:
     for each in fields(value):
         content = getattr(value, each.name)
         if content not in ((), None, ""):
-            rows.append((each.name.replace("_", " "), f"{content:g}" if isinstance(content, float) else str(content)))
+            rows.append((each.name.replace("_", " "), _content(content, each.metadata.get("dimension", ""))))
     return rows
+
+
+def _content(value: Any, dimension: str) -> str:
+    """A field in words, in the unit of its dimension where it states one."""
+    if isinstance(value, Mapping):
+        return ", ".join(f"{name} {_content(each, dimension)}" for name, each in value.items())
+    scale, unit = {"volume": (mL, " mL"), "pressure": (kPa, " kPa"), "length": (mm, " mm"), "time": (1.0, " s")}.get(
+        dimension, (1.0, "")
+    )
+    return f"{value / scale:g}{unit}" if isinstance(value, float) else str(value)
 
 
 def _modulus(value: float) -> str:

@@ -1,6 +1,10 @@
 """Drive: which columns of a response say what drove the actuator."""
 
+import numpy as np
+
 from turgor.response import Column, Response
+from turgor.solvers.solution import Solution
+from turgor.solvers.stages import Stages
 
 
 def pressures_in(response: Response) -> tuple[Column, ...]:
@@ -29,7 +33,10 @@ def pressures_in(response: Response) -> tuple[Column, ...]:
 
 
 def drive_of(response: Response) -> str:
-    """Return the name of the column that others are shown against: the pressure if there is one, else the first column.
+    """Return the name of the column that others are shown against.
+
+    The time, if there is one; the stage in a sequence; what was prescribed, if it is a volume or an amount of gas,
+    because the pressure may fall then; the pressure, if there is one; else the first column.
 
     Parameters
     ----------
@@ -39,7 +46,26 @@ def drive_of(response: Response) -> str:
     -------
     str
     """
-    return "pressure" if "pressure" in response.names else response.names[0]
+    known = ("time", "stage", "injected_volume", "gas_mass_ratio", "pressure")
+    return next((name for name in known if name in response.names), response.names[0])
+
+
+def stage_column(solution: Solution) -> tuple[Column, ...]:
+    """Return the column ``stage`` of a sequence: how many stages are finished, and the load factor of the next one.
+
+    Parameters
+    ----------
+    solution : Solution
+
+    Returns
+    -------
+    tuple of Column
+        Empty where there are no stages.
+    """
+    if not isinstance(solution.procedure, Stages):
+        return ()
+    finished = {stage.name: number for number, stage in enumerate(solution.procedure.stages)}
+    return (Column("stage", "", np.array([finished[each.stage] + each.load_factor for each in solution.states])),)
 
 
 def face_of(column: Column) -> str:

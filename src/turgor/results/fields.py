@@ -107,7 +107,7 @@ class StateFields:
     @cached_property
     def cells(self) -> CellFields:
         """Stresses and stretches at the quadrature points of the cells."""
-        return cell_fields(self.model, self.state.displacement, self.state.mean_stress)
+        return cell_fields(self.model, self.state.displacement, self.state.mean_stress, self.state.memory)
 
     @cached_property
     def von_mises(self) -> Array:

@@ -23,10 +23,13 @@ from turgor.results.contact_measures import (
     contact_measures_of,
     force_on,
 )
+from turgor.results.drive import stage_column
+from turgor.results.energies import energy_columns, time_column
 from turgor.results.fibers import maximum_tension
 from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.reading import Measure as Measure
 from turgor.results.rotations import face_rotation, twist
+from turgor.solvers.pressures import pressures_of
 from turgor.solvers.solution import Solution, State
 from turgor.source import Source
 
@@ -47,9 +50,11 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     -------
     Response
         First the drive: ``load_factor`` and, where a pressure acts, ``pressure``, or ``cavity_1_pressure`` and the like
-        where faces have different ones; then the measures. With several cavities, ``cavity_volume`` of all is
+        where faces have different ones, and what the procedure prescribed, ``injected_volume`` or
+        ``gas_mass_ratio``, and in a sequence ``stage``, the number of finished stages and the load factor of this one;
+        then the measures. With several cavities, ``cavity_volume`` of all is
         followed by ``cavity_1_volume`` and so on. The standard measures are followed by those of the procedure
-        and of contact, where there is any.
+        and of contact, where there is any. A moving actuator also has its ``time`` and, last, its energies.
 
     Raises
     ------
@@ -68,6 +73,7 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     columns = list(_drive(solution))
     for each, values in zip(chosen, table.T, strict=True):
         columns.append(Column(each.name, each.unit, np.unwrap(values) if each.unwrap else values))
+    columns += energy_columns(solution)
     return Response(
         columns=tuple(columns), source=_source(solution), status=str(solution.status), message=solution.message
     )
@@ -135,14 +141,24 @@ def _as_column(face: str) -> str:
 
 def _drive(solution: Solution) -> tuple[Column, ...]:
     factors = np.array([state.load_factor for state in solution.states])
-    columns = [Column("load_factor", "", factors)]
+    columns = [Column("load_factor", "", factors), *stage_column(solution), *time_column(solution)]
     common = common_pressure(solution.model)
-    if common is not None:
+    if any(state.pressures for state in solution.states):
+        found = [pressures_of(state) for state in solution.states]
+        for face in found[0]:
+            name = "pressure" if len(found[0]) == 1 else f"{_as_column(face)}_pressure"
+            columns.append(Column(name, "kPa", np.array([at[face] for at in found])))
+    elif common is not None:
         columns.append(Column("pressure", "kPa", np.array([common.at(factor) for factor in factors])))
     elif solution.model.pressures:
         acting = [pressures_at(solution.model, factor) for factor in factors]
         for face in acting[0]:
             columns.append(Column(f"{_as_column(face)}_pressure", "kPa", np.array([at[face] for at in acting])))
+    for name in solution.states[0].driven:
+        if any(name not in state.driven for state in solution.states):
+            continue  # another stage prescribed something else
+        unit = "mL" if name.startswith("injected_volume") else ""
+        columns.append(Column(_as_column(name), unit, np.array([state.driven[name] for state in solution.states])))
     return tuple(columns)
 
 

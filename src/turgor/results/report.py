@@ -108,7 +108,7 @@ def _context(report: Report) -> dict[str, object]:
     return {
         "title": report.title,
         "status": str(solution.status).replace("_", " "),
-        "good": solution.converged and all(finding.severity is not Severity.ERROR for finding in report.findings),
+        "good": solution.complete and all(finding.severity is not Severity.ERROR for finding in report.findings),
         "message": solution.message,
         "advice": solution.advice,
         "findings": list(report.findings),
@@ -130,7 +130,7 @@ def _context(report: Report) -> dict[str, object]:
         "materials": describe.materials(model),
         "steps": list(solution.steps),
         "path_summary": _path_summary(solution),
-        "procedure": describe.fields_of(solution.procedure),
+        "procedure": describe.procedure(solution.procedure),
         "versions": [(name, str(value)) for name, value in report.versions.items()],
         "repeat": report.repeat,
         "files": list(report.files.items()),

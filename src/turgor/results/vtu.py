@@ -5,6 +5,7 @@ carries its unit as VTK's information key ``UNITS_LABEL``.
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
@@ -51,8 +52,12 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
     ]
     if at.state.touches:
         point_data.append(VtuArray("contact_pressure", at.contact_pressure.astype("f4"), "Pa"))
-    load_factor = VtuArray("load_factor", np.array([at.state.load_factor], dtype="f8"))
-    Path(path).write_text(grid_text(mesh, point_data, [], [load_factor]), encoding="utf-8")
+    of_state = [VtuArray("load_factor", np.array([at.state.load_factor], dtype="f8"))]
+    for face, pressure in at.state.pressures.items():
+        of_state.append(VtuArray(f"{face}_pressure", np.array([pressure], dtype="f8"), "Pa"))
+    if at.state.velocity is not None:
+        point_data.append(VtuArray("velocity", at.state.velocity.astype("f4"), "m/s", ("X", "Y", "Z")))
+    Path(path).write_text(grid_text(mesh, point_data, [], of_state), encoding="utf-8")
 
 
 def grid_text(
@@ -102,8 +107,9 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
     Discrete threads go to files of their own, ``state_threads_0000.vtu`` … listed in ``state_threads.pvd``, and so do
     obstacles, ``state_obstacles_0000.vtu`` …, each at its place.
 
-    The time of the PVD is the pressure in kPa where one pressure acts and grows along the path, or else the load
-    factor; a comment in the file says which.
+    The time of the PVD is that of a motion in seconds; else the pressure in kPa where one pressure acts and grows
+    along the path, or else the load factor, or the number of the state where even that falls; a comment in the file
+    says which.
 
     Parameters
     ----------
@@ -123,6 +129,13 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
     common = common_pressure(solution.model)
     grows = common is not None and rises(common)
     scale, meaning = (common.pressure / kPa, "pressure [kPa]") if common and grows else (1.0, "load factor")
+    factors = [state.load_factor for state in solution.states]
+    falls = any(b <= a for a, b in pairwise(factors))
+    times = [float(number) for number in range(len(factors))] if falls else [factor * scale for factor in factors]
+    meaning = "number of the state" if falls else meaning
+    clock = [state.time for state in solution.states if state.time is not None]
+    if len(clock) == len(factors):
+        times, meaning = clock, "time [s]"
     facts = MeshFacts(solution.model.mesh)
     extents = extents_of(StateFields(state, facts) for state in solution.states)
     entries: dict[str, list[str]] = {name: []}
@@ -135,7 +148,7 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
                 write_vtu(folder / file, at)
             else:
                 (folder / file).write_text(texts[kind], encoding="utf-8")
-            time = f"{state.load_factor * scale:.12g}"
+            time = f"{times[number]:.12g}"
             entries.setdefault(kind, []).append(f'<DataSet timestep="{time}" part="0" file={quoteattr(file)}/>')
     for kind, listed in entries.items():
         lines = [*opening("Collection"), f"<!-- timestep is the {meaning} -->", "<Collection>", *listed]

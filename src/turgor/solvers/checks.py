@@ -10,13 +10,16 @@ from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
 
 
-def check_supports(model: Model) -> None:
-    """Refuse a model whose supports leave a rigid motion or the mean stress of one of its bodies free (B01)."""
+def check_supports(model: Model, inertia: bool = False) -> None:
+    """Refuse a model whose supports leave a rigid motion or the mean stress of one of its bodies free (B01).
+
+    With ``inertia`` rigid motions may be free: a body that flies has an acceleration, if no equilibrium.
+    """
     supports = held_components(model)
     surface = np.unique(outer_triangles(model.mesh))
     bodies = find_bodies(model.mesh)
     for body in bodies:
-        free = 6 - _held_motions(model, supports, body)
+        free = 0 if inertia else 6 - _held_motions(model, supports, body)
         if free and len(bodies) == 1:
             raise TurgorError(
                 f"the supports leave {free} of 6 rigid motions free (B01); hold a face, for example Fixed('fixed')."

@@ -129,7 +129,12 @@ def _first_contact(states: Sequence[State], measured: Iterable[float]) -> float 
             return None
         if gaps[-1] <= 0:
             factors = [s.load_factor for s in states[: len(gaps)]]
-            return float(PchipInterpolator(factors, gaps).roots(extrapolate=False).min()) if len(gaps) > 1 else 0.0
+            if len(gaps) == 1:
+                return 0.0
+            if (np.diff(factors) > 0).all():
+                return float(PchipInterpolator(factors, gaps).roots(extrapolate=False).min())
+            places = np.arange(len(gaps))  # the load fell on the way, and does not order the states
+            return float(np.interp(PchipInterpolator(places, gaps).roots(extrapolate=False).min(), places, factors))
     return None
 
 

@@ -60,5 +60,4 @@ def with_obstacles(contact: Contact, what: str, added: tuple[Obstacle, ...]) -> 
 
 def with_contact(contact: Contact, obstacles: tuple[Obstacle, ...]) -> Contact:
     """Return a contact with other obstacles and the rest as it was."""
-    with_itself = None if contact.automatic else contact.self_contact or False
-    return Contact(with_itself, obstacles, contact.tolerance)
+    return contact.with_obstacles(obstacles)

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
+from math import inf
 from time import perf_counter
 
 import numpy as np
@@ -13,14 +15,33 @@ from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.tangent import Tangent
 from turgor.model.drive import kinks
 from turgor.model.model import DISPLACEMENT, Model
+from turgor.solvers.carried import Carried, unknowns_of
 from turgor.solvers.checks import check_supports
 from turgor.solvers.contact_checks import deep_penetrations, meeting_walls
+from turgor.solvers.dynamic import Dynamic
+from turgor.solvers.dynamic_run import Listeners
+from turgor.solvers.in_turn import in_turn
+from turgor.solvers.moving import energy_findings, follow_moving
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Start, evaluate, relative_residual
 from turgor.solvers.outcome import Outcome, converged, interrupted, stopped_by, stuck, too_many_steps
+from turgor.solvers.path_outcomes import limit_point_findings
+from turgor.solvers.paths import Problem, controlled_faces, follow_path
 from turgor.solvers.predictor import HISTORY, lagrange_weights
-from turgor.solvers.procedures import Static
-from turgor.solvers.solution import Iteration, Solution, SolveError, State, Step, Timing
+from turgor.solvers.procedures import Static, question_of
+from turgor.solvers.solution import (
+    Iteration,
+    LimitPoint,
+    Procedure,
+    Solution,
+    SolveError,
+    State,
+    Step,
+    Timing,
+)
+from turgor.solvers.stabilized import Stabilized
+from turgor.solvers.stages import OneProcedure, Stages
 from turgor.solvers.stepping import StepControl
+from turgor.solvers.time_checks import too_long_steps
 from turgor.solvers.touching import newton_with_contact, touches
 
 #: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
@@ -37,28 +58,22 @@ Progress = Callable[[Iteration, State | None], None]
 Stop = Callable[[State], str | None]
 
 
-@dataclass(frozen=True, slots=True)
-class _Hooks:
-    """What the caller listens to and decides."""
-
-    progress: Progress | None
-    stop: Stop | None
-
-
 @dataclass(slots=True)
 class _Path:
     """What the run has found so far."""
 
     kinks: tuple[float, ...]
+    carried: Carried | None = None
     states: list[State] = field(default_factory=list)
     history: list[tuple[float, Array, Stresses]] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
+    limits: list[LimitPoint] = field(default_factory=list)
     lost_stability: bool = False
 
 
 def solve(
     model: Model,
-    procedure: Static | None = None,
+    procedure: Procedure | None = None,
     *,
     progress: Progress | None = None,
     stop: Stop | None = None,
@@ -71,15 +86,15 @@ def solve(
     ----------
     model : Model
         The question.
-    procedure : Static
-        How the path is followed. `BlockedForce` and `Grasp` add to the question what stops the tip or moves the
-        object; ``solution.model`` is the model with it.
+    procedure : Static, BlockedForce, Grasp, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
+        How the path is followed; `Static` if it is not given. `BlockedForce` and `Grasp` add to the question what
+        stops the tip or moves the object; ``solution.model`` is the model with it. `Stages` follows several in turn.
     progress : callable
         ``progress(iteration, state)``, called after every Newton update (state None) and after every accepted step.
     stop : callable
         ``stop(state)`` ends the run early by returning the reason, a few words.
     options : EngineOptions
-        Linear solver, threads, where notices go.
+        Linear solver, threads, where notices go, Newton's method.
     throw : bool
         Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
 
@@ -95,20 +110,36 @@ def solve(
     SolveError
         If the full load was not reached and ``throw`` is set.
     """
-    procedure, options, hooks = procedure or Static(), options or EngineOptions(), _Hooks(progress, stop)
+    procedure, hooks = procedure or Static(), Listeners(progress, stop)
+    one = partial(_solved, options or EngineOptions())
+    if isinstance(procedure, Stages):
+        solution = in_turn(model, procedure, hooks, one)
+    else:
+        solution, _ = one(question_of(model, procedure), procedure, hooks, None)
+    if throw and not solution.complete:
+        raise SolveError(solution)
+    return solution
+
+
+def _solved(
+    options: EngineOptions, model: Model, procedure: OneProcedure, hooks: Listeners, carried: Carried | None
+) -> tuple[Solution, Carried]:
+    """Follow one procedure from rest, or from what a former stage left; and what it leaves itself."""
     start = perf_counter()
-    model = procedure.amended(model)
-    check_supports(model)
+    check_supports(model, inertia=isinstance(procedure, Dynamic))
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
         cell, mixed = model.mesh.cell_type, model.formulation != DISPLACEMENT
         compiling = compile_kernels(options.notify, cell.nodes, mixed, cell.side.nodes if may_touch(model) else 0)
         setup = perf_counter()
-        system = System(model)
-        tangent = Tangent(system, options.linear_solver, threads)
+        system = System(model, controlled_faces(model, procedure))
+        system.materials.begin_step(inf)  # slow enough to relax, unless the procedure knows its time
+        tangent = Tangent(system, options.linear_solver, threads, options.iteration)
         setup = perf_counter() - setup
-        path = _Path(kinks(model))
-        outcome = _follow(system, tangent, procedure, hooks, path)
+        path = _Path(kinks(model), carried)
+        if carried is not None:
+            carried.restore(system)
+        outcome = _outcome(system, tangent, procedure, hooks, path)
     clock = tangent.clock
     timing = Timing(
         compile=compiling,
@@ -129,21 +160,51 @@ def solve(
         message=outcome.message,
         advice=outcome.advice,
         steps=tuple(path.steps),
-        findings=(*meeting_walls(model, path.states), *deep_penetrations(path.states)),
+        findings=(
+            *meeting_walls(model, path.states),
+            *deep_penetrations(path.states),
+            *limit_point_findings(path.limits, procedure),
+            *energy_findings(procedure, path.states),
+            *too_long_steps(model, procedure, path.states),
+        ),
         timing=timing,
+        limit_points=tuple(path.limits),
     )
-    if throw and not solution.converged:
-        raise SolveError(solution)
-    return solution
+    return solution, Carried.of(system, path.states[-1])
 
 
-def _follow(system: System, tangent: Tangent, procedure: Static, hooks: _Hooks, path: _Path) -> Outcome:
+def _outcome(system: System, tangent: Tangent, procedure: OneProcedure, hooks: Listeners, path: _Path) -> Outcome:
+    """Follow the path as the procedure says."""
+    if isinstance(procedure, Static):
+        return _follow(system, tangent, procedure, hooks, path)
+    if isinstance(procedure, Dynamic | Stabilized):
+        start = None if path.carried is None else path.carried.state
+        return follow_moving(system, tangent, procedure, hooks, (path.states, path.steps), start)
+    problem = Problem(
+        system=system,
+        tangent=tangent,
+        procedure=procedure,
+        progress=hooks.progress,
+        stop=hooks.stop,
+        states=path.states,
+        steps=path.steps,
+        limits=path.limits,
+        carried=path.carried,
+    )
+
+    def by_load(static: Static, until: Stop) -> Outcome:
+        return _follow(system, tangent, static, Listeners(hooks.progress, until), path)
+
+    return follow_path(problem, by_load, path.history)
+
+
+def _follow(system: System, tangent: Tangent, procedure: Static, hooks: Listeners, path: _Path) -> Outcome:
     """Step from 0 to 1; the path so far is in ``path`` whatever happens."""
-    rest = np.zeros(system.size)
+    rest = unknowns_of(system, None if path.carried is None else path.carried.state)
     at_rest = system.evaluate(rest, 0.0)
     assert at_rest is not None
     path.history.append((0.0, rest, system.stresses(at_rest)))
-    path.states.append(_state(system, at_rest, None))
+    path.states.append(_state(system, procedure, at_rest, None))
     control = StepControl.of(procedure, path.kinks)
     try:
         while path.history[-1][0] < 1.0:
@@ -159,11 +220,12 @@ def _follow(system: System, tangent: Tangent, procedure: Static, hooks: _Hooks, 
 
 
 def _advance(
-    system: System, tangent: Tangent, procedure: Static, control: StepControl, hooks: _Hooks, path: _Path
+    system: System, tangent: Tangent, procedure: Static, control: StepControl, hooks: Listeners, path: _Path
 ) -> StepControl | Outcome:
     """Attempt one step; return the control for the next one, or how the run ends."""
     now = path.history[-1][0]
     load = control.next_load(now)
+    system.materials.begin_step(procedure.time_between(now, load))
     began = perf_counter()
     number = len(path.steps) + 1
 
@@ -195,16 +257,17 @@ def _advance(
 
 
 def _accept(
-    system: System, result: NewtonResult, procedure: Static, control: StepControl, hooks: _Hooks, path: _Path
+    system: System, result: NewtonResult, procedure: Static, control: StepControl, hooks: Listeners, path: _Path
 ) -> StepControl | Outcome:
     evaluation = result.evaluation
     assert evaluation is not None
     increment = evaluation.load_factor - path.history[-1][0]
     path.history.append((evaluation.load_factor, evaluation.unknowns, system.stresses(evaluation)))
     del path.history[:-HISTORY]
-    state = _state(system, evaluation, result.unstable_modes)
+    state = _state(system, procedure, evaluation, result.unstable_modes)
     system.contact.accept(evaluation.contacts)  # after the state has been read, which has slipped from the last one
     path.states.append(state)
+    system.materials.memory = state.memory
     if hooks.progress is not None:
         last = _iteration(len(path.steps), state.load_factor, result.iterations, result.residual, 0.0, 1.0)
         hooks.progress(last, state)
@@ -222,6 +285,8 @@ def _predict(system: System, tangent: Tangent, path: _Path, load: float) -> Star
     """Extrapolate with the highest order whose residual a lower order does not improve."""
     _, unknowns, stresses = path.history[-1]
     best, smallest = Start(unknowns, stresses), np.inf
+    if tangent.plain:
+        return best
     for count in range(len(path.history), 0, -1):
         used = path.history[-count:]
         weights = lagrange_weights([factor for factor, _, _ in used], load)
@@ -255,7 +320,7 @@ def _not_deeper(system: System, tangent: Tangent, last: Array, at: Evaluation) -
     return (last, here) if found is None else (found.unknowns, found)
 
 
-def _state(system: System, at: Evaluation, modes: int | None) -> State:
+def _state(system: System, procedure: Static, at: Evaluation, modes: int | None) -> State:
     displacement, mean_stress = system.physical(at.unknowns)
     force = system.split(at.residual)[0] * system.stress * system.length**2
     return State(
@@ -266,6 +331,8 @@ def _state(system: System, at: Evaluation, modes: int | None) -> State:
         nodal_force=force,
         unstable_modes=modes,
         touches=touches(system, at),
+        time=procedure.time_of(at.load_factor),
+        memory=system.remembered(at),
     )
 
 

@@ -6,7 +6,7 @@ farther away. And factors are kept while they still contract the residual well, 
 twentieth of a factorization.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
@@ -57,16 +57,10 @@ class NewtonSettings:
         Largest relative residual.
     max_iterations : int
         Updates before it gives up.
-    mixed_points : bool
-        Whether the geometric stiffness uses the linearized stress.
-    keep_factors : bool
-        Whether factors are used again while they contract well.
     """
 
     tolerance: float = 1e-6
     max_iterations: int = 15
-    mixed_points: bool = True
-    keep_factors: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -96,11 +90,14 @@ class Start:
         For the geometric stiffness of the first update.
     evaluation : Evaluation or None
         The equations there, where they were evaluated already.
+    fresh : bool
+        Whether the first update needs factors of its own, or those of the last solve will do.
     """
 
     unknowns: Array
     stresses: Stresses
     evaluation: Evaluation | None = None
+    fresh: bool = True
 
 
 Report = Callable[[int, float, float, float], None]  # iteration, residual, correction, step length
@@ -136,9 +133,10 @@ def newton(
     if at is None:
         return _failure(None, 0, np.inf, "the start turns a cell inside out")
     residual = relative_residual(system, at)
-    geometric = start.stresses if settings.mixed_points else None
+    geometric = start.stresses if tangent.mixed_points else None
     jump = system.prescribed(load_factor) - start.unknowns[system.held]
-    fresh, settled, residuals = True, False, [residual]
+    fresh = start.fresh or bool(jump.any())
+    settled, residuals = False, [residual]
     for iteration in range(1, settings.max_iterations + 1):
         coupling = np.zeros(system.size)
         if fresh:
@@ -150,7 +148,7 @@ def newton(
         right[system.held] = jump
         jump = np.zeros_like(jump)  # the supports are satisfied after the first update
         update = tangent.solve(right)
-        settled = settled or iteration > KEEP_PARTNERS_AFTER or _stagnates(residuals)
+        settled = settled or partners_settle(iteration, residuals)
         kept = at.contacts if settled else None
         new, length = _line_search(system, tangent, at, update, kept)
         if new is None:
@@ -162,8 +160,8 @@ def newton(
         if residual <= settings.tolerance:
             return _success(tangent, new, iteration, residual)
         contracting = residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
-        fresh = not (settings.keep_factors and contracting and length == 1)
-        if settings.mixed_points and fresh:
+        fresh = tangent.plain or not (contracting and length == 1)
+        if tangent.mixed_points and fresh:
             geometric = _linearized(system, tangent, at, length * update)
         at = new
     return _failure(at, iteration, residual, f"no convergence in {settings.max_iterations} iterations", tangent)
@@ -195,7 +193,8 @@ def evaluate(
 ) -> Evaluation | None:
     """Evaluate the residual on the clock."""
     start = perf_counter()
-    out = system.evaluate(unknowns, load_factor, kept, Look.FOLLOW if kept is None else Look.KEEP)
+    how = Look.FOLLOW if kept is None else Look.KEEP
+    out = system.evaluate(unknowns, load_factor, known=kept, how=how)
     tangent.clock.residual += perf_counter() - start
     return out
 
@@ -215,7 +214,7 @@ def _line_search(
     shortest = SHORTEST_STEP
     while length >= shortest:
         new = evaluate(system, tangent, at.unknowns + length * update, at.load_factor, kept)
-        share = 0.5 if new is None else _share(system, at, new, update)
+        share = 0.5 if new is None else length_allowed(system, at, new, update)
         if share == 1:
             return new, length
         if new is not None:
@@ -224,7 +223,7 @@ def _line_search(
     return found or (None, 0.0)
 
 
-def _share(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
+def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
     """Share of an update to be taken: less than 1 where walls are pressed too deep, or friction turns around."""
     share = system.contact.shortening(at.contacts, new.contacts)
     if share < 1 or not system.contact.rubs:
@@ -235,6 +234,7 @@ def _share(system: System, at: Evaluation, new: Evaluation, update: Array) -> fl
     return 0.5 if after * before < 0 and abs(after) > OVERSHOT * abs(before) else 1.0
 
 
-def _stagnates(residuals: list[float]) -> bool:
-    """Whether the residual is small and did not halve in two updates: partners of contact change to and fro."""
-    return len(residuals) > 3 and residuals[-1] < SMALL_RESIDUAL and residuals[-1] > 0.5 * residuals[-3]
+def partners_settle(iteration: int, residuals: Sequence[float]) -> bool:
+    """Whether partners of contact are kept: late, or where the residual is small and did not halve in two updates."""
+    stagnates = len(residuals) > 3 and residuals[-1] < SMALL_RESIDUAL and residuals[-1] > 0.5 * residuals[-3]
+    return stagnates or iteration > KEEP_PARTNERS_AFTER

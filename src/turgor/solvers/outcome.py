@@ -2,11 +2,24 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
-from turgor.model.drive import drive_text
+import numpy as np
+
+from turgor.model.drive import drive_text, kinks
 from turgor.model.model import Model
-from turgor.solvers.procedures import Static
+from turgor.solvers.leaps import first_leap, leap
+from turgor.solvers.limit_points import extremum_ahead
+from turgor.solvers.pressures import pressure_text
 from turgor.solvers.solution import State, Status, Step
+from turgor.solvers.stages import OneProcedure
+
+#: A maximum of the load this near ahead of the last state, relative to it, is where the path ended, whatever the
+#: factors say; one this near is worth saying where they have told.
+NEAR, SAID = 1e-3, 1e-2
+
+#: On the way to a limit point a body moves this many times as much for the load as before at least.
+SOFTENING = 1.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,10 +31,19 @@ class Outcome:
     advice: str = ""
 
 
-def _load(model: Model, load_factor: float) -> str:
+def _load(model: Model, load_factor: float, digits: int = 4) -> str:
     """The load at a load factor, in words: the pressures where any drive."""
-    pressures = drive_text(model, load_factor)
-    return f"{pressures} (load factor {load_factor:.4g})" if pressures else f"load factor {load_factor:.4g}"
+    return _with_factor(drive_text(model, load_factor, digits), load_factor, digits)
+
+
+def _at(state: State) -> str:
+    """The load of a state, in words."""
+    return _with_factor(pressure_text(state), state.load_factor)
+
+
+def _with_factor(pressures: str, load_factor: float, digits: int = 4) -> str:
+    factor = f"load factor {load_factor:.{digits}g}"
+    return f"{pressures} ({factor})" if pressures else factor
 
 
 def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> Outcome:
@@ -31,11 +53,20 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
     message = f"Reached {_load(model, 1.0)} in {len(states) - 1} steps and {iterations} iterations"
     message += f", {cut} steps cut back." if cut else "."
     unstable = next((state for state in states if state.unstable_modes), None)
+    leapt = first_leap(states) if not kinks(model) else None
+    if unstable is None and leapt is not None:
+        return Outcome(
+            Status.CONVERGED,
+            f"{message} Between {_at(states[leapt - 1])} and {_at(states[leapt])} it moved "
+            f"{leap(states[leapt - 2 : leapt + 1]):.3g} times as much for the load as in the step before: it may have "
+            "jumped past a limit point.",
+            "Look at what lies between with the procedure auto, or with a smaller max_step.",
+        )
     if unstable is None:
         return Outcome(Status.CONVERGED, message)
     return Outcome(
         Status.CONVERGED,
-        f"{message} From {_load(model, unstable.load_factor)} on the equilibrium is unstable "
+        f"{message} From {_at(unstable)} on the equilibrium is unstable "
         f"({unstable.unstable_modes} negative modes): a real actuator would leave it.",
         "Treat what follows with care: the actuator may buckle or jump.",
     )
@@ -43,40 +74,77 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
 
 def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_stability: bool) -> Outcome:
     """The step fell below the smallest allowed."""
-    last = states[-1].load_factor
-    if lost_stability or states[-1].unstable_modes:
+    last = states[-1]
+    top = extremum_ahead(
+        [state.load_factor for state in states], [float(np.linalg.norm(state.displacement)) for state in states]
+    )
+    ahead = np.inf if top is None else top - last.load_factor
+    if (
+        (lost_stability and softens(states))
+        or last.unstable_modes
+        or ahead <= max(10 * steps[-1].increment, NEAR * last.load_factor)
+    ):
+        estimate = ""
+        if top is not None and ahead <= SAID * last.load_factor:
+            estimate = f" The path up to there points to a maximum of {_load(model, top, 5)}."
         return Outcome(
             Status.LIMIT_POINT,
-            f"The load could not rise past {_load(model, last)}: the tangent lost positive definiteness there, "
-            "which is a limit point (ballooning, snap-through) or buckling.",
-            "Ask for less than this load; the path up to it is complete.",
+            f"The load could not rise past {_at(last)}: the tangent lost positive definiteness there, "
+            f"which is a limit point (ballooning, snap-through) or buckling.{estimate}{_lost_before(states)}",
+            "Ask for less than this load; the path up to it is complete. To go past it, let the volume of the cavities "
+            "drive (VolumeControl), follow the path by its length (ArcLength), or choose the procedure auto.",
         )
     return Outcome(
         Status.STEP_TOO_SMALL,
-        f"No equilibrium was found beyond {_load(model, last)}: {steps[-1].reason}, "
+        f"No equilibrium was found beyond {_at(last)}: {steps[-1].reason}, "
         f"down to steps of {steps[-1].increment:.2g} of the load.",
         "Look at the last state for a badly distorted cell or walls that met; refine the mesh there.",
     )
 
 
-def too_many_steps(model: Model, state: State, procedure: Static) -> Outcome:
+def _lost_before(states: Sequence[State]) -> str:
+    """Where stability was lost already before the last state: the path from there on is not that of a real body."""
+    first = next((n for n, state in enumerate(states) if state.unstable_modes), len(states))
+    if first >= len(states) - 1:
+        return ""
+    return (
+        f" Stability was lost before, between {_at(states[first - 1])} and {_at(states[first])}: a real actuator "
+        "leaves the path there."
+    )
+
+
+def softens(states: Sequence[State]) -> bool:
+    """Whether a body moved more for the load in the last step than in some step before, as towards a limit point.
+
+    Negative pivots of iterates that failed say nothing by themselves: those of a thin sheet have them on the way to a
+    state that is stable.
+    """
+    rates = [
+        float(np.linalg.norm(b.displacement - a.displacement)) / abs(b.load_factor - a.load_factor)
+        for a, b in pairwise(states)
+        if b.load_factor != a.load_factor
+    ]
+    return len(rates) > 1 and rates[-1] > SOFTENING * min(rates[:-1])
+
+
+def too_many_steps(model: Model, state: State, procedure: OneProcedure) -> Outcome:
     """The allowed number of steps was used up."""
     return Outcome(
         Status.STEP_LIMIT,
-        f"Stopped at {_load(model, state.load_factor)} after {procedure.max_steps} steps.",
+        f"Stopped at {_at(state)} after {procedure.max_steps} steps.",
         "Raise procedure.max_steps to go on.",
     )
 
 
 def stopped_by(model: Model, state: State, reason: str) -> Outcome:
     """The caller's stop condition was met."""
-    return Outcome(Status.STOPPED, f"Stopped at {_load(model, state.load_factor)}: {reason}.")
+    return Outcome(Status.STOPPED, f"Stopped at {_at(state)}: {reason}.")
 
 
 def interrupted(model: Model, state: State) -> Outcome:
     """The user pressed Ctrl-C."""
     return Outcome(
         Status.INTERRUPTED,
-        f"Interrupted at {_load(model, state.load_factor)}; the path so far is kept.",
+        f"Interrupted at {_at(state)}; the path so far is kept.",
         "Run again to reach the full load.",
     )

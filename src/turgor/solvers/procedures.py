@@ -1,6 +1,7 @@
 """Procedures: how the path is followed."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from math import inf
 
 from turgor.errors import TurgorError
 from turgor.model.model import Model
@@ -26,6 +27,15 @@ class Static:
         Newton iterations before a step is cut back.
     max_steps : int
         Attempted steps before the solve stops.
+    duration : float [s], optional
+        Time at load factor 1, for rubber that relaxes: the load factor is time over duration, and histories of loads
+        are over it. Steps are as long as ``max_step`` lets them, which decides the accuracy in time. By default the
+        load grows so slowly that everything has relaxed.
+
+    Examples
+    --------
+    >>> Static(duration=20.0, max_step=0.02).time_of(0.5)
+    10.0
     """
 
     first_step: float = 0.05
@@ -35,8 +45,11 @@ class Static:
     tolerance: float = 1e-6
     max_iterations: int = 15
     max_steps: int = 1000
+    duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
+        if self.duration is not None and not 0 < self.duration < inf:
+            raise TurgorError(f"procedure.duration is {self.duration:g} s; it must be more than 0.")
         for name in ("first_step", "max_step", "min_step"):
             value = getattr(self, name)
             if not 0 < value <= 1:
@@ -54,6 +67,30 @@ class Static:
             if not 0 < factor <= 1:
                 raise TurgorError(f"procedure.at holds {factor:g}; a load factor lies in (0, 1].")
 
+    def time_of(self, load_factor: float) -> float | None:
+        """Time at a load factor [s], None where there is no duration."""
+        return None if self.duration is None else load_factor * self.duration
+
+    def time_between(self, before: float, after: float) -> float:
+        """Time from one load factor to another [s]; infinite where there is no duration."""
+        return inf if self.duration is None else (after - before) * self.duration
+
     def amended(self, model: Model) -> Model:
         """Return the model with what the procedure adds to the question: nothing here."""
         return model
+
+
+def question_of(model: Model, procedure: object) -> Model:
+    """Return the model that a procedure follows: what was asked, with what the procedure adds to it.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Procedure
+        `BlockedForce` and `Grasp` add a plate, a hold or a path of the object; the others add nothing.
+
+    Returns
+    -------
+    Model
+    """
+    return procedure.amended(model) if isinstance(procedure, Static) else model

@@ -7,15 +7,20 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.memory import Memory
 from turgor.finding import Finding
 from turgor.model.model import Model
-from turgor.solvers.procedures import Static
+from turgor.solvers.energies import Energies
+from turgor.solvers.stages import OneProcedure, Stages
+
+Procedure = OneProcedure | Stages
 
 
 class Status(StrEnum):
     """How a solve ended."""
 
     CONVERGED = "converged"
+    FOLLOWED = "followed"
     STEP_TOO_SMALL = "step_too_small"
     LIMIT_POINT = "limit_point"
     STEP_LIMIT = "step_limit"
@@ -74,6 +79,21 @@ class State:
         None where it was not looked at.
     touches : mapping of str to Touch
         What every contact does, by the name of the obstacle, or ``"self"``.
+    pressures : mapping of str to float [Pa], gauge
+        What acts on each pressed face, where the procedure found it; empty where loads and load factor say it.
+    driven : mapping of str to float [SI]
+        What the procedure prescribed besides the load factor, by the names of columns: ``injected_volume`` [m³],
+        ``gas_mass_ratio``.
+    time : float or None [s]
+        Time, where the procedure knows one.
+    velocity : (n, 3) array or None [m/s]
+        Velocity of every node of a moving actuator.
+    energies : Energies or None
+        Where the work went, as far as the procedure counts it.
+    stage : str
+        Name of the stage in a sequence of procedures; the load factor is that of the stage then.
+    memory : Memory or None
+        What the rubber remembers, where any relaxes or softens: some hundred numbers a cell.
     """
 
     model: Model
@@ -83,6 +103,38 @@ class State:
     nodal_force: NDArray[np.float64]
     unstable_modes: int | None = None
     touches: Mapping[str, Touch] = field(default_factory=dict)
+    pressures: Mapping[str, float] = field(default_factory=dict)
+    driven: Mapping[str, float] = field(default_factory=dict)
+    time: float | None = None
+    velocity: NDArray[np.float64] | None = None
+    energies: Energies | None = None
+    stage: str = ""
+    memory: Memory | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LimitPoint:
+    """Where the pressure on a path has a maximum or a minimum, found as a state of the path.
+
+    Parameters
+    ----------
+    kind : str
+        ``"maximum"`` or ``"minimum"``.
+    load_factor : float [-]
+        That of the state.
+    pressure : float [Pa], gauge
+        The pressure there; nan where no single pressure acts.
+    face : str
+        The face on which it acts; empty where all loads turn together.
+    state : int
+        Number of the state in the path.
+    """
+
+    kind: str
+    load_factor: float
+    pressure: float
+    face: str
+    state: int
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -174,10 +226,12 @@ class Solution:
         What checks noticed before and during the solve.
     timing : Timing
         Where the time went.
+    limit_points : tuple of LimitPoint
+        Maxima and minima of the pressure that were found on the path, in order.
     """
 
     model: Model
-    procedure: Static
+    procedure: Procedure
     states: tuple[State, ...]
     status: Status
     message: str
@@ -185,11 +239,17 @@ class Solution:
     steps: tuple[Step, ...] = ()
     findings: tuple[Finding, ...] = ()
     timing: Timing = field(default_factory=Timing)
+    limit_points: tuple[LimitPoint, ...] = ()
 
     @property
     def converged(self) -> bool:
         """Whether the whole load was reached."""
         return self.status is Status.CONVERGED
+
+    @property
+    def complete(self) -> bool:
+        """Whether the procedure went as far as it was asked, past limit points where the load cannot be reached."""
+        return self.status in (Status.CONVERGED, Status.FOLLOWED)
 
     @property
     def iterations(self) -> int:

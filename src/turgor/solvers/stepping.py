@@ -2,8 +2,28 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Protocol
 
-from turgor.solvers.procedures import Static
+
+class Steps(Protocol):
+    """What procedures say about their steps."""
+
+    @property
+    def first_step(self) -> float:
+        """First increment."""
+
+    @property
+    def max_step(self) -> float:
+        """Largest increment."""
+
+    @property
+    def min_step(self) -> float:
+        """Smallest increment."""
+
+    @property
+    def at(self) -> tuple[float, ...]:
+        """Load factors to hit exactly."""
+
 
 #: Iterations of a step that is neither too easy nor too hard.
 COMFORTABLE_ITERATIONS = 6
@@ -44,7 +64,7 @@ class StepControl:
     patience: int = 2
 
     @staticmethod
-    def of(procedure: Static, kinks: Sequence[float] = ()) -> "StepControl":
+    def of(procedure: Steps, kinks: Sequence[float] = ()) -> "StepControl":
         """Start as a procedure asks, and hit the kinks of the load histories too."""
         asked = {factor for factor in procedure.at if all(abs(factor - kink) > ROUND_OFF for kink in kinks)}
         targets = tuple(sorted({*asked, *kinks, 1.0}))
@@ -60,6 +80,7 @@ class StepControl:
 
         Examples
         --------
+        >>> from turgor.solvers.procedures import Static
         >>> control = StepControl.of(Static(first_step=0.3, max_step=0.3, at=(0.5,)))
         >>> control.next_load(0.0), control.next_load(0.3), control.next_load(0.5)
         (0.3, 0.5, 0.8)
@@ -83,6 +104,7 @@ class StepControl:
 
         Examples
         --------
+        >>> from turgor.solvers.procedures import Static
         >>> StepControl.of(Static(first_step=0.3, max_step=0.3)).turned(0.1).length
         0.1
         """

@@ -1,6 +1,8 @@
 """Newton's method where things touch: friction and the contact stiffness are renewed until nothing changes."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -22,30 +24,34 @@ SEARCHED_ANEW = 10.0
 PATIENCE, WEDGED = 3, 1e-3
 
 
-def newton_with_contact(
-    system: System, tangent: Tangent, start: Start, load_factor: float, settings: NewtonSettings, report: Report
-) -> NewtonResult:
-    """Find equilibrium at a load factor; the iterations of all passes count."""
+def until_settled(
+    system: System,
+    result: Any,
+    look: Callable[[Any], Evaluation | None],
+    again: Callable[[Evaluation, Any], Any],
+    tolerance: float,
+) -> Any:
+    """Search anew what touches and renew friction and stiffness, until a result holds; iterations of all passes count.
+
+    ``look(result)`` evaluates a result with a whole search, ``again(at, result)`` finds equilibrium from there.
+    Results are `NewtonResult` or the like: dataclasses with ``evaluation``, ``converged``, ``iterations``, ``hardest``
+    and ``reason``.
+    """
     contact = system.contact
-    result = newton(system, tangent, start, load_factor, settings, report)
     if not contact.parts:
         return result
     before, iterations, hardest = contact.anchors, result.iterations, result.iterations
     for number in range(PASSES):
-        if not result.converged or result.evaluation is None:
-            break
-        last = result.evaluation
-        at = system.evaluate(last.unknowns, load_factor, last.contacts, Look.ANEW)
+        at = look(result) if result.converged else None
         if at is None:
             break
         changed = contact.stiffen(at.contacts) | contact.settle(at.contacts)
         residual = relative_residual(system, at)
-        if not changed and residual <= SEARCHED_ANEW * settings.tolerance:
+        if not changed and residual <= SEARCHED_ANEW * tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
         if not changed and number >= PATIENCE and residual <= WEDGED:
             return replace(result, iterations=iterations, hardest=hardest)
-        again = Start(at.unknowns, system.stresses(at))
-        result = newton(system, tangent, again, load_factor, settings, report)
+        result = again(at, result)
         iterations += result.iterations
         hardest = max(hardest, result.iterations)
     if result.converged:
@@ -53,6 +59,25 @@ def newton_with_contact(
         result = replace(result, converged=False, reason=reason)
     contact.anchors = before
     return replace(result, iterations=iterations)
+
+
+def newton_with_contact(
+    system: System, tangent: Tangent, start: Start, load_factor: float, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Find equilibrium at a load factor, with all that touches."""
+
+    def look(result: NewtonResult) -> Evaluation | None:
+        last = result.evaluation
+        assert last is not None
+        return system.evaluate(last.unknowns, load_factor, known=last.contacts, how=Look.ANEW)
+
+    def again(at: Evaluation, result: NewtonResult) -> NewtonResult:
+        start = Start(at.unknowns, system.stresses(at))
+        return newton(system, tangent, start, load_factor, settings, report)
+
+    first = newton(system, tangent, start, load_factor, settings, report)
+    settled: NewtonResult = until_settled(system, first, look, again, settings.tolerance)
+    return settled
 
 
 def touches(system: System, at: Evaluation) -> dict[str, Touch]:

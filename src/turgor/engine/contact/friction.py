@@ -80,6 +80,14 @@ def tractions(anchors: Anchors, apart: Array) -> tuple[Array, Array]:
     return trial * share[:, None], matrices
 
 
+def taken(anchors: Anchors, apart: Array, weights: Array) -> float:
+    """Energy that friction has taken since the last state, tractions by the trapezoidal rule."""
+    now, _ = tractions(anchors, apart)
+    n, moved = anchors.normal, apart - anchors.apart
+    slip = moved - np.einsum("ki,ki->k", moved, n)[:, None] * n
+    return float((0.5 * weights * np.einsum("ki,ki->k", anchors.traction + now, slip)).sum())
+
+
 def turned(traction: Array, normal: Array) -> Array:
     """Tractions (k, 3) laid into the planes across new normals (k, 3) at their size."""
     flat = traction - np.einsum("ki,ki->k", traction, normal)[:, None] * normal

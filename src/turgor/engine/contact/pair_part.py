@@ -193,6 +193,24 @@ class PairPart:
         spring = self._springs(points, found.partner[points[:, 0], points[:, 1]]) * self._weights(points)
         return float(0.5 * (spring * found.gap[points[:, 0], points[:, 1]] ** 2).sum())
 
+    def stiffened(self, boost: Array, before: Found, found: Found) -> float:
+        """Energy that raising the stiffness from a former ``boost`` (s,) put into what was and is penetrated.
+
+        Exact where forces do their work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
+        """
+        points = before.also(found)
+        i, q = points.T
+        gain = self._springs(points, found.partner[i, q]) * self._weights(points) * (1 - boost[i] / self.boost[i])
+        return float(0.5 * (gain * before.gap[i, q] * found.gap[i, q]).sum())
+
+    def rubbed(self, position: Array, found: Found) -> float:
+        """Energy that friction has taken since the last state."""
+        if self.anchors is None:
+            return 0.0
+        a = self.anchors
+        apart = self._apart(self._all(position, found.place), a.points, a.partner, a.at)
+        return friction.taken(a, apart, self._weights(a.points))
+
     def _apart(self, every: Array, points: Ints, partner: Ints, at: Array) -> Array:
         """Points minus places on their partners (k, 3)."""
         weights = self._signed(points, at)

@@ -56,6 +56,10 @@ class Found:
         """Side and quadrature point (k, 2) of the points inside."""
         return np.argwhere(self.inside)
 
+    def also(self, other: "Found") -> Ints:
+        """Side and quadrature point (k, 2) of the points inside here and there."""
+        return np.argwhere(self.inside & other.inside)
+
     @property
     def inside(self) -> NDArray[np.bool_]:
         """Which points (s, q) are inside; round-off does not count."""

@@ -92,6 +92,21 @@ class ShapePart:
         spring = self._springs(points) * self._weights(points)
         return float(0.5 * (spring * found.gap[points[:, 0], points[:, 1]] ** 2).sum())
 
+    def stiffened(self, boost: Array, before: Found, found: Found) -> float:
+        """Energy that raising the stiffness from a former ``boost`` (s,) put into what was and is penetrated.
+
+        Exact where forces do their work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
+        """
+        points = before.also(found)
+        i, q = points.T
+        gain = self._springs(points) * self._weights(points) * (1 - boost[i] / self.boost[i])
+        return float(0.5 * (gain * before.gap[i, q] * found.gap[i, q]).sum())
+
+    def rubbed(self, position: Array, found: Found) -> float:
+        """Energy that friction has taken since the last state."""
+        a = self.anchors
+        return 0.0 if a is None else friction.taken(a, self._apart(found, a.points), self._weights(a.points))
+
     def _apart(self, found: Found, points: Ints) -> Array:
         return np.asarray(found.x[points[:, 0], points[:, 1]] - found.place)
 

@@ -1,0 +1,72 @@
+"""Chambers: volumes of cavities and how these change, for procedures that prescribe a volume or an amount of gas."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine import surfaces
+from turgor.engine.openings import cap_gradient
+from turgor.engine.reference import side_tables
+from turgor.engine.system import System
+
+Array = NDArray[np.float64]
+
+
+class Chambers:
+    """Cavities of the whole actuator, in scaled units.
+
+    An opening is closed by a cap, as in `turgor.engine.surfaces.enclosed_volume`.
+
+    Parameters
+    ----------
+    system : System
+        Whose unknowns they depend on.
+    faces : sequence of str
+        Faces that each enclose a volume, up to mirror planes and openings.
+    """
+
+    def __init__(self, system: System, faces: Sequence[str]) -> None:
+        self.system = system
+        mesh = system.model.mesh
+        self._walls = [np.ascontiguousarray(mesh.face(name)) for name in faces]
+        self._rims = [surfaces.rim_edges(walls) for walls in self._walls]
+        self._factor = mesh.symmetry_factor
+        self._shift = np.zeros(3)  # so that the mirror planes go through the origin and add nothing
+        for name in mesh.symmetry_faces:
+            points = system.points[mesh.face_nodes(name)]
+            axis = int(np.ptp(points, axis=0).argmin())
+            self._shift[axis] = points[:, axis].mean()
+
+    def __len__(self) -> int:
+        return len(self._walls)
+
+    def volumes(self, unknowns: Array) -> Array:
+        """Scaled volumes (k,)."""
+        points = self._position(unknowns)
+        # normals point out of the solid, which is into the cavity
+        return np.array([-self._factor * surfaces.enclosed_volume(points, walls) for walls in self._walls])
+
+    def gradients(self, unknowns: Array) -> Array:
+        """Derivatives (k, size) of the volumes by the unknowns."""
+        points = self._position(unknowns)
+        found = []
+        for walls, rim in zip(self._walls, self._rims, strict=True):
+            by_node = cap_gradient(points, rim)
+            np.add.at(by_node, walls, _of_walls(points, walls))
+            found.append(self.system.joined(-self._factor * by_node))
+        return np.array(found)
+
+    def _position(self, unknowns: Array) -> Array:
+        return np.asarray(self.system.points + self.system.split(unknowns)[0] - self._shift)
+
+
+def _of_walls(points: Array, walls: NDArray[np.int64]) -> Array:
+    """Derivative (f, k, 3) of ⅓ ∫ x·n da by the nodes of each side, with what the rim of an open surface adds."""
+    tables = side_tables(walls.shape[1])
+    corners = points[walls]
+    x = np.einsum("qa,fai->fqi", tables.N, corners)
+    r, s = (np.einsum("qa,fai->fqi", tables.dN[..., k], corners) for k in range(2))
+    weighted = [tables.weights[:, None] / 3 * part for part in (tables.N, tables.dN[..., 0], tables.dN[..., 1])]
+    crossed = (np.cross(r, s), np.cross(s, x), np.cross(x, r))
+    return np.asarray(sum(np.einsum("qa,fqi->fai", w, c) for w, c in zip(weighted, crossed, strict=True)))

@@ -1,0 +1,88 @@
+"""Damping: forces in proportion to the rate of strain, which leave rigid motions alone."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine import kernels
+from turgor.engine.system import System
+
+Array = NDArray[np.float64]
+
+#: Six components of a symmetric tensor: 11 22 33 12 23 13.
+FIRST, SECOND = [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]
+
+
+class StrainRateDamping:
+    """Viscous stress S = 2 μ τ dev Ė with the rate of Green's strain, μ the initial shear modulus, τ a time.
+
+    About the state at rest this is the damping matrix τ K of Rayleigh, with K the stiffness against change of shape. At
+    large rotations it remains what it should be: no force resists a rigid motion, and the power S : Ė is never
+    negative. Membranes and fibers are not damped.
+
+    Parameters
+    ----------
+    system : System
+    time : float [s]
+        τ, Rayleigh's β.
+    rate, offset : float [1/s], (size,) array
+        The scaled velocity is rate times the unknowns plus offset.
+    """
+
+    def __init__(self, system: System, time: float, rate: float, offset: Array) -> None:
+        self._system, self._rate, self._offset = system, rate, offset
+        model = system.model
+        viscosity = np.empty(len(model.mesh.cells))
+        for name, material in model.region_materials.items():
+            viscosity[model.mesh.regions[name]] = 2 * time * material.law.shear_modulus / system.stress
+        self._viscosity = viscosity
+        self._rows = np.arange(len(viscosity))
+
+    def forces(self, unknowns: Array) -> Array:
+        """Forces of the viscous stress (size,)."""
+        system, e, r = self._system, self._system.element, self._system.element.tables
+        u = system.split(unknowns)[0]
+        none = np.zeros(system.dV.shape)
+        by_cell = kernels.residual(
+            e.shape, e.modes, system.cells, e.mean, u, np.zeros(max(e.mean_count, 1)), r.dN, r.M, system.Jinv,
+            system.dV, none, none, self._rows, self._stress(unknowns), self._no_bulk(),
+        )  # fmt: skip
+        return system.gathered(by_cell[:, : 3 * len(e.shape)])
+
+    def data(self, unknowns: Array) -> Array:
+        """Symmetric part of the derivative that matters: the viscosity, and the stress as it turns."""
+        system, e, r = self._system, self._system.element, self._system.element.tables
+        u = system.split(unknowns)[0]
+        count, points = system.dV.shape
+        material = np.empty((count, points, 21))
+        material[:] = (self._rate * self._viscosity)[:, None, None] * _deviator_moduli()
+        packed = kernels.tangent(
+            e.shape, e.modes, system.cells, e.mean, u, np.zeros(max(e.mean_count, 1)), r.dN, r.M, system.Jinv,
+            system.dV, np.zeros((5, count, points)), self._rows, self._stress(unknowns), material, self._no_bulk(),
+            np.zeros((1, 1, 6)), False,
+        )  # fmt: skip
+        rows, _ = np.tril_indices(system.cell_size)
+        chosen = np.flatnonzero(rows < 3 * len(e.shape))
+        return system.scattered(chosen, packed[:, chosen])
+
+    def _stress(self, unknowns: Array) -> Array:
+        """Viscous stress (c, q, 6)."""
+        system, e, r = self._system, self._system.element, self._system.element.tables
+        u = system.split(unknowns)[0]
+        v = system.split(self._rate * unknowns + self._offset)[0]
+        F = kernels.deformation_gradients(e.shape, system.cells, u, r.dN, system.Jinv)
+        G = kernels.deformation_gradients(e.shape, system.cells, v, r.dN, system.Jinv) - np.eye(3)
+        product = np.swapaxes(F, -1, -2) @ G
+        rate = 0.5 * (product + np.swapaxes(product, -1, -2))
+        rate -= np.trace(rate, axis1=-2, axis2=-1)[..., None, None] / 3 * np.eye(3)
+        return np.ascontiguousarray(self._viscosity[:, None, None] * rate[..., FIRST, SECOND])
+
+    def _no_bulk(self) -> Array:
+        """Compliance (c,) with which the kernels add no mean stress of their own."""
+        return np.full(len(self._viscosity), 0.0 if self._system.element.modes else np.inf)
+
+
+def _deviator_moduli() -> Array:
+    """Lower triangle (21,) of the tensor that takes the deviator of a symmetric one, as the kernels store it."""
+    full = np.diag([1.0, 1.0, 1.0, 0.5, 0.5, 0.5])
+    full[:3, :3] -= 1 / 3
+    return full[np.tril_indices(6)]

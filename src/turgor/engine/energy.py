@@ -1,0 +1,42 @@
+"""Energy that a system stores at an evaluation."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine import kernels
+from turgor.engine.system import Evaluation, System
+
+Array = NDArray[np.float64]
+
+
+def stored_energy(system: System, unknowns: Array) -> float:
+    """Strain energy of cells, membranes and fibers of the modeled part [J].
+
+    What `turgor.engine.fields.strain_energy` gives, without building the geometry again.
+    """
+    e, r, rubber = system.element, system.element.tables, system.materials
+    u, p = system.split(unknowns)
+    I1, I2, J = kernels.kinematics(e.shape, system.cells, u, r.dN, system.Jinv)
+    chosen = rubber.gradient_cells
+    F = kernels.deformation_gradients(e.shape, system.cells[chosen], u, r.dN, system.Jinv[chosen])
+    compliance = rubber.compliance[:, None]
+    mean = np.einsum("qm,cm->cq", r.M, p[e.mean]) if e.modes else (J - 1) / compliance
+    density = rubber.energy(I1, I2, F) / system.stress + 0.5 * mean**2 * compliance
+    position = system.points + u
+    faces = system.faces.membrane_energy(position) + system.faces.fiber_energy(position)
+    return (float((system.dV * density).sum()) + faces) * system.stress * system.length**3
+
+
+def contact_energy(system: System, at: Evaluation) -> float:
+    """Energy of the modeled part in what is pressed into each other, and in the springs of obstacles [J]."""
+    scaled = system.contact.energy(at.contacts, system.springs(at.unknowns))
+    return scaled * system.stress * system.length**3
+
+
+def softening_loss(system: System, at: Evaluation) -> float:
+    """Energy of the modeled part that softening has taken for good, up to an evaluation [J]."""
+    memory = system.remembered(at)
+    if memory is None or not memory.largest:
+        return 0.0
+    lost = system.materials.softening_loss(memory)
+    return float((system.dV * lost).sum()) * system.length**3

@@ -1,0 +1,74 @@
+"""Mass: the consistent mass matrix of the rubber. Membranes and fibers are weightless, as they are for gravity."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine import kernels
+from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.engine.system import System
+from turgor.errors import TurgorError
+from turgor.meshing.mesh import Mesh
+from turgor.model.model import Model
+
+Array = NDArray[np.float64]
+
+
+def densities(model: Model) -> Array:
+    """Return the density of every cell [kg/m³], (c,).
+
+    Raises
+    ------
+    TurgorError
+        If a material has none.
+    """
+    out = np.empty(len(model.mesh.cells))
+    for name, material in model.region_materials.items():
+        if material.density is None:
+            raise TurgorError(
+                f"materials.{name}: '{material.name}' has no density, and motion needs it; give one in kg/m³."
+            )
+        out[model.mesh.regions[name]] = material.density
+    return out
+
+
+def total_mass(model: Model) -> float:
+    """Return the mass of the rubber of the whole actuator, mirror images together [kg].
+
+    Raises
+    ------
+    TurgorError
+        If a material has no density.
+    """
+    volumes = _volumes(model.mesh, model.mesh.points).sum(axis=1)
+    return float(densities(model) @ volumes) * model.mesh.symmetry_factor
+
+
+def mass_data(system: System, density: Array | None = None) -> Array:
+    """Lower triangle (nnz,) of the consistent mass matrix on the pattern of a system's tangent.
+
+    Scaled so that its product with a scaled acceleration, in units of length per s², is a scaled force. It is
+    integrated exactly on straight cells in every formulation: four points would leave a tetrahedron motions without
+    mass.
+
+    Parameters
+    ----------
+    system : System
+    density : (c,) array [kg/m³], optional
+        Of every cell; that of the materials by default.
+    """
+    mesh = system.model.mesh
+    density = densities(system.model) if density is None else density
+    N = reference_cell(mesh.cell_type.nodes, CELL_QUADRATURE_DEGREE).N
+    weights = density[:, None] * _volumes(mesh, system.points) * (system.length**2 / system.stress)
+    rows, columns = np.tril_indices(system.cell_size)
+    same = (rows % 3 == columns % 3) & (rows < 3 * mesh.cell_type.nodes)
+    a, b = rows[same] // 3, columns[same] // 3
+    values = weights @ (N[:, a] * N[:, b])
+    return system.scattered(np.flatnonzero(same), values)
+
+
+def _volumes(mesh: Mesh, points: Array) -> Array:
+    """Volume (c, q) that belongs to each integration point of the mass."""
+    nodes = mesh.cell_type.nodes
+    r = reference_cell(nodes, CELL_QUADRATURE_DEGREE)
+    return np.asarray(kernels.reference_geometry((0,) * nodes, points, mesh.cells, r.dN, r.weights)[1])

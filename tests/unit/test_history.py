@@ -1,0 +1,91 @@
+"""Histories of loads: points, expressions that can do arithmetic and nothing else, times."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from turgor.errors import TurgorError
+from turgor.model.drive import extremes, kinks
+from turgor.model.history import checked, over_time, peak_of, points_of, share_at, turns_of
+from turgor.model.loads import Gravity, Pressure
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("s", lambda s: s),
+        ("sin(2*pi*s)", lambda s: np.sin(2 * np.pi * s)),
+        ("-s**2 / 2 + 0.5*s", lambda s: -(s**2) / 2 + s / 2),
+        ("min(1, 4*s) - max(0, 2*s - 1)", lambda s: min(1, 4 * s) - max(0, 2 * s - 1)),
+        ("tanh(3*s) * exp(-s) * cos(s)", lambda s: np.tanh(3 * s) * np.exp(-s) * np.cos(s)),
+        ("sqrt(abs(s))", np.sqrt),
+    ],
+)
+def test_an_expression_is_what_it_says(text: str, expected: Any) -> None:
+    load = Pressure("cavity", 2e3, text)
+    for s in (0.0, 0.1, 0.37, 1.0):
+        assert load.at(s) == pytest.approx(2e3 * expected(s), abs=1e-9)
+        assert Gravity((0, 0, -1), 9.81, text).share(s) == pytest.approx(expected(s), abs=1e-12)
+    assert turns_of(load.history) == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("__import__('os').system('true')", r"'__import__\('os'\).system' is neither|is neither a number"),
+        ("().__class__", "is neither a number"),
+        ("open('x')", "unknown function 'open'"),
+        ("sin(s, key=1)", "is neither a number"),
+        ("[s for s in (1, 2)]", "is neither a number"),
+        ("lambda: 1", "is neither a number"),
+        ("'a'", "is neither a number"),
+        ("True", "is neither a number"),
+        ("s s", "this is no expression"),
+        ("t", "unknown name 't'"),
+        ("sine(s)", "unknown function 'sine'; did you mean 'sin'"),
+        ("cos(s)", "it must be 0 at s = 0"),
+        ("2*s", "shares of the load lie between -1 and 1"),
+        ("s / (s - 0.5)", "it has no value everywhere"),
+        ("sqrt(-s)", "it has no value everywhere"),
+        ("sin(s, s)", "it has no value everywhere"),
+        ("s**(-1)", "it has no value everywhere"),
+        ("(-s)**0.5", "it has no value everywhere"),
+        ("exp(1e4*s) - 1", "it has no value everywhere"),
+    ],
+)
+def test_what_is_no_history_is_refused(text: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(TurgorError, match=said):
+        checked(text, "pressure")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_times_become_load_factors() -> None:
+    assert over_time([(0, 0), (0.5, 1), (2, 0)], 2.0) == ((0.0, 0.0), (0.25, 1.0), (1.0, 0.0))
+    turned = over_time("sin(2*pi*t/0.3)", 1.5)
+    for time in (0.0, 0.2, 1.1):
+        assert share_at(turned, time / 1.5) == pytest.approx(np.sin(2 * np.pi * time / 0.3), abs=1e-12)
+    with pytest.raises(TurgorError, match="duration is 0 s"):
+        over_time("t", 0.0)
+    with pytest.raises(TurgorError, match="this is no expression"):
+        over_time("t +", 1.0)
+
+
+def test_where_a_load_is_largest() -> None:
+    assert peak_of("sin(2*pi*s)") == 0.25
+    assert peak_of(((0, 0), (0.3, -1), (1, 0.5))) == 0.3
+    assert len(points_of("s")) == 201
+
+
+def test_a_model_knows_the_extremes_of_its_loads() -> None:
+    import turgor as tg
+    from turgor.geometry import FastPneuNet
+
+    mesh = tg.mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
+    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.5e5), density=1e3)
+    loads = [Pressure("cavity", 1e3, "sin(pi*s)"), Gravity((0, 0, -1), history=[(0, 0), (0.2, 1), (1, 0)])]
+    model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], loads)
+    assert kinks(model) == (0.2,)
+    assert extremes(model) == (0.2, 0.5, 1.0)

@@ -1,0 +1,133 @@
+"""Jobs that move: what they say is read, written into the lock file and read again; ``turgor modes``."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from turgor.cli import BAD_INPUT, DONE, main
+from turgor.job.lock import lock_text
+from turgor.job.problems import JobError
+from turgor.job.read import read_job
+from turgor.model.history import over_time, share_at
+from turgor.model.loads import Gravity, Pressure
+from turgor.response import read_response
+from turgor.solvers.dynamic import Dynamic
+from turgor.solvers.stabilized import Stabilized
+
+HEAD = """
+[actuator]
+type = "fast_pneunet"
+chambers = 1
+length = "10 mm"
+
+[mesh]
+size = "4 mm"
+
+[materials]
+body = { law = "neo_hooke", C10 = "50 kPa", density = "1000 kg/m³" }
+base = { law = "neo_hooke", C10 = "50 kPa", density = "1000 kg/m³" }
+"""
+MOTION = """
+[loads.cavity]
+pressure = "1 kPa"
+history_over_time = "sin(2*pi*t/0.08)"
+
+[loads.gravity]
+direction = "-z"
+history = [[0, 0], [0.2, 1], [1, 1]]
+
+[procedure]
+type = "dynamic"
+duration = "40 ms"
+stiffness_damping = "2 ms"
+mass_damping = "0.5 1/s"
+accuracy = 0.01
+"""
+
+
+def read(tmp_path: Path, text: str, name: str = "job") -> object:
+    (tmp_path / f"{name}.toml").write_text(HEAD + text, encoding="utf-8")
+    return read_job(tmp_path / f"{name}.toml")
+
+
+def test_a_motion_is_read_and_locked(tmp_path: Path) -> None:
+    job = read(tmp_path, MOTION)
+    assert job.procedure == Dynamic(duration=0.04, stiffness_damping=2e-3, mass_damping=0.5, accuracy=0.01)
+    pressure, weight = job.loads
+    assert pressure == Pressure("cavity", 1e3, over_time("sin(2*pi*t/0.08)", 0.04))
+    assert share_at(pressure.history, 0.5) == pytest.approx(np.sin(np.pi / 2))
+    assert weight == Gravity((0, 0, -1), history=((0, 0), (0.2, 1), (1, 1)))
+    (tmp_path / "lock.toml").write_text(lock_text(job, {}), encoding="utf-8")
+    again = read_job(tmp_path / "lock.toml")
+    assert again.procedure == job.procedure
+    assert again.loads == job.loads
+
+
+def test_stabilization_is_read_and_locked(tmp_path: Path) -> None:
+    job = read(
+        tmp_path,
+        '[loads]\npressure = "1 kPa"\n[procedure]\ntype = "stabilized"\nstabilization = 1e-3\nat = ["0.5 kPa"]',
+    )
+    assert job.procedure == Stabilized(stabilization=1e-3, at=(0.5,))
+    (tmp_path / "lock.toml").write_text(lock_text(job, {}), encoding="utf-8")
+    assert read_job(tmp_path / "lock.toml").procedure == job.procedure
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "said"),
+    [
+        ('"40 ms"', "0.04", "procedure.duration: 0.04 needs a unit, for example '2 s'"),
+        ('"40 ms"', '"-1 s"', "procedure.duration: -1 s; it must be more than 0"),
+        ('"0.5 1/s"', '"0.5 s"', "procedure.mass_damping: '0.5 s' is a time, but a rate is needed"),
+        ("accuracy = 0.01", "spectral_radius = 2.0", "procedure.spectral_radius: 2; allowed is 0 to 1"),
+        ("accuracy = 0.01", "velocity = 1.0", "procedure.velocity: unknown key 'velocity'"),
+        ('type = "dynamic"\nduration = "40 ms"', 'type = "static"', "history_over_time needs a procedure with a"),
+        ('"sin(2*pi*t/0.08)"', '"sin(2*pi*f)"', "loads.cavity.history: 'sin(2 * pi * f)'; points"),
+        ('"sin(2*pi*t/0.08)"', "3", "loads.cavity.history_over_time: 3 is not a list in square brackets, nor an"),
+        ('t/0.08)"', 't/0.08)"\nhistory = [[0, 0], [1, 1]]', "history and history_over_time are both given"),
+        ('"-z"', '"z"', "loads.gravity.direction: unknown direction 'z'; did you mean '-z'"),
+        ('direction = "-z"', "", "loads.gravity.direction: 'direction' is missing"),
+        ("[[0, 0], [0.2, 1], [1, 1]]", "[[0, 1], [1, 1]]", "loads.gravity.history: [[0, 1], [1, 1]]; it must begin"),
+    ],
+)
+def test_each_mistake_is_one_clear_sentence(tmp_path: Path, before: str, after: str, said: str) -> None:
+    assert before in MOTION
+    with pytest.raises(JobError) as error:
+        read(tmp_path, MOTION.replace(before, after))
+    assert any(said in line for line in error.value.problems), error.value.problems
+
+
+def test_a_job_moves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    read(tmp_path, MOTION + "[output]\nmeasures = ['cavity_volume']\npictures = false\nreport = false\n")
+    monkeypatch.chdir(tmp_path)
+    assert main(["run", "job.toml", "--quiet"]) == DONE
+    response = read_response(tmp_path / "job-results" / "response.csv")
+    assert response.names[:3] == ("load_factor", "time", "pressure")
+    time, pressure = response.column("time"), response.column("pressure")
+    assert pressure == pytest.approx(1e3 * np.sin(2 * np.pi * time / 0.08), abs=1e-6)
+    balance = [response.column(f"{name}_energy") for name in ("kinetic", "strain", "dissipated", "missing")]
+    assert sum(balance) == pytest.approx(response.column("external_work"), abs=1e-12)
+    listed = (tmp_path / "job-results" / "vtu" / "state.pvd").read_text(encoding="utf-8")
+    assert "timestep is the time [s]" in listed
+    assert f'timestep="{time[-1]:.12g}"' in listed
+
+
+def test_modes_are_listed_and_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    read(tmp_path, '[loads]\npressure = "1 kPa"\n')
+    monkeypatch.chdir(tmp_path)
+    assert main(["modes", "job.toml", "--count", "2", "--loaded", "--output", "shapes"]) == DONE
+    told = capsys.readouterr().out
+    assert "Frequencies at load factor 1:" in told
+    assert "symmetric about its mirror planes" in told
+    assert len(told.splitlines()) == 6
+    assert sorted(file.name for file in (tmp_path / "shapes").iterdir()) == [
+        "mode.pvd",
+        "mode_0000.vtu",
+        "mode_0001.vtu",
+    ]
+    assert main(["modes", "job.toml", "--output", "shapes"]) == BAD_INPUT
+    assert "--output is 'shapes', which exists" in capsys.readouterr().err
+    assert main(["modes", "job.toml", "--count", "0"]) == BAD_INPUT

@@ -1,0 +1,124 @@
+"""Procedures of job files that go past limit points: what is read, refused, checked, locked and told."""
+
+import pytest
+
+from turgor.errors import TurgorError
+from turgor.job.lock import lock_text
+from turgor.job.problems import JobError
+from turgor.job.read import read_job
+from turgor.job.run import prepare, run_job
+from turgor.model.loads import Gravity, Pressure
+from turgor.results.describe import fields_of
+from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
+from turgor.units import kPa, mL, mm
+
+TUBE = """
+[actuator]
+type = "extending_cylinder"
+length = "40 mm"
+
+[mesh]
+size = "8 mm"
+
+[materials]
+body = { library = "elastosil-m4601", record = "neo-hooke-polygerinos-2020", density = "1130 kg/m³" }
+"""
+TWO = """
+[actuator]
+type = "bidirectional_bender"
+
+[mesh]
+size = "6 mm"
+
+[materials]
+body = { library = "elastosil-m4601", record = "neo-hooke-polygerinos-2020" }
+strain_limiting_layer = { library = "paper", record = "hooke-polygerinos-2020", thickness = "0.1 mm" }
+"""
+
+
+def write(tmp_path, text):
+    path = tmp_path / "job.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def job(tmp_path, *parts):
+    return read_job(write(tmp_path, "\n".join(parts)))
+
+
+CASES = [  # tables, procedure, loads
+    ('[procedure]\ntype = "volume_control"\nvolume = "5 mL"\nat = [0.5]', VolumeControl(volume=5 * mL, at=(0.5,)), ()),
+    (
+        '[loads]\ngravity = "+x"\n[procedure]\ntype = "gas_mass"\nmass_ratio = 2\npressure = "5 kPa"\nseal = 0.3',
+        GasMass(mass_ratio=2.0, pressure=5 * kPa, seal=0.3),
+        (Gravity((1.0, 0.0, 0.0)),),
+    ),
+    (
+        '[loads]\npressure = "60 kPa"\n[procedure]\ntype = "arc_length"\nmax_displacement = "12 mm"\nat = ["30 kPa"]',
+        ArcLength(max_displacement=12 * mm, at=(0.5,)),
+        (Pressure("cavity", 60 * kPa),),
+    ),
+    (
+        '[loads]\npressure = "60 kPa"\n[procedure]\ntype = "auto"\npast = 4.0',
+        Auto(past=4.0),
+        (Pressure("cavity", 60 * kPa),),
+    ),
+]
+
+
+@pytest.mark.parametrize(("tables", "procedure", "loads"), CASES)
+def test_a_procedure_is_read_and_its_lock_file_reads_back_the_same(tmp_path, tables, procedure, loads):
+    read = job(tmp_path, TUBE, tables)
+    assert read.procedure == procedure
+    assert read.loads == loads
+    again = read_job(write(tmp_path, lock_text(read, {})))
+    assert again.procedure == procedure
+    assert again.loads == loads
+
+
+def test_each_cavity_has_its_own_amount(tmp_path):
+    tables = '[procedure]\ntype = "volume_control"\nvolume = { cavity_1 = "1 mL", cavity_2 = "-0.5 mL" }'
+    read = job(tmp_path, TWO, tables)
+    assert read.procedure == VolumeControl(volume={"cavity_1": 1 * mL, "cavity_2": -0.5 * mL})
+    assert read_job(write(tmp_path, lock_text(read, {}))).procedure == read.procedure
+    assert dict(fields_of(read.procedure))["volume"] == "cavity_1 1 mL, cavity_2 -0.5 mL"
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        ('type = "volume_control"', "'volume' is missing, and it has no default"),
+        ('type = "volume_control"\nvolume = 5', "needs a unit, for example '12 mL'"),
+        ('type = "volume_control"\nvolume = "5 kPa"', "is a pressure, but a volume is needed"),
+        ('type = "volume_control"\nvolume = { cavity = "5" }', "needs a unit"),
+        ('type = "volume_control"\nvolume = "0 mL"', "a volume other than zero is needed"),
+        ('type = "gas_mass"\nmass_ratio = "2"', "is not a number without a unit"),
+        ('type = "gas_mass"\nexponent = 3.0', "allowed is 1 to 1.7"),
+        ('type = "arc_length"', r"the table \[loads\] is missing"),
+        ('type = "volume"\nvolume = "5 mL"', "did you mean 'volume_control'"),
+    ],
+)
+def test_what_is_wrong_is_said_in_one_sentence(tmp_path, lines, expected):
+    with pytest.raises(JobError, match=expected):
+        job(tmp_path, TUBE, f"[procedure]\n{lines}")
+
+
+def test_a_cavity_that_cannot_be_driven_is_refused_before_anything_is_solved(tmp_path):
+    tables = '[procedure]\ntype = "volume_control"\nvolume = "1 mL"'
+    with pytest.raises(TurgorError, match="the cavities are cavity_1, cavity_2; give one for each"):
+        prepare(job(tmp_path, TWO, tables))
+    with pytest.raises(TurgorError, match="cavity has a pressure load"):
+        prepare(job(tmp_path, TUBE, '[loads]\npressure = "1 kPa"', tables))
+
+
+def test_a_run_writes_the_pressure_that_it_found(tmp_path):
+    tables = '[procedure]\ntype = "volume_control"\nvolume = "1 mL"\nmax_step = 1.0\n[output]\npictures = false'
+    outcome = run_job(job(tmp_path, TUBE, tables), tmp_path / "out", threads=1)
+    head, *rows = (tmp_path / "out" / "response.csv").read_text(encoding="utf-8").splitlines()
+    assert head.startswith("load_factor,pressure_kPa,injected_volume_mL,")
+    _, pressure, volume, *_ = map(float, rows[-1].split(","))
+    assert volume == pytest.approx(1.0)
+    assert pressure == pytest.approx(outcome.solution.states[-1].pressures["cavity"] / kPa)
+    report = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "an injected volume of 1 mL" in report
+    assert "injected volume" in report
