@@ -101,7 +101,7 @@ def build_parts(
     mirrors = of_face(mesh, surface, *mesh.symmetry_faces)
     cavities = of_face(mesh, surface, *mesh.cavities)
     outside = surface.chosen(~mirrors & ~cavities)
-    parts = _with_itself(model, surface, outside, points)
+    parts = _with_itself(model, surface, outside, (points, length))
     for obstacle in model.contact.obstacles:
         chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
         if obstacle.stiffness is not None:
@@ -122,7 +122,9 @@ def _stiff(surface: Surface, stiffness: float, length: float, model: Model) -> S
     return replace(surface, spring=spring)
 
 
-def _with_itself(model: Model, surface: Surface, outside: Surface, points: Array) -> list[PairPart | ShapePart]:
+def _with_itself(
+    model: Model, surface: Surface, outside: Surface, scaled_points: tuple[Array, float]
+) -> list[PairPart | ShapePart]:
     """Walls outside, walls of cavities that are pressed together, and walls against their mirror images."""
     mesh, chosen = model.mesh, model.contact.self_contact
     if chosen is None:
@@ -130,7 +132,7 @@ def _with_itself(model: Model, surface: Surface, outside: Surface, points: Array
     alone = [surface.chosen(of_face(mesh, surface, cavity)) for cavity in pressed_together(model)]
     if model.contact.for_mesh(mesh) is not None:
         alone.insert(0, outside)
-    length = _mean_edge(mesh, points)
+    points, length = scaled_points
     mirrored = np.zeros(len(points), dtype=bool)
     for name in mesh.symmetry_faces:
         mirrored[mesh.face_nodes(name)] = True
@@ -142,11 +144,6 @@ def _with_itself(model: Model, surface: Surface, outside: Surface, points: Array
         for name in mesh.symmetry_faces:
             parts += _mirror(mesh, name, one, points)
     return parts
-
-
-def _mean_edge(mesh: Mesh, points: Array) -> float:
-    """Meters in one scaled unit."""
-    return float(np.ptp(mesh.points, axis=0).max() / np.ptp(points, axis=0).max())
 
 
 def _pairs(surface: Surface, points: Array, mirrored: NDArray[np.bool_], friction: float) -> PairPart:

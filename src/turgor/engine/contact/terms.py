@@ -190,14 +190,17 @@ class ContactTerms:
 
     def share_of_tolerance(self, part: Part, found: Found) -> float:
         """Penetration as a share of what the tolerance allows, at the worst place."""
-        depth = np.maximum(-found.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height)
-        return float(depth.max(initial=0.0))
+        return float(self._shares(part, found).max(initial=0.0))
+
+    def _shares(self, part: Part, found: Found) -> Array:
+        """Deepest penetration of each side (s,) as a share of what the tolerance allows there."""
+        return np.asarray(np.maximum(-found.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height))
 
     def stiffen(self, at: Contacts) -> bool:
         """Raise the stiffness of sides that are penetrated too far; whether there were any that could be raised."""
         raised = False
         for part, found in zip(self.parts, at.found, strict=True):
-            depth = np.maximum(-found.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height)
+            depth = self._shares(part, found)
             factor = np.clip(1.2 * depth, 1.0, STIFFER_AT_ONCE)
             boost = np.where(depth > 1, np.minimum(part.boost * factor, STIFFER), part.boost)
             raised |= bool((boost > part.boost).any())
