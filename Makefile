@@ -22,7 +22,7 @@ help:
 	@echo "make slow          the slow tests"
 	@echo "make lint          ruff and mypy"
 	@echo "make format        let ruff format and tidy the code"
-	@echo "make verification  all verification tests; writes docs/verification.md"
+	@echo "make verification  all verification tests (half an hour of one core); renews docs/verification.md"
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
@@ -52,7 +52,7 @@ format: $(DEV)
 	$(BIN)/ruff format
 
 verification: $(DEV)
-	$(BIN)/python -m pytest tests/verification -m "slow or not slow" --write-verification
+	$(BIN)/python -m pytest tests/verification -n auto -m "slow or not slow" --write-verification
 
 actuators: $(DEV)
 	$(BIN)/python docs/actuator_pages.py --pictures

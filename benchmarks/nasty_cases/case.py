@@ -118,6 +118,8 @@ def run(case: Case) -> Verdict:
 def judge(case: Case, solution: tg.Solution) -> tuple[str, str]:
     """The end of a run, and why it is taken for this."""
     if case.stops or (case.stops is None and solution.status is tg.Status.LIMIT_POINT):
+        if solution.status is tg.Status.STEP_TOO_SMALL:
+            return GAVE_UP, solution.message
         if solution.status is not tg.Status.LIMIT_POINT:
             return WRONG, f"a limit point should have been reported, not: {solution.message}"
         found = case.check(solution)

@@ -107,12 +107,18 @@ def _check(job: JobFile, debug: Debug = False) -> None:
         from turgor.job.read import read_job
         from turgor.job.run import prepare
         from turgor.results.describe import contact
+        from turgor.results.describe_procedure import procedure
+        from turgor.solvers.stages import Stages
 
-        model, findings = prepare(read_job(job))
+        asked = read_job(job)
+        model, findings = prepare(asked)
         mesh = model.mesh
         typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
         for sentence in contact(model):
             typer.echo(sentence)
+        if isinstance(asked.procedure, Stages):
+            for name, changes in procedure(asked.procedure):
+                typer.echo(f"Stage '{name}': {changes}.")
         _warn(findings)
         raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
 

@@ -30,10 +30,13 @@ def modes_command(
         from turgor.job.run import prepare
         from turgor.solvers.driver import solve
         from turgor.solvers.modes import natural_frequencies
+        from turgor.solvers.stages import Stages
 
         asked = read_job(job)
         model, findings = prepare(asked)
         state = solve(model, asked.procedure).states[-1] if loaded else None
+        if state is not None and isinstance(asked.procedure, Stages):
+            model = state.model  # the question of the last stage
         modes = natural_frequencies(model, state, count)
         _show(modes)
         if output is not None:

@@ -25,6 +25,7 @@ class Course:
     def __init__(self) -> None:
         self.angle: float | None = None
         self.load_factor = 0.0
+        self.stage = ""
         self._accepted: deque[tuple[float, float]] = deque(maxlen=RECENT_STEPS + 1)
 
     def follow(self, state: State | None) -> None:
@@ -34,6 +35,9 @@ class Course:
         if state is None:
             return
         self.load_factor = state.load_factor
+        if state.stage != self.stage:  # the load factor begins anew
+            self.stage = state.stage
+            self._accepted.clear()
         self._accepted.append((state.load_factor, perf_counter()))
         try:
             angle = bending_angle(state)
@@ -146,7 +150,7 @@ class LiveDisplay:
         self._bar.update(
             self._task,
             completed=self._course.load_factor,
-            description=f"load factor {self._course.load_factor:.3f}",
+            description=f"{of_stage(self._course.stage)}load factor {self._course.load_factor:.3f}",
             state=f"step {iteration.step}, iteration {iteration.iteration}, residual {iteration.residual:.1e}"
             f"{bending(self._course.angle)}",
             left=f"{clock(self._course.seconds_left)} left",
@@ -158,7 +162,18 @@ def describe(iteration: Iteration, state: State) -> str:
     pressures = pressure_text(state)
     load = f", {pressures}" if pressures else ""
     work = f"{iteration.iteration} iterations, residual {iteration.residual:.1e}"
-    return f"step {iteration.step}: load factor {state.load_factor:.4f}{load}, {work}"
+    return f"{of_stage(state.stage)}step {iteration.step}: load factor {state.load_factor:.4f}{load}, {work}"
+
+
+def of_stage(name: str) -> str:
+    """Write the name of a stage before what happens in it.
+
+    Examples
+    --------
+    >>> of_stage("fill"), of_stage("")
+    ('fill, ', '')
+    """
+    return f"{name}, " if name else ""
 
 
 def bending(angle: float | None) -> str:

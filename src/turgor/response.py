@@ -94,6 +94,8 @@ class Response:
         How the run that made them ended (``"converged"``, ``"limit_point"`` …); empty where none did.
     message : str
         What happened, in one sentence with its numbers.
+    stages : tuple of str
+        Name of the stage of each row, where procedures follow each other; files do not keep it.
 
     Raises
     ------
@@ -119,6 +121,7 @@ class Response:
     source: Source
     status: str = ""
     message: str = ""
+    stages: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if not self.columns:
@@ -130,6 +133,8 @@ class Response:
         if len(set(lengths.values())) > 1:
             shown = ", ".join(f"{name} {count}" for name, count in lengths.items())
             raise TurgorError(f"response: the columns have different lengths ({shown}).")
+        if self.stages and len(self.stages) != len(self):
+            raise TurgorError(f"response: {len(self.stages)} stages are named for {len(self)} rows.")
 
     def __len__(self) -> int:
         """Count the rows."""

@@ -56,6 +56,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
             {"m³": 1.0, "m3": 1.0, "L": L, "mL": mL, "cm³": mL, "cm3": mL, "mm³": mm**3, "mm3": mm**3}
         ),
         "rate": MappingProxyType({"1/s": 1.0, "1/ms": 1e3}),
+        "acceleration": MappingProxyType({"m/s²": 1.0, "m/s2": 1.0}),
         "density": MappingProxyType({"kg/m³": 1.0, "kg/m3": 1.0, "g/cm³": 1e3, "g/cm3": 1e3}),
         "spring stiffness": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
         "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9}),
@@ -173,6 +174,7 @@ def _example(dimension: str) -> str:
         "pressure": "60 kPa",
         "time": "2 s",
         "rate": "1 1/s",
+        "acceleration": "9.81 m/s²",
         "volume": "12 mL",
         "density": "1130 kg/m³",
         "spring stiffness": "50 N/m",

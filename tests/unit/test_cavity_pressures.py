@@ -35,10 +35,11 @@ from turgor.results.pictures import picture_title
 from turgor.results.plots import response_figure
 from turgor.results.report import Report, write_report
 from turgor.results.vtu import write_series
-from turgor.solvers import driver
+from turgor.solvers import static_run
 from turgor.solvers.checks import unloaded_cavities
 from turgor.solvers.contact_checks import meeting_walls
 from turgor.solvers.driver import solve
+from turgor.solvers.predictor import predicted
 from turgor.solvers.procedures import Static
 from turgor.solvers.solution import Solution
 from turgor.solvers.stepping import StepControl
@@ -150,12 +151,11 @@ def test_beyond_a_kink_the_path_starts_anew(twin: Mesh, monkeypatch: pytest.Monk
     """What the predictor knows and how long a step is, after a kink as at the start."""
     known: dict[float, int] = {}
 
-    def watched(system: Any, tangent: Any, path: Any, load: float) -> Any:
-        known[path.history[-1][0]] = len(path.history)
-        return predict(system, tangent, path, load)
+    def watched(system: Any, tangent: Any, history: Any, load: float) -> Any:
+        known[history[-1][0]] = len(history)
+        return predicted(system, tangent, history, load)
 
-    predict = driver._predict
-    monkeypatch.setattr(driver, "_predict", watched)
+    monkeypatch.setattr(static_run, "predicted", watched)
     loads = (Pressure("cavity_1", 1 * kPa, ((0, 0), (0.5, 1), (1, 0))),)
     steps = solve(model(twin, *loads), Static(first_step=0.125, max_step=0.5)).steps
     assert [step.load_factor for step in steps[:3]] == [0.125, 0.375, 0.5]

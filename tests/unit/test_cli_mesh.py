@@ -177,7 +177,9 @@ def test_convergence_writes_table_plot_and_sentence(folder: Path, capsys: pytest
 
 
 def test_a_study_whose_solve_ends_early_is_not_converged(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    text = JOB.replace("max_step = 1.0", "max_step = 1.0\nmin_step = 1.0\nmax_iterations = 1")
+    text = JOB.replace("first_step = 1.0", "first_step = 0.5").replace(
+        "max_step = 1.0", "max_step = 0.5\nmax_steps = 1"
+    )
     (folder / "one.toml").write_text(text, encoding="utf-8")
     assert main(["convergence", "one.toml", "--sizes", "6 mm, 4 mm, 3 mm"]) == NOT_CONVERGED
     assert "This was the mesh of size 6 mm; a study compares complete paths." in capsys.readouterr().err

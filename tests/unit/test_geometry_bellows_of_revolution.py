@@ -135,7 +135,7 @@ def corrugations(draw: st.DrawFn) -> Folds:
     inner = draw(st.floats(5, 50)) * mm
     height = inner * draw(st.floats(0.1, 3))
     pitch = max(height * draw(st.floats(0.1, 1.8)), 0.1 * mm)
-    room = min(height - pitch / 2, pitch / 2) if shape == "rounded" else height
+    room = min(height - pitch / 2 - 0.01 * mm, pitch / 2 - 0.02 * mm) if shape == "rounded" else height - 0.01 * mm
     wall = max(room * draw(st.floats(0.05, 0.9)), 0.01 * mm)
     return Folds(
         count=draw(st.integers(1, 4)),

@@ -89,3 +89,16 @@ def test_a_model_knows_the_extremes_of_its_loads() -> None:
     model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], loads)
     assert kinks(model) == (0.2,)
     assert extremes(model) == (0.2, 0.5, 1.0)
+
+
+def test_paths_of_obstacles_have_kinks() -> None:
+    import turgor as tg
+    from turgor.geometry import FastPneuNet
+
+    mesh = tg.mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
+    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.5e5), density=1e3)
+    path = [(0, (0, 0, 0)), (0.3, (0, 0, -1e-3)), (1, (1e-3, 0, -1e-3))]
+    plate = tg.Obstacle(name="plate", shape=tg.Plane(point=(0, 0, 0.05), normal=(0, 0, -1)), path=path)
+    contact = tg.Contact(obstacles=[plate])
+    model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], [], contact=contact)
+    assert kinks(model) == (0.3,)

@@ -402,8 +402,9 @@ f = { g = { h = 1.5e3 }, i = 1979-05-27T07:32:00 }
 j = 1
 '''
     assert {".".join(key): line for key, line in key_lines(text).items()} == {
-        "title": 2, "quoted key": 5, "a": 7, "a.b": 7, "a.b.c": 8, "a.b.c.d": 8, "a.b.c.d.e": 9, "a.b.f": 11,
-        "a.b.f.g": 11, "a.b.f.g.h": 11, "a.b.f.i": 11, "t": 12, "t.j": 13,
+        "title": 2, "quoted key": 5, "a": 7, "a.b": 7, "a.b.c": 8, "a.b.c.d": 8, "a.b.c.d.1": 9, "a.b.c.d.1.e": 9,
+        "a.b.f": 11,
+        "a.b.f.g": 11, "a.b.f.g.h": 11, "a.b.f.i": 11, "t": 12, "t.1": 12, "t.1.j": 13,
     }  # fmt: skip
 
 

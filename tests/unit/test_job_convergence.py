@@ -53,14 +53,14 @@ def test_a_function_may_be_asked_instead() -> None:
 
 
 def test_a_path_that_ends_early_is_not_compared() -> None:
-    cut = replace(JOB, procedure=Static(first_step=1.0, max_step=1.0, min_step=1.0, max_iterations=1))
+    cut = replace(JOB, procedure=Static(first_step=0.5, max_step=0.5, max_steps=1))
     with pytest.raises(SolveError) as error:
         convergence(cut)
     assert error.value.__notes__ == ["This was the mesh of size 5.6 mm; a study compares complete paths."]
 
 
 def test_nor_is_one_that_a_function_returns() -> None:
-    cut = Static(first_step=1.0, max_step=1.0, min_step=1.0, max_iterations=1)
+    cut = Static(first_step=0.5, max_step=0.5, max_steps=1)
 
     def question(size: float) -> Solution:
         return solve(prepare(replace(JOB, mesh_size=size, mesh_face_sizes={}))[0], cut, throw=False)

@@ -8,7 +8,7 @@ from turgor.job.problems import JobError
 from turgor.job.read import read_job
 from turgor.job.run import prepare, run_job
 from turgor.model.loads import Gravity, Pressure
-from turgor.results.describe import fields_of
+from turgor.results.describe_procedure import fields_of
 from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
 from turgor.units import kPa, mL, mm
 

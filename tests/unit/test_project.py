@@ -36,6 +36,12 @@ def test_every_public_name_exists():
     assert [name for name in turgor.__all__ if not hasattr(turgor, name)] == []
 
 
+def test_every_line_of_the_stub_is_a_public_name():
+    lines = [node for node in ast.parse(read("src/turgor/__init__.pyi")).body if isinstance(node, ast.ImportFrom)]
+    assert sorted(alias.asname or alias.name for line in lines for alias in line.names) == turgor.__all__
+    assert len(turgor.__all__) > 180
+
+
 def test_dependencies_are_those_that_are_imported():
     imported = set()
     for path in SOURCES:

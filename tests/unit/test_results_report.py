@@ -163,7 +163,7 @@ def test_loads_and_supports_in_words():
     )  # fmt: skip
     assert describe.loads(model) == [
         "Gauge pressure 5 kPa on cavity, following the surface.", "Traction (1, 0, -2) kPa on tip, fixed in direction.",
-        "Gravity 9.80665 m/s² along (0.0, 0.0, -1.0).", "Force per volume, given as a function of position.",
+        "Gravity 9.80665 m/s² along (0, 0, -1).", "Force per volume, given as a function of position.",
     ]  # fmt: skip
     assert describe.supports(model) == ["fixed held in x, z.", "tip moved in y.", "The whole surface moved in x, y, z."]
     assert describe.loads(Model(mesh, {"body": rubber, "base": rubber}, [], [])) == ["None."]

@@ -1,15 +1,21 @@
 """The verification page shows what was recorded, and nothing that changes from run to run."""
 
+import ast
+from pathlib import Path
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from verification_page import Row, page, reading, scalars, table_line
+from verification_page import COUNT, ROW, Renewal, Row, Section, page, reading, scalars, table_line, written
+
+FOLDER = Path(__file__).parents[1] / "verification"
+PAGE = Path(__file__).parents[2] / "docs" / "verification.md"
+FILES = sorted(path.name for path in FOLDER.glob("test_*.py"))
 
 
 def row(**change):
     values = {
-        "file": "test_v01.py",
-        "line": 3,
         "claim": "claim",
         "source": "exact",
         "expected": 1.0,
@@ -28,7 +34,7 @@ def test_line_shows_every_cell():
     ("expected", "got", "text"),
     [
         (0.0, 2e-13, "below 1e-12"),
-        (0.0, -2e-3, "below 1e-02"),
+        (0.0, -2.34e-3, "0.0023"),
         (0.0, 0.0, "0"),
         (0.0, float("nan"), "nan"),
         (1.0, 1.00004, "1"),
@@ -41,16 +47,59 @@ def test_reading(expected, got, text):
     assert reading(expected, got) == text
 
 
-def test_round_off_does_not_change_the_page():
-    assert page([row(got=1.23456789)]) == page([row(got=1.23456789 * (1 + 1e-12))])
-    assert page([row(got=1.2345)]) != page([row(got=1.2346)])
+def test_round_off_does_not_change_a_row():
+    assert table_line(row(got=1.23456789)) == table_line(row(got=1.23456789 * (1 + 1e-12)))
+    assert table_line(row(got=1.2345)) != table_line(row(got=1.2346))
 
 
-def test_order_is_by_file_and_line_and_not_by_run():
-    rows = [row(file="test_v02.py"), row(line=9, claim="second"), row(line=3, claim="first")]
-    text = page(rows)
-    assert text == page(rows[::-1])
-    assert text.index("first") < text.index("second") < text.index("test_v02.py")
+def test_files_stand_in_the_order_of_their_numbers_and_can_be_read_back():
+    names = ("test_stages.py", "test_v24_tangent.py", "test_v08_flexure.py", "test_v24_newton.py")
+    sections = {name: Section(date="2026-01-31", lines=(table_line(row(claim=name)),)) for name in names}
+    text = page(sections | {"test_v99_gone.py": sections["test_stages.py"]}, FOLDER)
+    assert written(text) == sections
+    assert "4 comparisons in 4 files" in text
+    order = [
+        "## V08",
+        f"### {names[2]}",
+        "## V24",
+        f"### {names[3]}",
+        f"### {names[1]}",
+        "## Without",
+        f"### {names[0]}",
+    ]
+    places = [text.index(name) for name in order]
+    assert places == sorted(places)
+    assert "\n\nRivlin's flexure of a block" in text  # what the file says of itself, without its number
+
+
+def test_a_file_is_renewed_when_all_of_it_has_passed(tmp_path):
+    def report(file, passed, line, text):
+        properties = [(COUNT, 2), (ROW, (line, text))]
+        return SimpleNamespace(nodeid=f"verification/{file}::t", when="call", passed=passed, user_properties=properties)
+
+    kept = {"test_v05_tube.py": Section(date="2026-01-31", lines=("| old |",))}
+    path = tmp_path / "page.md"
+    path.write_text(page(kept, FOLDER), encoding="utf-8")
+    renewal = Renewal(path, FOLDER)
+    for file, passed, line in (("test_v08_flexure.py", True, 9), ("test_v05_tube.py", True, 9)):
+        renewal.pytest_runtest_logreport(report(file, passed, line, "| second |"))
+    renewal.pytest_runtest_logreport(report("test_v08_flexure.py", True, 3, "| first |"))
+    renewal.pytest_runtest_logreport(report("test_v05_tube.py", False, 3, "| wrong |"))
+    renewal.pytest_sessionfinish()
+    found = written(path.read_text(encoding="utf-8"))
+    assert found["test_v08_flexure.py"].lines == ("| first |", "| second |")
+    assert found["test_v05_tube.py"] == kept["test_v05_tube.py"]
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_every_file_records_and_is_on_the_page(file):
+    tree = ast.parse((FOLDER / file).read_text(encoding="utf-8"))
+    tests = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name.startswith("test_")]
+    assert any("record_verification" in [argument.arg for argument in test.args.args] for test in tests), (
+        "no test of this file records a row: give one the fixture record_verification, and call it beside its assertion"
+    )
+    renew = f"pytest -m 'slow or not slow' tests/verification/{file} --write-verification"
+    assert file in written(PAGE.read_text(encoding="utf-8")), f"docs/verification.md lacks this file: {renew}"
 
 
 def test_scalars_of_anything():

@@ -11,11 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from verification_page import HEAD, Row, page
+from verification_page import COLUMNS, Row, table_line
 
 TESTS = Path(__file__).parent
 PAGE = TESTS.parents[1] / "docs" / "validation.md"
-ROWS = pytest.StashKey[list[Row]]()
+#: File, line and text of each row.
+ROWS = pytest.StashKey[list[tuple[str, int, str]]]()
 OUTCOME = pytest.StashKey[str]()
 
 # the targets ask physical questions of the same tubes and benders whose equations the verification tests check
@@ -40,8 +41,8 @@ def record_validation(request: pytest.FixtureRequest) -> Callable[..., None]:
     rows = request.config.stash.setdefault(ROWS, [])
 
     def record(*, claim: str, source: str, expected: object, got: object, tolerance: object) -> None:
-        values = {"claim": claim, "source": source, "expected": expected, "got": got, "tolerance": tolerance}
-        rows.append(Row(file=Path(file).name, line=line or 0, **values))
+        row = Row(claim=claim, source=source, expected=expected, got=got, tolerance=tolerance)
+        rows.append((Path(file).name, line or 0, table_line(row)))
 
     return record
 
@@ -54,13 +55,22 @@ def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
     if not session.config.getoption("--write-validation", default=False):
         return
     rows = session.config.stash.get(ROWS, [])
-    not_run = {path.name for path in TESTS.glob("test_*targets*.py")} - {row.file for row in rows}
+    not_run = {path.name for path in TESTS.glob("test_*targets*.py")} - {file for file, _, _ in rows}
     if exitstatus != 0 or not_run or "slow or not slow" not in session.config.getoption("markexpr"):
         outcome = "not written: every target must run, slow ones too, and pass"
     else:
-        PAGE.write_text(TITLE.rstrip() + page(rows).removeprefix(HEAD.rstrip()), encoding="utf-8")
+        PAGE.write_text(_page(rows), encoding="utf-8")
         outcome = f"written to {PAGE}: {len(rows)} rows"
     session.config.stash[OUTCOME] = outcome
+
+
+def _page(rows: list[tuple[str, int, str]]) -> str:
+    """The whole page: one table for each file, in the order of the files and of the tests in them."""
+    parts = [TITLE.rstrip()]
+    for name in sorted({file for file, _, _ in rows}):
+        lines = [text for file, _, text in sorted(rows, key=lambda row: row[:2]) if file == name]
+        parts.append("\n".join((f"## {name}", "", *COLUMNS, *lines)))
+    return "\n\n".join(parts) + "\n"
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:

@@ -21,7 +21,8 @@ from turgor.engine import surfaces
 from turgor.model.contact import Contact
 from turgor.model.continuing import continued, with_loads
 from turgor.model.obstacles import Obstacle, Plane
-from turgor.results import describe
+from turgor.model.supports import Shift
+from turgor.results import describe_procedure
 from turgor.solvers.pressures import pressures_of
 
 KPA, ML = 1e3, 1e-6
@@ -138,11 +139,15 @@ def test_a_pressure_that_was_found_stays_and_is_let_off():
     assert np.abs(solution.states[-1].displacement).max() < 1e-6 * np.abs(filled.displacement).max()
 
 
-def test_two_injections_are_one():
+def test_two_injections_are_one(record_verification):
     whole = problems.solve(box(), tg.VolumeControl(volume=0.5 * ML, **STEPS)).states[-1]
     parts = [tg.Stage(f"{v} mL", tg.VolumeControl(volume=v * ML, **STEPS)) for v in (0.8, -0.3)]
-    last = in_turn(box(), *parts).states[-1]
-    assert contact_cases.apart(last.displacement, whole.displacement) < 1e-6
+    solution = in_turn(box(), *parts)
+    last = solution.states[-1]
+    assert "-0.3 mL: Reached a volume 0.5 mL larger than at rest at" in solution.message
+    apart = contact_cases.apart(last.displacement, whole.displacement)
+    record_verification("0.8 mL in, 0.3 mL out against 0.5 mL in: displacement", "statics", 0.0, apart, "1e-6")
+    assert apart < 1e-6
     assert last.pressures["cavity"] == pytest.approx(whole.pressures["cavity"], rel=1e-6)
 
 
@@ -166,7 +171,7 @@ def test_sealed_gas_after_a_static_stage(record_verification):
     assert contact_cases.apart(solution.states[-1].displacement, alone.displacement) < 1e-6
 
 
-def test_inflate_then_touch():
+def test_inflate_then_touch(record_verification):
     path = ((0, (0, 0, 0)), (1, DOWN))
     together = problems.solve(box([AIR], 0.0, path), STATIC).states[-1]
     solution = in_turn(
@@ -175,7 +180,10 @@ def test_inflate_then_touch():
     assert contact_cases.push(named(solution, "inflate")[-1].touches["plate"])[2] == 0
     last = solution.states[-1]
     assert contact_cases.push(last.touches["plate"])[2] < -1.0
-    assert contact_cases.apart(last.displacement, together.displacement) < 1e-4  # the stiffness was raised on the way
+    apart = contact_cases.apart(last.displacement, together.displacement)
+    claim = "inflated, then met by a plate, against both together: displacement"
+    record_verification(claim, "statics", 0.0, apart, "1e-4, the stiffness of contact is raised on the way")
+    assert apart < 1e-4
 
 
 def test_an_obstacle_starts_where_its_path_puts_it():
@@ -186,17 +194,19 @@ def test_an_obstacle_starts_where_its_path_puts_it():
     assert paths == [((0.0, away), (1.0, DOWN)), ((0.0, DOWN), (1.0, DOWN))]
 
 
-def test_friction_is_carried_on():
+def test_friction_is_carried_on(record_verification):
     """A plate that presses and then only waits holds what it held, stuck points included."""
     press = tg.Stage("press", STATIC, moves={"plate": DOWN})
     drag = tg.Stage("drag", STATIC, moves={"plate": (1 * MM, 0, -3 * MM)})
     solution = in_turn(box(friction=0.5), press, drag, tg.Stage("wait", STATIC))
     dragged, waited = named(solution, "drag")[-1], solution.states[-1]
     assert contact_cases.push(dragged.touches["plate"])[0] > 0.5
-    assert contact_cases.apart(waited.displacement, dragged.displacement) < 1e-5
+    apart = contact_cases.apart(waited.displacement, dragged.displacement)
+    record_verification("dragged by a plate, then left alone: displacement", "statics", 0.0, apart, "1e-5")
+    assert apart < 1e-5
 
 
-def test_the_rubber_goes_on_remembering():
+def test_the_rubber_goes_on_remembering(record_verification):
     prony = tg.Prony(g=(0.3, 0.2), tau=(0.5, 5.0), moduli="long_term")
     body = dataclasses.replace(problems.rubber(problems.NEO_HOOKE), viscoelasticity=prony)
     whole = tg.Model(
@@ -210,16 +220,34 @@ def test_the_rubber_goes_on_remembering():
     assert [s.time for s in solution.states] == pytest.approx([s.time for s in together.states])
     inflated, held = named(solution, "inflate")[-1], solution.states[-1]
     assert contact_cases.apart(held.displacement, inflated.displacement) > 0.02  # it creeps
-    assert contact_cases.apart(held.displacement, together.states[-1].displacement) < 1e-6
+    apart = contact_cases.apart(held.displacement, together.states[-1].displacement)
+    claim = "rubber that relaxes, inflated and held in two stages against one: displacement"
+    record_verification(claim, "the same equations", 0.0, apart, "1e-6")
+    assert apart < 1e-6
 
 
 def test_the_report_says_what_each_stage_changed():
     fill = tg.Stage("fill", tg.VolumeControl(volume=0.5 * ML))
     on = tg.Stage("on", tg.Sealed(), loads=[WEIGHT], moves={"plate": DOWN})
-    assert describe.procedure(tg.Stages([fill, on])) == [
-        ("fill", "VolumeControl"),
+    assert describe_procedure.procedure(tg.Stages([fill, on])) == [
+        ("fill", "VolumeControl (volume 0.5 mL)"),
         ("on", "Sealed; Gravity 50 m/s² along (0, 0, -1); plate moves to (0, 0, -3) mm from where it was at first"),
     ]
+
+
+def test_a_face_that_is_held_can_be_moved_later():
+    """As one that a Displacement holds in its place."""
+    up = tg.Displacement("z1", Shift((0.0, 0.0, 1 * MM)), "z")
+    stages = [tg.Stage("inflate", STATIC, loads=[AIR]), tg.Stage("pull", STATIC, displacements=[up])]
+    held = in_turn(box(supports=[tg.Fixed("z1", "z")]), *stages).states
+    still = tg.Displacement("z1", Shift((0.0, 0.0, 0.0)), "z")
+    prescribed = in_turn(box(supports=[still]), *stages).states
+    top = held[0].model.mesh.face_nodes("z1")
+    assert held[-1].displacement[top, 2] == pytest.approx(1 * MM)
+    assert contact_cases.apart(held[-1].displacement, prescribed[-1].displacement) < 1e-12
+    assert describe_procedure.procedure(tg.Stages(stages))[1][1].endswith(
+        "z1 moves to (0, 0, 1) mm from where it was at first"
+    )
 
 
 def test_a_moved_face_stays_and_moves_on():
@@ -237,12 +265,15 @@ def test_a_moved_face_stays_and_moves_on():
 
 
 @pytest.mark.parametrize("then", [tg.Stabilized(), tg.Dynamic(duration=0.02, accuracy=1e-2)])
-def test_moving_procedures_begin_at_a_state(then):
+def test_moving_procedures_begin_at_a_state(then, record_verification):
     stages = [tg.Stage("inflate", STATIC, loads=[AIR]), tg.Stage("wait", then)]
     solution = in_turn(box(), *stages)
     inflated = named(solution, "inflate")[-1]
+    apart = max(contact_cases.apart(s.displacement, inflated.displacement) for s in named(solution, "wait"))
+    claim = f"inflated, then {type(then).__name__} without a change: displacement"
+    record_verification(claim, "a body in equilibrium stays at rest", 0.0, apart, "1e-5")
+    assert apart < 1e-5
     for state in named(solution, "wait"):
-        assert contact_cases.apart(state.displacement, inflated.displacement) < 1e-5
         assert state.pressures["cavity"] == pytest.approx(20 * KPA)
 
 
@@ -260,6 +291,60 @@ def test_auto_may_come_first_and_a_stage_that_stops_ends_it():
     assert set(seen) == {"inflate", "on"}
 
 
+def ball(*loads):
+    """A thick sphere with a pressure, which cannot bear 118.6 kPa."""
+    return problems.one_material(meshes.sphere_octant(10 * MM, 15 * MM, 1, 2), problems.NEO_HOOKE, loads=loads)
+
+
+@pytest.mark.parametrize(
+    "then", [tg.ArcLength(max_stretch=1.8), tg.Auto(max_stretch=1.8, past=1.05)], ids=["arc", "auto"]
+)
+def test_a_limit_point_is_met_from_a_stage_as_from_rest(then, record_verification):
+    full = tg.Pressure("cavity", 125 * KPA)
+    (alone,) = problems.solve(ball(full), tg.ArcLength(max_stretch=1.8)).limit_points
+    first = tg.Stage("up", STATIC, loads=[tg.Pressure("cavity", 60 * KPA)])
+    solution = in_turn(ball(), first, tg.Stage("on", then, loads=[full]), tg.Stage("hold", tg.Sealed(**STEPS)))
+    (limit,) = solution.limit_points
+    record_verification(
+        claim=f"maximum of the pressure that {type(then).__name__} finds as a second stage, over that from rest",
+        source="the same problem",
+        expected=[1.0],
+        got=[limit.pressure / alone.pressure],
+        tolerance="1e-6",
+    )
+    assert limit.pressure == pytest.approx(alone.pressure, rel=1e-6)
+    assert limit.load_factor == pytest.approx((limit.pressure / KPA - 60) / 65)
+    assert solution.states[limit.state].pressures["cavity"] == pytest.approx(limit.pressure)
+    assert "on: Followed the path" in solution.message
+    assert "the largest stretch has reached" in solution.message  # the arc leads in a later stage, whatever the volume
+    # what comes next begins on the falling branch
+    last, held = named(solution, "on")[-1], solution.states[-1]
+    assert 60 * KPA < held.pressures["cavity"] < 0.999 * limit.pressure
+    assert contact_cases.apart(held.displacement, last.displacement) < 1e-6
+
+
+def test_an_arc_goes_on_under_what_acts():
+    """The weight stays while the pressure grows along the arc, and back to nothing."""
+    arc = tg.ArcLength(first_step=0.25, max_step=0.5, tolerance=1e-9)
+    off = [tg.Pressure("cavity", 0.0), tg.Gravity((0, 0, -1), 0.0)]
+    stages = [tg.Stage("weight", STATIC), tg.Stage("air", arc, loads=[AIR]), tg.Stage("off", arc, loads=off)]
+    solution = in_turn(box([WEIGHT]), *stages)
+    both = problems.solve(box([WEIGHT, AIR]), STATIC).states[-1]
+    assert contact_cases.apart(named(solution, "air")[-1].displacement, both.displacement) < 1e-6
+    assert np.abs(solution.states[-1].displacement).max() < 1e-6 * np.abs(both.displacement).max()
+
+
+def test_an_arc_begins_where_the_last_stage_ended():
+    """On the falling branch, where it grows on as the pressure falls; the loads alone do not tell."""
+    fill = tg.Stage("fill", tg.VolumeControl(volume=20 * ML, max_step=0.2))
+    arc = tg.ArcLength(first_step=0.01, max_step=0.2, max_stretch=2.0)
+    solution = in_turn(ball(), fill, tg.Stage("on", arc, loads=[tg.Pressure("cavity", 0.0)]))
+    states = [named(solution, "fill")[-1], *named(solution, "on")]
+    assert len(states) > 3
+    assert (np.diff([volume(state) for state in states]) > 0).all()
+    assert (np.diff([state.pressures["cavity"] for state in states]) < 0).all()
+
+
 MOVE = tg.Displacement("x1", lambda points, s: np.zeros(3))
 
 
@@ -269,12 +354,21 @@ MOVE = tg.Displacement("x1", lambda points, s: np.zeros(3))
         (lambda: tg.Stages([]), "there are no stages; at least one is needed"),
         (lambda: tg.Stages([tg.Stage("a"), tg.Stage("a")]), "2 stages are called 'a'"),
         (lambda: tg.Stage(" "), "a stage has no name"),
-        (lambda: tg.Stages([tg.Stage("a"), tg.Stage("b", tg.Auto())]), "stage 'b': Auto lets all loads grow"),
-        (lambda: tg.Stages([tg.Stage("a", tg.BlockedForce())]), "BlockedForce cannot be a stage"),
+        (lambda: tg.Stages([tg.Stage("a", tg.BlockedForce())]), "BlockedForce cannot be a stage, because it puts"),
+        (lambda: tg.Stages([tg.Stage("a", tg.Grasp(pull_distance=1e-3))]), "Grasp cannot be a stage, because it is"),
+        (lambda: in_turn(box([AIR]), tg.Stage("a"), tg.Stage("b", tg.ArcLength())), "stage 'b': .* here none does"),
+        (
+            lambda: in_turn(box(), tg.Stage("a", tg.ArcLength(), loads=[tg.Pressure("cavity", 1e3, "s**2")])),
+            "stage 'a': ArcLength needs loads that grow in proportion",
+        ),
+        (
+            lambda: in_turn(box([AIR], 0.0), tg.Stage("a", tg.ArcLength(), moves={"plate": DOWN})),
+            "stage 'a': ArcLength needs obstacles that stay in place, and 'plate' moves",
+        ),
         (lambda: tg.Stages([tg.Stage("a"), tg.Stage("b", tg.GasMass(mass_ratio=1.0, pressure=1e3))]), "leave it out"),
         (lambda: in_turn(box(), tg.Stage("a", loads=[AIR, AIR])), "stage 'a': a stage states pressure on cavity twice"),
         (lambda: in_turn(box(), tg.Stage("a", moves={"plte": DOWN})), "stage 'a': .*plte"),
-        (lambda: in_turn(box(), tg.Stage("a", displacements=[MOVE])), "the model has no Displacement of this face"),
+        (lambda: in_turn(box(), tg.Stage("a", displacements=[MOVE])), "the model does not hold this face"),
         (
             lambda: in_turn(box(), tg.Stage("a", loads=[AIR]), tg.Stage("b", tg.Sealed(), loads=[AIR])),
             "stage 'b': cavity has a pressure load",

@@ -36,7 +36,7 @@ def solve(model, procedure, **more):
     return tg.solve(model, procedure, options=OPTIONS, **more)
 
 
-def test_each_cavity_gets_its_volume_and_has_its_pressure():
+def test_each_cavity_gets_its_volume_and_has_its_pressure(record_verification):
     solution = solve(bar(), VolumeControl(volume={"cavity_1": 0.1 * mL, "cavity_2": -0.08 * mL}, max_step=0.5))
     response = tg.measure(solution, tg.cavity_volume)
     rest, last = (np.array([response.column(f"cavity_{k}_volume")[i] for k in (1, 2)]) for i in (0, -1))
@@ -50,7 +50,10 @@ def test_each_cavity_gets_its_volume_and_has_its_pressure():
     # the same pressures as loads bring back the same volumes
     pressures = pressures_of(solution.states[-1])
     again = solve(bar(*(tg.Pressure(name, pressure) for name, pressure in pressures.items())), tg.Static())
-    assert tg.cavity_volume(again.states[-1]) == pytest.approx(last.sum(), rel=1e-6)
+    found, expected = tg.cavity_volume(again.states[-1]) / mL, last.sum() / mL
+    claim = "two cavities under the pressures that two given volumes took: volume of both [mL]"
+    record_verification(claim, "V04, two procedures", expected, found, "1e-6")
+    assert found == pytest.approx(expected, rel=1e-6)
 
 
 def test_another_cavity_may_have_a_pressure_that_is_stated():
@@ -129,7 +132,7 @@ def test_interrupt_keeps_the_path_so_far():
     assert solution.states[-1].load_factor > 0.05
 
 
-def test_arc_length_ends_at_the_load_that_was_asked_for():
+def test_arc_length_ends_at_the_load_that_was_asked_for(record_verification):
     solution = solve(sphere(tg.Pressure("cavity", 80 * kPa)), ArcLength(at=(0.25, 0.5)))
     factors = [state.load_factor for state in solution.states]
     assert solution.status is tg.Status.CONVERGED
@@ -137,7 +140,10 @@ def test_arc_length_ends_at_the_load_that_was_asked_for():
     assert {0.25, 0.5} <= set(factors)
     assert factors == sorted(factors)
     by_load = solve(sphere(tg.Pressure("cavity", 80 * kPa)), tg.Static()).states[-1]
-    assert np.abs(solution.states[-1].displacement - by_load.displacement).max() < 1e-6 * 10e-3
+    apart = np.abs(solution.states[-1].displacement - by_load.displacement).max() / 10e-3
+    claim = "sphere under 80 kPa, by arc length and by load: largest difference of displacement over the inner radius"
+    record_verification(claim, "V04, two procedures", 0.0, apart, "1e-6")
+    assert apart < 1e-6
 
 
 def test_arc_length_ends_at_a_displacement_and_makes_requested_states_on_both_branches():
@@ -164,11 +170,13 @@ def test_auto_is_load_control_where_nothing_turns():
     assert not solution.findings
 
 
-def test_auto_takes_the_arc_where_other_loads_act():
+def test_auto_takes_the_arc_where_other_loads_act(record_verification):
     pull = tg.Traction("outside", (1.0, 0.0, 0.0))  # next to nothing, but no pressure
     solution = solve(sphere(tg.Pressure("cavity", 125 * kPa), pull), Auto(max_stretch=2.0))
     (limit,) = solution.limit_points
     assert solution.status is tg.Status.FOLLOWED
+    claim = "sphere of one cell through the wall beside another load, by Auto: limit pressure [kPa]"
+    record_verification(claim, "V04, exact", 118.4, limit.pressure / kPa, "0.5 %")
     assert limit.pressure == pytest.approx(118.4 * kPa, rel=5e-3)
     assert solution.states[limit.state].load_factor == limit.load_factor == max(s.load_factor for s in solution.states)
 

@@ -101,7 +101,7 @@ def test_sphere_under_pressure(pressure, record_verification):
     assert found == pytest.approx(expected, rel=5e-3)
 
 
-def test_pressure_that_a_volume_brings_about():
+def test_pressure_that_a_volume_brings_about(record_verification):
     """A sphere filled to a volume vibrates as one that is put under the pressure that this takes."""
     mesh = meshes.sphere_octant(10 * MM, 15 * MM, 2, 1, kind=HEXAHEDRON)
     rubber = problems.rubber(problems.NEO_HOOKE, density=1070.0)
@@ -112,14 +112,18 @@ def test_pressure_that_a_volume_brings_about():
     assert state.displacement == pytest.approx(filled.displacement, abs=1e-5 * np.abs(state.displacement).max())
     found = natural_frequencies(filled.model, filled, count=3, options=problems.OPTIONS)
     expected = natural_frequencies(pressed, state, count=3, options=problems.OPTIONS)
+    claim = "sphere filled to a volume against one under the pressure of that volume: lowest frequencies [Hz]"
+    record_verification(claim, "V15, two procedures", expected.frequencies, found.frequencies, "1e-5")
     assert found.frequencies == pytest.approx(expected.frequencies, rel=1e-5)
 
 
-def test_an_unstable_state_has_a_mode_that_grows():
+def test_an_unstable_state_has_a_mode_that_grows(record_verification):
     """A strip that is pressed endwise beyond Euler's load and kept straight by the mesh's symmetry is unstable."""
     model = vibrations.strip((8, 1, 1), [tg.Traction("x1", (-20e3, 0, 0))])
     straight = problems.solve(model, tg.Static(first_step=0.2), throw=False).states[-1]
     modes = natural_frequencies(model, straight, count=4, options=problems.OPTIONS)
+    claim = "strip pressed beyond Euler's load: unstable modes by the pivots, and by the frequencies"
+    record_verification(claim, "V15, law of inertia", straight.unstable_modes, modes.unstable, "exact")
     assert modes.unstable == straight.unstable_modes == 2
     assert modes.frequencies[1] < 0 < modes.frequencies[2]
     assert "unstable" in modes.message

@@ -44,7 +44,8 @@ def _solve(mesh, share=1.0, step=0.2, **more):
     return problems.solve(model, tg.Static(first_step=step, max_step=step, tolerance=1e-10)).states[-1]
 
 
-CASES = {"held": {}, "sprung": {"spring": 1500.0}, "with friction": {"friction": 0.4, "share": 0.4, "step": 0.05}}
+# with friction both must take the same steps: a state depends on them, and step control on counts of iterations
+CASES = {"held": {}, "sprung": {"spring": 1500.0}, "with friction": {"friction": 0.4, "share": 0.4, "step": 0.04}}
 
 
 @pytest.mark.parametrize("kind", [HEXAHEDRON, TETRAHEDRON], ids=lambda kind: kind.name)

@@ -59,7 +59,7 @@ def test_flat_side_is_a_plane(name, plane, record_verification):
     forces = [contact_cases.push(s.touches["plate"]) for s in (state, plane)]
     errors = [contact_cases.apart(state.displacement, plane.displacement), contact_cases.apart(*forces)]
     record_verification(
-        claim=f"block under the flat side of a {name} against a plane: displacement and force, relative",
+        claim=f"block under a flat side ({name}) against a plane: displacement and force, relative",
         source="V16, the same problem",
         expected=[0.0, 0.0],
         got=errors,
@@ -105,7 +105,7 @@ def test_spring_carries_the_push(name, friction, record_verification):
     pull = spring * (np.array(DOWN) * MM - touch.place)
     error = contact_cases.apart(pull, contact_cases.push(touch))
     record_verification(
-        claim=f"block under a sprung {name}, friction {friction:g}: spring against contact force, relative",
+        claim=f"block under a sprung obstacle ({name}), friction {friction:g}: spring against contact force, relative",
         source="V16, balance",
         expected=0.0,
         got=error,

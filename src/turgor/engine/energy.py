@@ -4,7 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine import kernels
-from turgor.engine.system import Evaluation, System
+from turgor.engine.evaluation import Evaluation
+from turgor.engine.system import System
 
 Array = NDArray[np.float64]
 

@@ -4,91 +4,28 @@ Inside, lengths are divided by the mean edge length and stresses by the stiffest
 unknowns and the entries of the tangent are of the order of one whatever the units and the size of the actuator.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.engine import kernels
 from turgor.engine.additions import Addition
 from turgor.engine.boundary import held_components
-from turgor.engine.cell_materials import CellMaterials, Isochoric
+from turgor.engine.cell_terms import CellTerms
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.surface import whole_surface
 from turgor.engine.contact.terms import Contacts, ContactTerms
 from turgor.engine.dead_loads import dead_forces
-from turgor.engine.element import element_of
-from turgor.engine.faces import FaceStresses, FaceTerms
+from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
+from turgor.engine.evaluation import Stresses as Stresses
+from turgor.engine.faces import FaceTerms
 from turgor.engine.memory import Memory
-from turgor.engine.pattern import Pattern, build_pattern, locate, scatter_add
+from turgor.engine.pattern import Pattern, build_pattern
 from turgor.errors import TurgorError
 from turgor.model.drive import extremes
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
-
-#: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
-REGULARIZATION = 1e-9
-
-#: Entries of cell matrices held at once when the tangent is formed; bounds the memory.
-CHUNK_ENTRIES = 2_500_000
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Stresses:
-    """Second Piola–Kirchhoff stresses that enter the geometric stiffness, scaled.
-
-    Parameters
-    ----------
-    cells : (c, q, 6) array
-    faces : FaceStresses
-        Those of membranes and fibers.
-    """
-
-    cells: Array
-    faces: FaceStresses
-
-    @staticmethod
-    def combine(parts: "Sequence[tuple[float, Stresses]]") -> "Stresses":
-        """Weighted sum, for extrapolation."""
-        cells = sum(weight * part.cells for weight, part in parts)
-        return Stresses(np.asarray(cells), FaceStresses.combine([(weight, part.faces) for weight, part in parts]))
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Evaluation:
-    """The equations at one point: what the residual computed and the tangent needs again.
-
-    Parameters
-    ----------
-    unknowns : (size,) array
-        Scaled displacement, node by node along the directions of each, then scaled mean stress.
-    load_factor : float
-    residual : (size,) array
-        Internal minus external force; then the violation of the volume constraint.
-    external : (size,) array
-        External force alone.
-    isochoric : Isochoric
-        What the laws say at all points, scaled.
-    contacts : Contacts
-        What touches.
-    contact_force : float
-        Size of the contact forces on the free nodes.
-    sought : (k,) array or None
-        Scaled pressures of the controlled faces.
-    """
-
-    unknowns: Array
-    load_factor: float
-    residual: Array
-    external: Array
-    isochoric: Isochoric
-    contacts: Contacts
-    contact_force: float
-    sought: Array | None = None
 
 
 class System:
@@ -109,8 +46,11 @@ class System:
         Which unknowns are prescribed.
     length, stress : float [m], [Pa]
         Scales of the unknowns.
-    mean_stress_volumes : (m,) array
-        Scaled volume that belongs to each mean stress.
+    rubber : CellTerms
+        What the cells add; its ``cells``, ``element``, ``Jinv``, ``dV``, ``materials`` and ``mean_stress_volumes`` are
+        attributes of the system, too.
+    faces : FaceTerms
+        What pressures, membranes and fibers add.
     contact : ContactTerms
         What may touch what.
     full_force : float
@@ -129,20 +69,10 @@ class System:
         self.length = _mean_edge(mesh.points, mesh.cells)
         self.stress = max(m.law.shear_modulus for m in model.region_materials.values())
         self.points = np.ascontiguousarray(mesh.points / self.length)
-        self.cells = np.ascontiguousarray(mesh.cells)
-        self.element = element_of(model)
-        r = self.element.tables
-        self.Jinv, self.dV = kernels.reference_geometry(self.element.shape, self.points, self.cells, r.dN, r.weights)
-        if not (self.dV > 0).all():
-            bad = int((self.dV <= 0).any(axis=1).sum())
-            raise TurgorError(f"mesh '{mesh.name}': {bad} cells are inside out; refine or straighten the mesh.")
-        modes = len(self.element.modes)
-        self.mean_stress_volumes = np.bincount(
-            self.element.mean.ravel(), (self.dV @ r.M[:, :modes]).ravel(), minlength=self.element.mean_count
-        )
-        self.materials = CellMaterials(model, self.stress, len(r.weights))
-        chosen = self.materials.gradient_cells
-        self._gradient_Jinv = self.Jinv if len(chosen) == len(self.cells) else self.Jinv[chosen]
+        self.rubber = CellTerms(model, self.points, self.stress)
+        self.cells, self.element, self.materials = self.rubber.cells, self.rubber.element, self.rubber.materials
+        self.Jinv, self.dV = self.rubber.Jinv, self.rubber.dV
+        self.mean_stress_volumes = self.rubber.mean_stress_volumes
         supports = held_components(model)
         self._supports = supports
         self._frames = supports.frames
@@ -151,10 +81,12 @@ class System:
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
         self.size = len(self.held)
         self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress, controlled)
-        self._dead = dead_forces(model, self.points, self.dV, r.N, (self.length, self.stress))
+        self._dead = dead_forces(model, self.points, self.dV, self.element.tables.N, (self.length, self.stress))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
-        self._cell_unknowns = _cell_unknowns(self.cells, self.element.mean, self.node_count)
-        self._build_pattern()
+        base = build_pattern(self.rubber.unknowns, self.size, *self.faces.couplings)
+        self.rubber.locate(base)
+        self.faces.locate(base)
+        self.layout = Layout(base, self.held)
 
     def _contact_terms(self) -> ContactTerms:
         scales = (self.length, self.stress)
@@ -168,29 +100,10 @@ class System:
         forces = self._frames.to_local(external + self._dead.at(load_factor))
         return float(np.linalg.norm(forces.ravel()[~self.held[: 3 * self.node_count]]))
 
-    def _build_pattern(self) -> None:
-        unknowns = self._cell_unknowns
-        base = build_pattern(unknowns, self.size, *self.faces.couplings)
-        rows, columns = np.tril_indices(unknowns.shape[1])
-        self._positions = np.empty((len(unknowns), len(rows)), dtype=np.int32)
-        for chunk in self._chunks():
-            self._positions[chunk] = locate(
-                base.indptr,
-                base.indices,
-                unknowns[chunk][:, rows].ravel(),
-                unknowns[chunk][:, columns].ravel(),
-            ).reshape(-1, len(rows))
-        self.faces.locate(base)
-        self.layout = Layout(base, self.held)
-
     @property
     def pattern(self) -> Pattern:
         """The sparsity of the tangent at present; contact changes it."""
         return self.layout.pattern
-
-    def _chunks(self) -> list[slice]:
-        cells = max(1, CHUNK_ENTRIES // self._positions.shape[1])
-        return [slice(start, start + cells) for start in range(0, len(self.cells), cells)]
 
     def split(self, unknowns: Array) -> tuple[Array, Array]:
         """Scaled displacement (n, 3) and scaled mean stress (m,)."""
@@ -226,22 +139,26 @@ class System:
     @property
     def cell_size(self) -> int:
         """Unknowns of a cell, displacements node by node first."""
-        return self._cell_unknowns.shape[1]
+        return self.rubber.unknowns.shape[1]
 
     def scattered(self, entries: NDArray[np.int64], values: Array) -> Array:
         """Sum chosen entries (k,) of the lower triangles of cell matrices, values (c, k), into that of the tangent."""
         data = np.zeros(len(self.layout.base.indices))
-        for chunk in self._chunks():
-            scatter_add(data, self._positions[chunk][:, entries].ravel(), values[chunk].ravel())
+        self.rubber.add_entries(data, entries, values)
         self._frames.turn_tangent(self.layout.base, data, self.node_count)
         return data
 
     def gathered(self, by_cell: Array) -> Array:
         """Sum nodal forces of the cells (c, 3 nodes) into forces along the directions of the nodes (size,)."""
-        places = self._cell_unknowns[:, : by_cell.shape[1]]
-        out: Array = np.bincount(places.ravel(), by_cell.ravel(), minlength=self.size).astype(np.float64)
+        out = self._summed(by_cell)
         components = out[: 3 * self.node_count].reshape(-1, 3)
         out[: 3 * self.node_count] = self._frames.to_local(components).ravel()
+        return out
+
+    def _summed(self, by_cell: Array) -> Array:
+        """Sum the first entries of all cells (c, k) by unknown (size,)."""
+        places = self.rubber.unknowns[:, : by_cell.shape[1]]
+        out: Array = np.bincount(places.ravel(), by_cell.ravel(), minlength=self.size).astype(np.float64)
         return out
 
     def prescribed(self, load_factor: float) -> Array:
@@ -264,31 +181,10 @@ class System:
         ``sought`` are scaled pressures of the controlled faces; `ContactTerms.look` explains ``known`` and ``how``.
         """
         u, p = self.split(unknowns)
-        e, r = self.element, self.element.tables
-        I1, I2, _ = kernels.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
-        if not np.isfinite(I1).all():
+        laws = self.rubber.laws(u)
+        if laws is None:
             return None
-        rubber = self.materials
-        F = kernels.deformation_gradients(e.shape, self.cells[rubber.gradient_cells], u, r.dN, self._gradient_Jinv)
-        laws = rubber.isochoric(I1, I2, F)
-        by_cell = kernels.residual(
-            e.shape,
-            e.modes,
-            self.cells,
-            e.mean,
-            u,
-            p,
-            r.dN,
-            r.M,
-            self.Jinv,
-            self.dV,
-            laws.derivatives[0],
-            laws.derivatives[1],
-            rubber.rows,
-            laws.stress,
-            rubber.compliance,
-        )
-        internal: Array = np.bincount(self._cell_unknowns.ravel(), by_cell.ravel(), minlength=self.size).astype(float)
+        internal = self._summed(self.rubber.forces(u, p, laws))
         position = self.points + u
         forces, external = self.faces.forces(position, load_factor, sought)
         springs = self.springs(unknowns)
@@ -315,38 +211,13 @@ class System:
         """
         if not self.materials.remembers:
             return None
-        e = self.element
-        u = self.split(at.unknowns)[0]
-        return self.materials.remembered(kernels.deformation_gradients(e.shape, self.cells, u, e.tables.dN, self.Jinv))
+        return self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]))
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
         u, p = self.split(at.unknowns)
-        e, r = self.element, self.element.tables
-        compliance = np.maximum(self.materials.compliance, REGULARIZATION)
         data = np.zeros(len(self.layout.base.indices))
-        nothing = np.zeros((1, 1, 6))
-        for chunk in self._chunks():
-            packed = kernels.tangent(
-                e.shape,
-                e.modes,
-                self.cells[chunk],
-                e.mean[chunk],
-                u,
-                p,
-                r.dN,
-                r.M,
-                self.Jinv[chunk],
-                self.dV[chunk],
-                np.ascontiguousarray(at.isochoric.derivatives[:, chunk]),
-                self.materials.rows[chunk],
-                at.isochoric.stress,
-                at.isochoric.tangent,
-                compliance[chunk],
-                nothing if geometric is None else geometric.cells[chunk],
-                geometric is not None,
-            )
-            scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
+        self.rubber.add_tangents(data, u, p, at.isochoric, None if geometric is None else geometric.cells)
         given = None if geometric is None else geometric.faces
         self.faces.add_tangents(data, self.points + u, at.load_factor, given, at.sought)
         self.contact.prepare(self.layout, at.contacts)
@@ -363,35 +234,21 @@ class System:
         matrix = self.faces.skew_matrix(self.points + u, at.load_factor, self.size, at.sought)
         return None if matrix is None else self._frames.turn_matrix(matrix)
 
+    def rubbing(self, at: Evaluation) -> sp.csc_matrix | None:
+        """Unsymmetric part of the tangent from friction, whose limits follow the pressure; None where nothing rubs."""
+        matrix = self.contact.rubbing(at.contacts, self.size)
+        return None if matrix is None else self._frames.turn_matrix(matrix)
+
     def apply_supports(self, data: Array) -> None:
         """Replace the equations of held unknowns by identities, in place."""
         self.layout.apply_supports(data)
 
     def stresses(self, at: Evaluation, update: Array | None = None) -> Stresses:
         """Stresses at an evaluation, linearized for an update where one is given; see `kernels.extrapolated_stress`."""
-        u, p = self.split(at.unknowns)
-        du, dp = self.split(np.zeros(self.size) if update is None else update)
-        e, r = self.element, self.element.tables
-        laws = at.isochoric
-        cells = kernels.extrapolated_stress(
-            e.shape,
-            e.modes,
-            self.cells,
-            e.mean,
-            u,
-            p,
-            du,
-            dp,
-            r.dN,
-            r.M,
-            self.Jinv,
-            laws.derivatives,
-            self.materials.rows,
-            laws.stress,
-            laws.tangent,
-            self.materials.compliance,
-        )
-        return Stresses(cells, self.faces.stresses(self.points + u, du))
+        there = self.split(at.unknowns)
+        change = self.split(np.zeros(self.size) if update is None else update)
+        cells = self.rubber.stresses(there, change, at.isochoric)
+        return Stresses(cells, self.faces.stresses(self.points + there[0], change[0]))
 
     def residual(self, unknowns: Array, load_factor: float) -> Array:
         """Residual (size,) at a point, for checks of the tangent."""
@@ -401,20 +258,16 @@ class System:
         return evaluation.residual
 
     def tangent(self, unknowns: Array, load_factor: float) -> sp.csc_matrix:
-        """Full tangent (size, size) at a point without supports, skew part included."""
+        """Full tangent (size, size) at a point without supports, its unsymmetric parts included."""
         evaluation = self.evaluate(unknowns, load_factor)
         if evaluation is None:
             raise TurgorError("a cell is turned inside out at these unknowns.")
         data = self.tangent_data(evaluation)  # first: contact may change the pattern
         matrix = self.pattern.full(data)
-        skew = self.skew_matrix(evaluation)
-        return matrix if skew is None else (matrix + skew).tocsc()
+        for part in (self.skew_matrix(evaluation), self.rubbing(evaluation)):
+            matrix = matrix if part is None else (matrix + part).tocsc()
+        return matrix
 
 
 def _mean_edge(points: Array, cells: NDArray[np.int64]) -> float:
     return float(np.linalg.norm(points[cells[:, 0]] - points[cells[:, 1]], axis=1).mean())
-
-
-def _cell_unknowns(cells: NDArray[np.int64], mean: NDArray[np.int64], node_count: int) -> NDArray[np.int64]:
-    displacement = (3 * cells[:, :, None] + np.arange(3)).reshape(len(cells), -1)
-    return np.ascontiguousarray(np.hstack([displacement, 3 * node_count + mean]))

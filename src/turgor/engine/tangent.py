@@ -6,12 +6,17 @@ from time import perf_counter
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
+from scipy.sparse.linalg import LinearOperator, gmres
 
+from turgor.engine.evaluation import Evaluation, Stresses
 from turgor.engine.linear import LinearSolver, UnsymmetricSolver, linear_solver
 from turgor.engine.runtime import MIXED, PLAIN
-from turgor.engine.system import Evaluation, Stresses, System
+from turgor.engine.system import System
 
 Array = NDArray[np.float64]
+
+#: Where something rubs, solutions are found to this relative residual, with so many solutions by the factors at most.
+RUBBING_TOLERANCE, RUBBING_SOLVES = 1e-4, 40
 
 
 @dataclass(slots=True)
@@ -58,6 +63,7 @@ class Tangent:
         self._symmetric: LinearSolver | None = None
         self._general: UnsymmetricSolver | None = None
         self._analyzed = system.pattern
+        self._rubbing: sp.csc_matrix | None = None
         if system.faces.symmetric:
             self._symmetric = linear_solver(solver, system.pattern, threads)
         else:
@@ -74,8 +80,13 @@ class Tangent:
         assert active is not None
         return active
 
-    def factor(self, at: Evaluation, geometric: Stresses | None = None, jump: Array | None = None) -> Array:
-        """Form and factor the tangent; return the forces that moving the held unknowns by ``jump`` would cause."""
+    def factor(
+        self, at: Evaluation, geometric: Stresses | None = None, jump: Array | None = None, shift: float = 0.0
+    ) -> Array:
+        """Form and factor the tangent; return the forces that moving the held unknowns by ``jump`` would cause.
+
+        ``shift`` is added to the diagonal of the free displacements, to make it positive where it is not.
+        """
         start = perf_counter()
         system = self._system
         data = system.tangent_data(at, geometric)
@@ -87,7 +98,12 @@ class Tangent:
             coupling = system.pattern.product(data, moved)
             if skew is not None:
                 coupling += skew @ moved
+        rubbing = system.rubbing(at)
+        self._rubbing = None if rubbing is None else sp.diags((~system.held).astype(np.float64)) @ rubbing
         system.apply_supports(data)
+        if shift:
+            free = np.flatnonzero(~system.held[: 3 * system.node_count])
+            data[system.pattern.diagonal[free]] += shift
         middle = perf_counter()
         if self._symmetric is not None:
             if self._analyzed is not system.pattern:  # walls touch that did not before
@@ -106,9 +122,17 @@ class Tangent:
     def solve(self, right: Array) -> Array:
         """Solve with the last factors."""
         start = perf_counter()
-        out = self._active.solve(right)
+        out = self._active.solve(right) if self._rubbing is None else self._with_rubbing(self._rubbing, right)
         self.clock.solve += perf_counter() - start
         return out
+
+    def _with_rubbing(self, rubbing: sp.csc_matrix, right: Array) -> Array:
+        """Solve with the unsymmetric part of friction too: the factors leave few directions for GMRES to find."""
+        size, active = len(right), self._active
+        operator = LinearOperator((size, size), matvec=lambda x: x + active.solve(rubbing @ x), dtype=np.float64)
+        first = active.solve(right)
+        out, _ = gmres(operator, first, rtol=RUBBING_TOLERANCE, restart=RUBBING_SOLVES, maxiter=1)
+        return np.asarray(out)
 
     def unstable_modes(self) -> int | None:
         """Negative pivots beyond one for each mean stress; None where the solver does not count them."""

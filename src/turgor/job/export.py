@@ -16,6 +16,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.model.write_inp import PROGRAMS, compressible, write_inp
 from turgor.solvers.procedures import question_of
+from turgor.solvers.stages import Stages
 
 #: What can be exported.
 KINDS = ("inp", "step", "stl", "mold")
@@ -111,6 +112,11 @@ def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[st
 
 
 def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
+    if isinstance(job.procedure, Stages):
+        raise TurgorError(
+            "stages have no form in an .inp file; export a job with one procedure, in which "
+            "histories say when loads act."
+        )
     model = Model(
         mesh,
         materials=job.materials,

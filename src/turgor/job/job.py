@@ -42,7 +42,7 @@ from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
 from turgor.model.supports import Fixed, Radial
 from turgor.solvers.procedures import Static
-from turgor.solvers.stages import OneProcedure
+from turgor.solvers.stages import OneProcedure, Stages
 
 
 class Actuator(Protocol):
@@ -167,7 +167,7 @@ class Job:
         What may touch what.
     rigid_files : mapping of str to RigidFile
         The files of those obstacles that come from STL files, for the lock file.
-    procedure : Static, BlockedForce, Grasp, VolumeControl, GasMass, ArcLength, Auto, Stabilized or Dynamic
+    procedure : Static, BlockedForce, Grasp, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
         How the path is followed.
     output : Output
         What to write.
@@ -188,6 +188,6 @@ class Job:
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
     contact: Contact = field(default_factory=Contact)
     rigid_files: Mapping[str, RigidFile] = field(default_factory=dict)
-    procedure: OneProcedure = field(default_factory=Static)
+    procedure: OneProcedure | Stages = field(default_factory=Static)
     output: Output = field(default_factory=Output)
     threads: int | None = None

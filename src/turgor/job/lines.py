@@ -39,6 +39,8 @@ class _Tokens:
 def key_lines(text: str) -> dict[Key, int]:
     r"""Map every key of a valid TOML text, tables included, to the line where it first stands.
 
+    Tables of an array, ``[[stages]]`` or in braces, have the number of the table as the next part, counted from 1.
+
     Parameters
     ----------
     text : str
@@ -53,15 +55,19 @@ def key_lines(text: str) -> dict[Key, int]:
     --------
     >>> key_lines('[mesh]\nsize = "3 mm"\n')
     {('mesh',): 1, ('mesh', 'size'): 2}
+    >>> key_lines('[[stages]]\nname = "fill"\n')
+    {('stages',): 1, ('stages', '1'): 1, ('stages', '1', 'name'): 2}
     """
     tokens, lines, table = _Tokens(text), dict[Key, int](), Key()
+    counts: dict[Key, int] = {}
     while tokens.kind != "end":
         if tokens.kind == "newline":
             tokens.advance()
         elif tokens.text == "[":
-            while tokens.text == "[":
-                tokens.advance()
-            table = _key(tokens, (), lines)
+            another = _brackets(tokens) > 1
+            line = tokens.line
+            table = _numbered(_key(tokens, (), lines, counts), counts, another)
+            lines.setdefault(table, line)
             while tokens.text == "]":
                 tokens.advance()
         else:
@@ -69,12 +75,28 @@ def key_lines(text: str) -> dict[Key, int]:
     return lines
 
 
-def _key(tokens: _Tokens, parent: Key, lines: dict[Key, int]) -> Key:
-    """Read a dotted key and note the line of each of its parts."""
+def _brackets(tokens: _Tokens) -> int:
+    """Pass the brackets that open the head of a table, and count them."""
+    count = 0
+    while tokens.text == "[":
+        tokens.advance()
+        count += 1
+    return count
+
+
+def _numbered(table: Key, counts: dict[Key, int], another: bool) -> Key:
+    """The key of a table, with its number where it is one of an array."""
+    if another:
+        counts[table] = counts.get(table, 0) + 1
+    return (*table, str(counts[table])) if table in counts else table
+
+
+def _key(tokens: _Tokens, parent: Key, lines: dict[Key, int], counts: dict[Key, int] | None = None) -> Key:
+    """Read a dotted key and note the line of each of its parts; below an array of tables it is that of the last one."""
     path = parent
     while tokens.kind in ("bare", "string") or tokens.text == ".":
         if tokens.text != ".":
-            path += (tokens.text.strip("\"'"),)
+            path = (*_numbered(path, counts or {}, False), tokens.text.strip("\"'"))
             lines.setdefault(path, tokens.line)
         tokens.advance()
     return path
@@ -97,9 +119,14 @@ def _value(tokens: _Tokens, path: Key, lines: dict[Key, int]) -> None:
         tokens.advance()
     elif tokens.text == "[" and tokens.kind == "mark":
         tokens.advance()
+        number = 0
         while tokens.text != "]" and tokens.kind != "end":
             if tokens.kind == "newline" or tokens.text == ",":
                 tokens.advance()
+            elif tokens.text == "{":
+                number += 1
+                lines.setdefault((*path, str(number)), tokens.line)
+                _value(tokens, (*path, str(number)), lines)
             else:
                 _value(tokens, path, lines)
         tokens.advance()

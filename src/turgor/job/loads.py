@@ -11,7 +11,7 @@ from turgor.job.problems import Problems
 from turgor.job.tables import DIRECTIONS, CavityTable, GravityTable, LoadsTable, read_table
 from turgor.materials.material import Material
 from turgor.model.history import RAMP, History, over_time
-from turgor.model.loads import Gravity, Load, Pressure
+from turgor.model.loads import STANDARD_GRAVITY, Gravity, Load, Pressure
 from turgor.model.model import Membrane
 from turgor.units import format_quantity
 
@@ -43,7 +43,7 @@ def read_loads(
         fallen, direction = table.gravity, DIRECTIONS[table.gravity.direction]
         made = problems.attempt(
             ("loads", "gravity"),
-            lambda: Gravity(direction, history=_history(fallen, "gravity", duration)),
+            lambda: Gravity(direction, fallen.acceleration, _history(fallen, "gravity", duration)),
             fields=("history", "history_over_time"),
         )
         loads += [] if made is None else [made]
@@ -121,7 +121,9 @@ def _gravity_allowed(
         return False
     light = [n for n, m in materials.items() if isinstance(m, Material) and m.density is None]
     for name in light:
-        problems.add(("materials", name), "has no density, and gravity needs it; add density, such as '1100 kg/m³'.")
+        problems.whole.add(
+            ("materials", name), "has no density, and gravity needs it; add density, such as '1100 kg/m³'."
+        )
     return not light
 
 
@@ -181,13 +183,21 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
     for load in loads:
         if isinstance(load, Gravity):
             direction = next(text for text, vector in DIRECTIONS.items() if vector == load.direction)
-            turned = {"direction": direction, "history": _listed(load.history)}
-            values["gravity"] = direction if load.history == RAMP else turned
+            plain = load.history == RAMP and load.acceleration == STANDARD_GRAVITY
+            values["gravity"] = direction if plain else _gravity_table(load, direction)
     for load in pressures:
         values[load.face] = {"pressure": format_quantity(load.pressure, "kPa")}
         if load.history != RAMP:
             values[load.face]["history"] = _listed(load.history)
     return values
+
+
+def _gravity_table(load: Gravity, direction: str) -> dict[str, Any]:
+    """Gravity with what is not as usual about it."""
+    values: dict[str, Any] = {"direction": direction}
+    if load.acceleration != STANDARD_GRAVITY:
+        values["acceleration"] = format_quantity(load.acceleration, "m/s²")
+    return values if load.history == RAMP else values | {"history": _listed(load.history)}
 
 
 def _listed(history: History) -> Any:

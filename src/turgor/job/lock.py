@@ -1,7 +1,7 @@
 """Lock file: every value that a run used, defaults included, as a job file from which it can be repeated."""
 
 from collections.abc import Mapping
-from dataclasses import Field, fields
+from dataclasses import fields
 from math import inf
 from typing import Any
 
@@ -12,22 +12,28 @@ from turgor.job.cad import cad_file_table
 from turgor.job.contact import contact_table
 from turgor.job.fibers import fibers_tables
 from turgor.job.job import Job, actuator_type
-from turgor.job.loads import loads_table, only_pressure
+from turgor.job.loads import loads_table
 from turgor.job.mesh_files import mesh_file_table
 from turgor.job.obstacles import obstacles_tables
-from turgor.job.sections import PROCEDURES
+from turgor.job.procedures import written_procedure
+from turgor.job.stages import STAGES, stages_tables
 from turgor.job.supports import held_text
-from turgor.job.tables import procedure_fields
 from turgor.materials.material import Material
 from turgor.materials.record_history import history_tables
 from turgor.materials.records import DIMENSIONLESS, LAWS
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.model import Membrane
-from turgor.solvers.grasp import Grasp
-from turgor.units import format_quantity, kPa
+from turgor.solvers.stages import Stages
+from turgor.units import format_quantity
 
 #: Units in which a lock file states the dimensions of a value.
 _UNIT = {"length": "mm", "angle": "deg", "pressure": "MPa", "density": "kg/m³"}
+
+#: Sections in the order in which a lock file states them.
+_ORDER = (
+    "name", "actuator", "mesh", "materials", "fibers", "supports", "loads", "contact", "obstacles", "procedure", STAGES,
+    "output", "engine", "written_by",
+)  # fmt: skip
 
 _HEADER = (
     "# Every value of one run, defaults included. This is a job file: `turgor run` with it repeats the run.\n"
@@ -45,7 +51,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     written_by : mapping
         Versions and settings of the program that do not belong to the question, for the record.
     """
-    content = {
+    content: dict[str, Any] = {
         "name": job.name,
         "actuator": {"type": actuator_type(job.actuator)} | dimensions(job.actuator),
         "mesh": _mesh(job),
@@ -55,12 +61,15 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "loads": loads_table(job.loads),
         "contact": contact_table(job.contact),
         "obstacles": obstacles_tables(job.contact, job.rigid_files),
-        "procedure": _procedure(job),
         "output": {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)},
         "engine": {"threads": job.threads} if job.threads is not None else {},
         "written_by": dict(written_by),
     }
-    return _HEADER + tomlkit.dumps(content)
+    if isinstance(job.procedure, Stages):
+        content[STAGES] = stages_tables(job.procedure)
+    else:
+        content["procedure"] = written_procedure(job.procedure, job.loads)
+    return _HEADER + tomlkit.dumps({key: content[key] for key in _ORDER if key in content})
 
 
 def dimensions(actuator: Any) -> dict[str, Any]:
@@ -122,37 +131,6 @@ def _constants(value: Any, unit: str | None) -> Any:
     if isinstance(value[0], tuple):
         return {f"C{i}{j}": _constants(number, unit) for i, j, number in value}
     return [_constants(number, unit) for number in value]
-
-
-def _procedure(job: Job) -> dict[str, Any]:
-    name = next(name for name, kind in PROCEDURES.items() if type(job.procedure) is kind)
-    values = {
-        item.name: _stated(item, getattr(job.procedure, item.name)) for item in procedure_fields(type(job.procedure))
-    }
-    values = {name: value for name, value in values.items() if value is not None}
-    top = None if isinstance(job.procedure, Grasp) else only_pressure(job.loads)
-    return {"type": name} | values | {"at": [_requested(factor, top) for factor in job.procedure.at]}
-
-
-def _requested(factor: float, top: float | None) -> str | float:
-    """The pressure at a load factor, where one reads back as exactly this factor; else the load factor itself."""
-    if top is None:
-        return factor
-    for digits in range(1, 18):
-        pressure = float(f"{factor * top / kPa:.{digits}g}") * kPa
-        if pressure / top == factor:
-            return format_quantity(pressure, "kPa")
-    return factor
-
-
-def _stated(item: Field[Any], value: Any) -> Any:
-    """A field of a procedure as a job file states it: with its unit, for each cavity where there are several."""
-    if isinstance(value, Mapping):
-        return {name: _stated(item, each) for name, each in value.items()}
-    unit = {"volume": "mL", "pressure": "kPa", "length": "mm", "time": "s", "rate": "1/s"}.get(
-        item.metadata.get("dimension", "")
-    )
-    return _plain(value) if unit is None or value is None else format_quantity(value, unit)
 
 
 def _plain(value: Any) -> Any:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
 from turgor.errors import TurgorError
@@ -40,14 +40,31 @@ class Problems:
         Where each key stands, from `key_lines`.
     found : list of (int, str)
         Line and sentence of each problem noted so far.
+    within : tuple of str
+        Key of the table in which the keys of problems lie.
     """
 
     file: str
     lines: Mapping[Key, int]
     found: list[tuple[int, str]] = field(default_factory=list)
+    within: Key = ()
+
+    def below(self, key: Key) -> "Problems":
+        """Return the problems of a table inside the file; what it notes is noted here, too."""
+        return replace(self, within=(*self.within, *key))
+
+    def head(self, key: Key) -> str:
+        """The head under which the keys of a table stand in the file: ``[loads]``, or ``[stages.loads]`` of a stage."""
+        return f"[{'.'.join((*self.within[:1], *key))}]"
+
+    @property
+    def whole(self) -> "Problems":
+        """The problems of the whole file."""
+        return replace(self, within=())
 
     def add(self, key: Key, sentence: str) -> None:
         """Note a problem at a key, which may be absent from the file: then its table's line is named."""
+        key = (*self.within, *key)
         known = next((key[:n] for n in range(len(key), 0, -1) if key[:n] in self.lines), None)
         line = self.lines[known] if known is not None else _NOWHERE
         place = f"{self.file}:{line}" if known is not None else self.file

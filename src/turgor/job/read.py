@@ -16,18 +16,13 @@ from turgor.job.loads import read_loads
 from turgor.job.materials import read_materials, refuse_shells
 from turgor.job.mesh_files import MESH_FILE
 from turgor.job.problems import JobError, Problems
-from turgor.job.sections import (
-    drives,
-    duration_of,
-    read_actuator,
-    read_engine,
-    read_mesh,
-    read_output,
-    read_procedure,
-)
+from turgor.job.procedures import drives, duration_of, read_procedure
+from turgor.job.sections import read_actuator, read_engine, read_mesh, read_output
+from turgor.job.stages import STAGES, Around, first_duration, read_stages, with_names
 from turgor.job.supports import read_supports
 from turgor.job.tables import shown
 from turgor.model.loads import Gravity, Pressure
+from turgor.solvers.stages import OneProcedure, Stages
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
 SECTIONS = (
@@ -41,6 +36,7 @@ SECTIONS = (
     "contact",
     "obstacles",
     "procedure",
+    "stages",
     "output",
     "engine",
     "written_by",
@@ -86,14 +82,15 @@ def read_job(path: str | Path) -> Job:
         content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _not_toml(path, error) from error
-    problems = Problems(str(path), key_lines(text))
+    problems = Problems(str(path), with_names(key_lines(text), content))
     job = _read(content, path.stem, problems)
     problems.raise_any()
     assert job is not None
     return job
 
 
-def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | None:
+def _given(content: Mapping[str, Any], problems: Problems) -> dict[str, Any]:
+    """What each section holds, or what stands in for it; None where it is needed and missing."""
     for key in content:
         if key not in SECTIONS:
             known = ", ".join(SECTIONS)
@@ -101,12 +98,30 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     given = {key: content.get(key, DEFAULTS.get(key)) for key in SECTIONS}
     if given["actuator"] is None and isinstance(given["mesh"], Mapping) and "file" in given["mesh"]:
         given["actuator"], given["mesh"] = {"type": MESH_FILE, **given["mesh"]}, {}  # a mesh stands for both
-    alone = drives(given["procedure"])
-    if alone and given["loads"] is None:
+    if STAGES in content and "procedure" in content:
+        problems.add(("procedure",), "every stage has a procedure of its own; write it there and leave this one out.")
+    if _alone(given) and given["loads"] is None:
         given["loads"] = {}
     for key in ("actuator", "materials", "loads"):
         if given[key] is None and not (key == "loads" and _moves(given["obstacles"])):
             problems.add((key,), f"the table [{key}] is missing.")
+    return given
+
+
+def _alone(given: Mapping[str, Any]) -> bool:
+    """Whether there need not be any load: a procedure drives by itself, or stages have loads of their own."""
+    return given[STAGES] is not None or drives(given["procedure"])
+
+
+def _read_path(given: Mapping[str, Any], around: Around, problems: Problems) -> OneProcedure | Stages | None:
+    """Read how the path is followed: one procedure, or stages."""
+    if given[STAGES] is None:
+        return read_procedure(given["procedure"], around.loads, problems)
+    return read_stages(given[STAGES], around, problems)
+
+
+def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | None:
+    given = _given(content, problems)
     name = _name(content.get("name", stem), problems)
     actuator = read_actuator(given["actuator"], problems) if given["actuator"] is not None else None
     geometry = _build(actuator, problems)
@@ -115,10 +130,12 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     fibers = read_fibers(given["fibers"], geometry, problems)
     loads: tuple[Pressure | Gravity, ...] = ()
     if given["loads"] is not None:
-        loads = read_loads(given["loads"], geometry, materials, problems, not alone, duration_of(given["procedure"]))
+        duration = first_duration(given[STAGES]) if given[STAGES] is not None else duration_of(given["procedure"])
+        loads = read_loads(given["loads"], geometry, materials, problems, not _alone(given), duration)
     supports = read_supports(given["supports"], geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
-    procedure = read_procedure(given["procedure"], loads, problems)
+    around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
+    procedure = _read_path(given, around, problems)
     output = read_output(given["output"], problems)
     threads = read_engine(given["engine"], problems)
     refuse_shells(materials, mesh, problems)

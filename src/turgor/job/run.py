@@ -16,14 +16,16 @@ from turgor.job.write import write_results
 from turgor.meshing.checks import check_mesh
 from turgor.model.model import Model
 from turgor.results.measures import check_measures, find_measure, measure
-from turgor.solvers.checks import check_supports, unloaded_cavities
+from turgor.solvers.checks import check_supports, may_be_free, unloaded_cavities
 from turgor.solvers.contact_checks import check_contact
 from turgor.solvers.driver import Progress, solve
-from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.fiber_checks import check_fibers
+from turgor.solvers.in_turn import questions
 from turgor.solvers.obstacle_checks import overlapping_obstacles
 from turgor.solvers.paths import controlled_faces
 from turgor.solvers.procedures import question_of
+from turgor.solvers.solution import Procedure
+from turgor.solvers.stages import Stages
 
 Notify = Callable[[str], None]
 
@@ -65,18 +67,29 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
         reinforcements=wound,
         contact=job.contact,
     )
-    check_supports(model, inertia=isinstance(job.procedure, Dynamic))
-    controlled_faces(model, job.procedure)
-    check_measures(question_of(model, job.procedure), [find_measure(name) for name in job.output.measures])
+    first = _checked(model, job.procedure)
+    check_measures(first, [find_measure(name) for name in job.output.measures])
     return model, (
         *geometry.findings,
         *constants_in_doubt(model),
         *check_mesh(made),
-        *unloaded_cavities(model),
+        *(() if isinstance(job.procedure, Stages) else unloaded_cavities(model)),
         *check_fibers(model),
         *check_contact(model),
         *overlapping_obstacles(model),
     )
+
+
+def _checked(model: Model, procedure: Procedure) -> Model:
+    """Refuse what no solve could begin; return the question of the procedure, in a sequence that of its first stage."""
+    if not isinstance(procedure, Stages):
+        check_supports(model, inertia=may_be_free(model, procedure))
+        controlled_faces(model, procedure)
+        return question_of(model, procedure)
+    asked = questions(model, procedure)
+    for question, stage in zip(asked, procedure.stages, strict=True):
+        check_supports(question, inertia=may_be_free(question, stage.procedure))
+    return asked[0]
 
 
 def run_job(

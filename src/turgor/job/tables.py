@@ -1,6 +1,6 @@
 """Tables of a job file: which keys each has, and what their values must be.
 
-The keys of an actuator, a law and a procedure are the fields of its dataclass, so that a new one needs no code here.
+The keys of an actuator and a law are the fields of its dataclass, so that a new one needs no code here.
 """
 
 from collections.abc import Mapping
@@ -17,6 +17,7 @@ from turgor.job.problems import Problems
 from turgor.materials.laws import Hooke
 from turgor.materials.record_history import read_stress_softening, read_viscoelasticity
 from turgor.materials.records import DIMENSIONLESS
+from turgor.model.loads import STANDARD_GRAVITY
 from turgor.units import parse_quantity
 
 CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
@@ -36,6 +37,7 @@ Length = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="len
 Angle = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="angle"))]
 Pressure = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="pressure"))]
 Density = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="density"))]
+Acceleration = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="acceleration"))]
 Viscoelasticity = Annotated[Any, BeforeValidator(read_viscoelasticity)]
 Softening = Annotated[Any, BeforeValidator(read_stress_softening)]
 
@@ -51,13 +53,6 @@ QUANTITIES: Mapping[str, Any] = {
 
 def _bulk_modulus(text: object) -> float:
     return inf if text == "incompressible" else parse_quantity(text, "pressure")
-
-
-def _load_factor_or_pressure(value: object) -> object:
-    """A plain number is a load factor; text is a pressure, kept as ``(pressure,)`` until the top pressure is known."""
-    if isinstance(value, int | float) and not isinstance(value, bool):
-        return float(value)
-    return (parse_quantity(value, "pressure"),)
 
 
 def coordinate(value: object) -> float:
@@ -136,9 +131,10 @@ def _history(value: object) -> object:
 
 
 class GravityTable(Table):
-    """``[loads.gravity]``: where things fall, and when they begin to."""
+    """``[loads.gravity]``: where things fall, how fast, and when they begin to."""
 
     direction: Annotated[str, AfterValidator(_direction)]
+    acceleration: Acceleration = STANDARD_GRAVITY
     history: Annotated[Any, BeforeValidator(_history)] = None
     history_over_time: Annotated[Any, BeforeValidator(_history)] = None
 
@@ -190,51 +186,14 @@ def dataclass_table(value: type) -> type[Table]:
     ``"number"`` takes no unit.
     """
     keys: dict[str, Any] = {"type": (str, ...)}
-    keys |= {item.name: (_type_of(item), _default_of(item)) for item in fields(value)}
+    keys |= {item.name: (_type_of(item), default_of(item)) for item in fields(value)}
     return create_model(f"{value.__name__}Table", __base__=Table, **keys)
-
-
-@cache
-def procedure_table(value: type) -> type[Table]:
-    """Make the table of a procedure: one key per field, and ``at`` as pressures or load factors.
-
-    Fields are plain numbers unless they state a dimension: ``field(metadata={"dimension": "volume"})``; such a field
-    may be a table with one value for each cavity.
-    """
-    keys: dict[str, Any] = {"type": (str, ...)}
-    keys |= {item.name: (_step_type(item), _default_of(item)) for item in procedure_fields(value)}
-    if "at" in keys:
-        keys["at"] = (list[Annotated[Any, BeforeValidator(_load_factor_or_pressure)]], [])
-    return create_model(f"{value.__name__}Table", __base__=Table, **keys)
-
-
-def procedure_fields(value: type) -> list[Field[Any]]:
-    """Return the fields of a procedure that job files state: all but functions, ``field(metadata={"job": False})``."""
-    return [item for item in fields(value) if item.metadata.get("job", True)]
-
-
-def _step_type(item: Field[Any]) -> Any:
-    """Type of a field of a procedure."""
-    if "dimension" not in item.metadata:
-        return item.type
-    return Annotated[Any, BeforeValidator(partial(_quantities, dimension=item.metadata["dimension"]))]
-
-
-def _quantities(value: object, dimension: str) -> object:
-    """Read a quantity, or one for each cavity."""
-    if isinstance(value, Mapping):
-        return {name: _quantities(each, dimension) for name, each in value.items()}
-    if dimension != "number":
-        return parse_quantity(value, dimension)
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise TurgorError(f"{shown(value)} is not a number without a unit.")
-    return float(value)
 
 
 @cache
 def law_table(law: type) -> type[Table]:
     """Make the table of a material stated by its law: the coefficients are the fields of the law."""
-    keys: dict[str, Any] = {item.name: (_constant_type(item), _default_of(item)) for item in fields(law)}
+    keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}
     if law is not Hooke:
         keys["bulk_modulus"] = (Annotated[float, AllowInfNan(True), BeforeValidator(_bulk_modulus)], inf)
         keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
@@ -252,7 +211,7 @@ def _constant_type(item: Field[Any]) -> Any:
 def read_table(table: type[Table], values: object, key: Key, problems: Problems) -> Any | None:
     """Check the values of a table; note every problem and return None if there is any."""
     if not isinstance(values, Mapping):
-        problems.add(key, f"{shown(values)} is not a table; write [{'.'.join(key)}] and its keys below it.")
+        problems.add(key, f"{shown(values)} is not a table; write {problems.head(key)} and its keys below it.")
         return None
     try:
         return table.model_validate(dict(values))
@@ -261,6 +220,26 @@ def read_table(table: type[Table], values: object, key: Key, problems: Problems)
             place = tuple(part for part in item["loc"] if isinstance(part, str))  # without places in lists
             problems.add((*key, *place), _sentence(table, place, item))
         return None
+
+
+def chosen_kind(kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems) -> Any | None:
+    """The kind that the key ``type`` of a table names."""
+    if not isinstance(values, Mapping):
+        problems.add(key, f"{shown(values)} is not a table; write {problems.head(key)} and its keys below it.")
+        return None
+    if "type" not in values:
+        problems.add((*key, "type"), f"'type' is missing; allowed: {', '.join(kinds)}.")
+        return None
+    name = str(values["type"])
+    if name not in kinds:
+        problems.add((*key, "type"), str(unknown(what, name, kinds)))
+        return None
+    return kinds[name]
+
+
+def fields_of_table(table: Any) -> dict[str, Any]:
+    """The values of a checked table without its type."""
+    return {name: getattr(table, name) for name in type(table).model_fields if name != "type"}
 
 
 def shown(value: object) -> str:
@@ -319,7 +298,8 @@ def _type_of(item: Field[Any]) -> Any:
     return item.type if item.type is not float else QUANTITIES[item.metadata.get("dimension", "length")]
 
 
-def _default_of(item: Field[Any]) -> Any:
+def default_of(item: Field[Any]) -> Any:
+    """Default of a field of a dataclass as pydantic takes it."""
     if item.default is not MISSING:
         return item.default
     return item.default_factory() if item.default_factory is not MISSING else ...

@@ -16,6 +16,7 @@ from turgor.results.plots import write_plot
 from turgor.results.report import Picture, Report, write_report
 from turgor.results.vtu import write_series
 from turgor.solvers.solution import Solution
+from turgor.solvers.stages import Stages
 
 #: What each file holds, for the report.
 CONTENTS: Mapping[str, str] = {
@@ -118,11 +119,12 @@ def write_pictures(outcome: RunOutcome) -> list[Path]:
 
 def write_steps(file: Path, solution: Solution) -> None:
     """Write every attempted step as a line of CSV."""
+    columns = ("stage", *STEP_COLUMNS) if isinstance(solution.procedure, Stages) else STEP_COLUMNS
     with file.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(f"{name}_s" if name == "seconds" else name for name in STEP_COLUMNS)
+        writer.writerow(f"{name}_s" if name == "seconds" else name for name in columns)
         for step in solution.steps:
-            writer.writerow(getattr(step, name) for name in STEP_COLUMNS)
+            writer.writerow(getattr(step, name) for name in columns)
 
 
 def log_text(outcome: RunOutcome) -> str:

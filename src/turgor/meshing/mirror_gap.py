@@ -5,8 +5,13 @@ from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
+from turgor.meshing.cells import six_node_triangles
+from turgor.meshing.facing import OPPOSED, first_hits, unit_normals
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.proximity import REACH
 from turgor.meshing.surface import outer_triangles
 
 Array = NDArray[np.float64]
@@ -93,3 +98,50 @@ def mirror_gap(walls: tuple[MirrorWalls, ...], points: Array) -> float:
     """
     gaps = [each.side * (points[each.nodes, each.axis] - each.level) for each in walls]
     return float(min((gap.min(initial=inf) for gap in gaps), default=inf))
+
+
+def faces_its_image(mesh: Mesh) -> bool:
+    """Whether an outside wall faces its own image in a mirror plane through air, no farther away than half of `REACH`.
+
+    A triangle sees its image where it looks at the plane and nothing stands between. A wall that runs into the plane is
+    left out, as are walls that share an edge: its distance is zero from the start.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.meshing.generate import mesh
+    >>> faces_its_image(mesh(FastPneuNet(chambers=2, length=20e-3, symmetric=True).build(), size=4e-3))
+    False
+    """
+    planes = find_mirror_walls(mesh)
+    if not planes:
+        return False
+    reach = REACH * float(np.ptp(mesh.points, axis=0).max()) / 2
+    surface = six_node_triangles(outer_triangles(mesh))
+    normal, center = unit_normals(mesh.points, surface), mesh.points[surface[:, :3]].mean(axis=1)
+    free = first_hits(mesh.points, surface, reach) < 0
+    for each in planes:
+        away = each.side * (center[:, each.axis] - each.level)
+        off = np.isin(surface[:, :3], each.nodes)
+        sees = free & (each.side * normal[:, each.axis] < -OPPOSED) & (away < reach) & off.any(axis=1)
+        if _apart(surface[sees, :3], off[sees]):
+            return True
+    return False
+
+
+def _apart(triangles: Ints, off: NDArray[np.bool_]) -> bool:
+    """Whether some of the connected triangles (f, 3) have all their corners off the plane."""
+    nodes, local = np.unique(triangles, return_inverse=True)
+    rows, size = local.reshape(-1, 3), len(nodes)
+    links = (np.ones(2 * len(rows)), (np.tile(rows[:, 0], 2), rows[:, 1:].T.ravel()))
+    label = connected_components(coo_array(links, shape=(size, size)), directed=False)[1] if size else nodes
+    touching = np.unique(label[rows[~off]])
+    return bool(np.setdiff1d(label, touching).size)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from turgor.errors import TurgorError
 from turgor.meshing.bodies import find_bodies
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.mirror_gap import faces_its_image
 from turgor.meshing.proximity import find_facing_walls
 from turgor.model.obstacles import Obstacle, SelfContact
 
@@ -20,8 +21,9 @@ class Contact:
     Parameters
     ----------
     self_contact : SelfContact or bool, optional
-        Whether walls of the actuator stop each other. By default they do where walls face each other through air at
-        rest, as chambers and folds do, where the mesh holds several bodies, and in cavities that are pressed together.
+        Whether walls of the actuator stop each other. By default they do where walls face each other, or their image in
+        a mirror plane, through air at rest, as chambers and folds do, where the mesh holds several bodies, and in
+        cavities that are pressed together.
     obstacles : sequence of Obstacle
         Rigid bodies around.
     tolerance : float [-]
@@ -74,5 +76,5 @@ class Contact:
             return self.self_contact
         if not mesh.cell_type.side.triangles:
             return None
-        wanted = len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0
+        wanted = len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0 or faces_its_image(mesh)
         return self.self_contact if wanted else None

@@ -14,7 +14,7 @@ from turgor.model.history import History, share_at
 from turgor.model.loads import Load, Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Path, Vector
-from turgor.model.supports import Displacement, Support
+from turgor.model.supports import Displacement, Fixed, Shift, Support
 
 Array = NDArray[np.float64]
 
@@ -47,6 +47,27 @@ def with_loads(
     supports = [new.get(_held(support), support) for support in model.supports]
     moves = moves or {}
     return _made(model, (*kept, *loads), supports, _moved(model, _paths(model, 0.0, moves, moves)))
+
+
+def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
+    """Return a model in which faces that are held, and moved later in the same directions, are moved by nothing.
+
+    Parameters
+    ----------
+    model : Model
+    displacements : sequence of Displacement
+        How faces are moved later.
+    """
+    moved = {_held(each) for each in displacements}
+    if not any(isinstance(support, Fixed) and _held(support) in moved for support in model.supports):
+        return model
+    supports = [
+        Displacement(support.face, Shift((0.0, 0.0, 0.0)), support.directions)
+        if isinstance(support, Fixed) and _held(support) in moved
+        else support
+        for support in model.supports
+    ]
+    return _made(model, model.loads, supports, model.contact)
 
 
 def continued(
@@ -120,7 +141,7 @@ def _by_place(loads: Sequence[Load]) -> dict[tuple[str, str], Load]:
 
 
 def _held(support: Support) -> tuple[str, str]:
-    return (support.face, support.directions) if isinstance(support, Displacement) else ("", "")
+    return (support.face, support.directions) if isinstance(support, Displacement | Fixed) else ("", "")
 
 
 def _by_support(model: Model, displacements: Sequence[Displacement]) -> dict[tuple[str, str], Displacement]:
@@ -128,8 +149,8 @@ def _by_support(model: Model, displacements: Sequence[Displacement]) -> dict[tup
     for each in displacements:
         if _held(each) not in known:
             raise TurgorError(
-                f"a stage moves '{each.face}' in {each.directions}, and the model has no Displacement of this face in "
-                "these directions; give it one that stays at zero at first."
+                f"a stage moves '{each.face}' in {each.directions}, and the model does not hold this face in these "
+                "directions; hold it with Fixed, or with a Displacement."
             )
     return {_held(each): each for each in displacements}
 

@@ -41,7 +41,7 @@ def pressures_at(model: Model, load_factor: float) -> dict[str, float]:
 
 
 def kinks(model: Model) -> tuple[float, ...]:
-    """Return the load factors between 0 and 1 at which a history has a point, rising.
+    """Return the load factors between 0 and 1 at which a history or the path of an obstacle has a point, rising.
 
     Parameters
     ----------
@@ -51,8 +51,9 @@ def kinks(model: Model) -> tuple[float, ...]:
     -------
     tuple of float
     """
-    histories = [load.history for load in model.loads]
-    return tuple(sorted({factor for history in histories for factor in turns_of(history)}))
+    turns = {factor for load in model.loads for factor in turns_of(load.history)}
+    turns |= {factor for obstacle in model.contact.obstacles for factor, _ in obstacle.path if 0 < factor < 1}
+    return tuple(sorted(turns))
 
 
 def extremes(model: Model) -> tuple[float, ...]:

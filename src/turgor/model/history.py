@@ -99,10 +99,22 @@ def share_at(history: History, load_factor: float) -> float:
     if isinstance(history, str):
         share = _compiled(history)(load_factor)
         return share if abs(share) > ROUND_OFF else 0.0
-    if history == RAMP:
-        return float(load_factor)  # paths through limit points may overshoot 1
+    if is_straight(history):  # also beyond: paths through limit points may overshoot 0 and 1
+        (_, first), (_, last) = history
+        return float(first + load_factor * (last - first))
     factors, shares = zip(*history, strict=True)
     return float(np.interp(load_factor, factors, shares))
+
+
+def is_straight(history: History) -> bool:
+    """Whether a share changes evenly with the load factor.
+
+    Examples
+    --------
+    >>> is_straight(RAMP), is_straight(((0, 1), (1, 1))), is_straight(((0, 0), (0.5, 1), (1, 0))), is_straight("s")
+    (True, True, False, False)
+    """
+    return not isinstance(history, str) and len(history) == 2
 
 
 def turns_of(history: History) -> tuple[float, ...]:

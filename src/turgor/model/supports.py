@@ -53,6 +53,28 @@ class Displacement:
 
 
 @dataclass(frozen=True, slots=True)
+class Shift:
+    """The value of a `Displacement` by which the whole face goes the same way, in proportion to the load factor.
+
+    Parameters
+    ----------
+    vector : (3,) floats [m]
+        How far it is in the end from where it was at first.
+
+    Examples
+    --------
+    >>> Shift((0, 0, 2e-3))(np.zeros((1, 3)), 0.5)
+    array([[0.   , 0.   , 0.001]])
+    """
+
+    vector: tuple[float, float, float]
+
+    def __call__(self, points: NDArray[np.float64], load_factor: float) -> NDArray[np.float64]:
+        """Displacement (n, 3) [m] of points at a load factor."""
+        return np.tile(load_factor * np.array(self.vector, dtype=np.float64), (len(points), 1))
+
+
+@dataclass(frozen=True, slots=True)
 class Radial:
     """Hold the radius of a cylindrical face: no displacement normal to its axis and to the face; it may slide.
 

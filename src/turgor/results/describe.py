@@ -2,7 +2,6 @@
 
 import inspect
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from math import isinf
 from typing import Any
@@ -17,9 +16,7 @@ from turgor.model.loads import RAMP, BodyForce, Gravity, History, Load, Pressure
 from turgor.model.model import Membrane, Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
 from turgor.model.supports import Displacement, Fixed, Radial
-from turgor.solvers.solution import Procedure
-from turgor.solvers.stages import Stages
-from turgor.units import GPa, MPa, deg, kPa, mL, mm
+from turgor.units import GPa, MPa, deg, kPa, mm
 
 Rows = list[tuple[str, str]]
 
@@ -38,10 +35,11 @@ class MaterialText:
 
 def loads(model: Model) -> list[str]:
     """Say what drives a model at load factor 1, a sentence for each load."""
-    return [_load(load) for load in model.loads] or ["None."]
+    return [load_text(load) for load in model.loads] or ["None."]
 
 
-def _load(load: Load) -> str:
+def load_text(load: Load) -> str:
+    """A load at load factor 1 in a sentence."""
     match load:
         case Pressure(face):
             return f"Gauge pressure {load.at(1.0) / kPa:g} kPa on {face}, following the surface{_way(load)}."
@@ -49,27 +47,14 @@ def _load(load: Load) -> str:
             shown = ", ".join(f"{component / kPa:g}" for component in vector)
             return f"Traction ({shown}) kPa on {face}, fixed in direction{_shares(load.history)}."
         case Gravity(direction, acceleration, history):
-            return f"Gravity {acceleration:g} m/s² along {direction}{_shares(history)}."
+            return f"Gravity {acceleration:g} m/s² along ({_listed(direction)}){_shares(history)}."
         case BodyForce():
             return f"Force per volume, given as a function of position{_shares(load.history)}."
 
 
-def procedure(of: Procedure) -> Rows:
-    """Say how the path was followed: the fields of a procedure, or what each stage of a sequence changed."""
-    if not isinstance(of, Stages):
-        return fields_of(of)
-    rows = []
-    for stage in of.stages:
-        said = [type(stage.procedure).__name__, *(_load(load).rstrip(".") for load in stage.loads)]
-        said += [f"{each.face} is moved in {each.directions}" for each in stage.displacements]
-        said += [f"{name} moves to {_in_mm(place)} from where it was at first" for name, place in stage.moves.items()]
-        rows.append((stage.name, "; ".join(said)))
-    return rows
-
-
 def _shares(history: History) -> str:
     """How a dead load gets to its last value, unless it just grows."""
-    return "" if history == RAMP else f", its share over the load factor: {_history_text(history)}"
+    return "" if history == RAMP else f", its share over the load factor: {history_text(history)}"
 
 
 def _way(load: Pressure) -> str:
@@ -83,7 +68,7 @@ def _way(load: Pressure) -> str:
     )
 
 
-def _history_text(history: History) -> str:
+def history_text(history: History) -> str:
     """A history in words."""
     if isinstance(history, str):
         return history
@@ -123,7 +108,7 @@ def _obstacle(obstacle: Obstacle) -> str:
         said.append(f"touches {obstacle.face} only")
     if obstacle.path:
         way = obstacle.path if any(obstacle.path[0][1]) else obstacle.path[1:]
-        said.append("moved by " + ", ".join(f"{_in_mm(to)} at load factor {factor:g}" for factor, to in way))
+        said.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
     if obstacle.spring is not None:
         said.append(f"held by a spring of {obstacle.spring:g} N/m")
     return f"{obstacle.name}: {'; '.join(said)}."
@@ -132,15 +117,15 @@ def _obstacle(obstacle: Obstacle) -> str:
 def _shape(shape: Shape) -> str:
     match shape:
         case Plane(point=point, normal=normal):
-            return f"plane through {_in_mm(point)} with the normal ({_listed(normal)})"
+            return f"plane through {in_mm(point)} with the normal ({_listed(normal)})"
         case Sphere(center=center, radius=radius):
-            return f"sphere of radius {radius / mm:g} mm around {_in_mm(center)}"
+            return f"sphere of radius {radius / mm:g} mm around {in_mm(center)}"
         case Cylinder(center=center, axis=axis, radius=radius, length=length):
             long = "endless cylinder" if length is None else f"cylinder {length / mm:g} mm long"
-            return f"{long} of radius {radius / mm:g} mm around {_in_mm(center)} along ({_listed(axis)})"
+            return f"{long} of radius {radius / mm:g} mm around {in_mm(center)} along ({_listed(axis)})"
         case Box(center=center, size=size, rounding=rounding):
             edges = f", its edges rounded by {rounding / mm:g} mm" if rounding else ""
-            return f"box of {' × '.join(f'{length / mm:g}' for length in size)} mm around {_in_mm(center)}{edges}"
+            return f"box of {' × '.join(f'{length / mm:g}' for length in size)} mm around {in_mm(center)}{edges}"
         case _:
             return f"{len(shape.triangles):,} triangles of {shape.name}"
 
@@ -149,7 +134,8 @@ def _friction(friction: float) -> str:
     return f"with friction {friction:g}" if friction else "without friction"
 
 
-def _in_mm(vector: Vector) -> str:
+def in_mm(vector: Vector) -> str:
+    """A place or a way in millimeters."""
     x, y, z = vector
     return f"({_listed((x / mm, y / mm, z / mm))}) mm"
 
@@ -271,26 +257,6 @@ def _terms(name: str, value: Any) -> list[tuple[str, float]]:
     if isinstance(value[0], tuple):
         return [(f"C{i}{j}", each) for i, j, each in value]
     return [(f"C{n}0", each) for n, each in enumerate(value, 1)]
-
-
-def fields_of(value: Any) -> Rows:
-    """Fields of a dataclass as rows, empty ones left out."""
-    rows = []
-    for each in fields(value):
-        content = getattr(value, each.name)
-        if content not in ((), None, ""):
-            rows.append((each.name.replace("_", " "), _content(content, each.metadata.get("dimension", ""))))
-    return rows
-
-
-def _content(value: Any, dimension: str) -> str:
-    """A field in words, in the unit of its dimension where it states one."""
-    if isinstance(value, Mapping):
-        return ", ".join(f"{name} {_content(each, dimension)}" for name, each in value.items())
-    scale, unit = {"volume": (mL, " mL"), "pressure": (kPa, " kPa"), "length": (mm, " mm"), "time": (1.0, " s")}.get(
-        dimension, (1.0, "")
-    )
-    return f"{value / scale:g}{unit}" if isinstance(value, float) else str(value)
 
 
 def _modulus(value: float) -> str:

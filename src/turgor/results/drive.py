@@ -65,7 +65,8 @@ def stage_column(solution: Solution) -> tuple[Column, ...]:
     if not isinstance(solution.procedure, Stages):
         return ()
     finished = {stage.name: number for number, stage in enumerate(solution.procedure.stages)}
-    return (Column("stage", "", np.array([finished[each.stage] + each.load_factor for each in solution.states])),)
+    progress = np.array([finished[each.stage] + each.load_factor for each in solution.states])
+    return (Column("stage", "", np.round(progress, 12)),)
 
 
 def face_of(column: Column) -> str:

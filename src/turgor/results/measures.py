@@ -31,6 +31,7 @@ from turgor.results.reading import Measure as Measure
 from turgor.results.rotations import face_rotation, twist
 from turgor.solvers.pressures import pressures_of
 from turgor.solvers.solution import Solution, State
+from turgor.solvers.stages import Stages
 from turgor.source import Source
 
 Array = NDArray[np.float64]
@@ -75,7 +76,11 @@ def measure(solution: Solution, *measures: Measure) -> Response:
         columns.append(Column(each.name, each.unit, np.unwrap(values) if each.unwrap else values))
     columns += energy_columns(solution)
     return Response(
-        columns=tuple(columns), source=_source(solution), status=str(solution.status), message=solution.message
+        columns=tuple(columns),
+        source=_source(solution),
+        status=str(solution.status),
+        message=solution.message,
+        stages=tuple(state.stage for state in solution.states) if isinstance(solution.procedure, Stages) else (),
     )
 
 

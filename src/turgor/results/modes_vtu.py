@@ -19,7 +19,7 @@ def write_modes(folder: str | Path, modes: Modes, name: str = "mode") -> Path:
     Parameters
     ----------
     folder : str or Path
-        Existing folder to write into.
+        Folder to write into; made where it is not there.
     modes : Modes
         From `natural_frequencies`.
     name : str
@@ -31,6 +31,7 @@ def write_modes(folder: str | Path, modes: Modes, name: str = "mode") -> Path:
         The PVD file.
     """
     folder, entries = Path(folder), []
+    folder.mkdir(parents=True, exist_ok=True)
     for number, (frequency, shape) in enumerate(zip(modes.frequencies, modes.shapes, strict=True)):
         point_data = [
             VtuArray("displacement", modes.displacement.astype("f8"), "m", ("X", "Y", "Z")),

@@ -114,7 +114,7 @@ def write_picture(
 
 
 def picture_title(response: Response, row: int = -1, name: str = "") -> str:
-    """Title of a picture from a row of the response: name, pressure and bending angle where they are known.
+    """Title of a picture from a row of the response: name, stage, pressure and bending angle where they are known.
 
     Examples
     --------
@@ -125,6 +125,8 @@ def picture_title(response: Response, row: int = -1, name: str = "") -> str:
     'finger · 50 kPa · bending angle 85.9°'
     """
     parts = [name] if name else []
+    if response.stages and row not in (0, -len(response)):
+        parts.append(response.stages[row])
     pressures = [f"{face_of(column)} {column.values[row] / kPa:.4g} kPa".strip() for column in pressures_in(response)]
     if pressures:
         parts.append(", ".join(pressures))

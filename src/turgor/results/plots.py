@@ -19,6 +19,9 @@ BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
 #: Lines that share a panel, in this order; told apart by people who see few colors too (Okabe and Ito 2008).
 COLORS = (BLUE, "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 
+#: Names of stages with more letters than this in all are turned, so that they do not meet below a panel.
+MOST_LETTERS = 36
+
 #: Columns that the plot of a response shows where it has them, a panel each.
 PANELS = (
     "blocked_force", "holding_force", "bending_angle", "cavity_volume", "maximum_principal_stretch",
@@ -66,7 +69,18 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
     axes.tick_params(colors=INK, color=QUIET)
     axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
     axes.set_axisbelow(True)
+    if x == "stage" and response.stages:
+        _name_stages(axes, list(dict.fromkeys(response.stages)))
     return axes
+
+
+def _name_stages(axes: Axes, names: list[str]) -> None:
+    """Write the names of stages below their parts of the axis, with a line of the grid where one ends."""
+    axes.set_xticks(range(len(names) + 1), labels=[""] * (len(names) + 1))
+    turned = sum(map(len, names)) > MOST_LETTERS
+    how = {"rotation": 30, "ha": "right", "rotation_mode": "anchor"} if turned else {}
+    axes.set_xticks([number + 0.5 for number in range(len(names))], labels=names, minor=True, color=INK, **how)
+    axes.tick_params(axis="x", which="minor", length=0)
 
 
 def response_figure(response: Response, title: str = "") -> Figure:

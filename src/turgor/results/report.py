@@ -13,12 +13,13 @@ from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.quality import MeshQuality
 from turgor.response import Column, Response
-from turgor.results import describe
+from turgor.results import describe, describe_procedure
 from turgor.results.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
 from turgor.results.drive import drive_of, pressures_in, with_each_cavity
 from turgor.results.measures import MEASURES, find_measure
 from turgor.results.plots import response_svg
 from turgor.solvers.solution import Solution, Timing
+from turgor.solvers.stages import Stages
 
 #: Largest width and height of a picture on the page, in its pixels.
 PAGE_WIDTH, PICTURE_HEIGHT = 984, 760
@@ -105,6 +106,7 @@ def _context(report: Report) -> dict[str, object]:
     solution, model = report.solution, report.solution.model
     response = report.response
     dimensions = list(report.dimensions.items())
+    staged = isinstance(solution.procedure, Stages)
     return {
         "title": report.title,
         "status": str(solution.status).replace("_", " "),
@@ -122,6 +124,8 @@ def _context(report: Report) -> dict[str, object]:
         "contact_rows": contact_rows(solution),
         "contact_plot": contact_plot(solution),
         "loads": describe.loads(model),
+        "loads_head": "Loads from the first stage on" if staged else "Loads at load factor 1",
+        "staged": staged,
         "supports": describe.supports(model),
         "contact": describe.contact(model),
         "mesh": describe.mesh(model.mesh, report.quality),
@@ -130,7 +134,7 @@ def _context(report: Report) -> dict[str, object]:
         "materials": describe.materials(model),
         "steps": list(solution.steps),
         "path_summary": _path_summary(solution),
-        "procedure": describe.procedure(solution.procedure),
+        "procedure": describe_procedure.procedure(solution.procedure),
         "versions": [(name, str(value)) for name, value in report.versions.items()],
         "repeat": report.repeat,
         "files": list(report.files.items()),
@@ -184,7 +188,10 @@ def _table(response: Response) -> dict[str, object]:
     count = len(response)
     step = max(1, -(-(count - 1) // (ROWS - 1)))
     rows = [*range(0, count - 1, step), count - 1]
-    columns = [_written(column) for column in response.columns]
+    columns = [
+        list(response.stages) if column.name == "stage" and response.stages else _written(column)
+        for column in response.columns
+    ]
     return {
         "labels": [column.label for column in response.columns],
         "rows": [[column[row] for column in columns] for row in rows],

@@ -14,6 +14,7 @@ import numpy as np
 from turgor.meshing.mesh import Mesh
 from turgor.model.drive import common_pressure, rises
 from turgor.results.contact import extents_of
+from turgor.results.drive import stage_column
 from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.vtu_beside import obstacles_text, threads_text
 from turgor.results.vtu_xml import VtuArray, names_array, opening, section
@@ -57,11 +58,16 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
         of_state.append(VtuArray(f"{face}_pressure", np.array([pressure], dtype="f8"), "Pa"))
     if at.state.velocity is not None:
         point_data.append(VtuArray("velocity", at.state.velocity.astype("f4"), "m/s", ("X", "Y", "Z")))
-    Path(path).write_text(grid_text(mesh, point_data, [], of_state), encoding="utf-8")
+    stage = names_array("stage", [at.state.stage]) if at.state.stage else ""
+    Path(path).write_text(grid_text(mesh, point_data, [], of_state, stage), encoding="utf-8")
 
 
 def grid_text(
-    mesh: Mesh, point_data: Sequence[VtuArray], cell_data: Sequence[VtuArray], field_data: Sequence[VtuArray]
+    mesh: Mesh,
+    point_data: Sequence[VtuArray],
+    cell_data: Sequence[VtuArray],
+    field_data: Sequence[VtuArray],
+    names: str = "",
 ) -> str:
     """Write a mesh with its curved cells, the region of each, and fields, as the text of a VTU file.
 
@@ -71,6 +77,8 @@ def grid_text(
         The modeled part.
     point_data, cell_data, field_data : sequence of VtuArray
         Fields at the nodes, in the cells, and of the whole.
+    names : str
+        Texts of the whole, see `names_array`.
 
     Returns
     -------
@@ -88,7 +96,7 @@ def grid_text(
     lines = [
         *opening("UnstructuredGrid"),
         "<UnstructuredGrid>",
-        *section("FieldData", field_data, names_array("region_names", list(mesh.regions))),
+        *section("FieldData", field_data, names_array("region_names", list(mesh.regions)) + names),
         f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfCells="{count}">',
         *section("PointData", point_data),
         *section("CellData", [VtuArray("region", region), *cell_data]),
@@ -101,20 +109,37 @@ def grid_text(
     return "\n".join(lines) + "\n"
 
 
+def _times(solution: Solution) -> tuple[list[float], str]:
+    """What orders the states in ParaView, and what it is."""
+    clock = [state.time for state in solution.states if state.time is not None]
+    if len(clock) == len(solution.states):
+        return clock, "time [s]"
+    factors = [state.load_factor for state in solution.states]
+    common, stages = common_pressure(solution.model), stage_column(solution)
+    order = stages[0].values.tolist() if stages else factors
+    if any(b <= a for a, b in pairwise(order)):
+        return [float(number) for number in range(len(order))], "number of the state"
+    if stages:
+        return order, "number of finished stages and the load factor of the next one"
+    if common is not None and rises(common):
+        return [factor * (common.pressure / kPa) for factor in factors], "pressure [kPa]"
+    return factors, "load factor"
+
+
 def write_series(folder: str | Path, solution: Solution, name: str = "state") -> Path:
     """Write every state of a path as VTU, and a PVD file that lists them for ParaView.
 
     Discrete threads go to files of their own, ``state_threads_0000.vtu`` … listed in ``state_threads.pvd``, and so do
     obstacles, ``state_obstacles_0000.vtu`` …, each at its place.
 
-    The time of the PVD is that of a motion in seconds; else the pressure in kPa where one pressure acts and grows
-    along the path, or else the load factor, or the number of the state where even that falls; a comment in the file
-    says which.
+    The time of the PVD is that of a motion in seconds; else in a sequence how many stages are finished, with the load
+    factor of the next one; else the pressure in kPa where one pressure acts and grows along the path, or the load
+    factor. Where even that falls it is the number of the state. A comment in the file says which.
 
     Parameters
     ----------
     folder : str or Path
-        Existing folder to write into.
+        Folder to write into; made where it is not there.
     solution : Solution
         The path, complete or not.
     name : str
@@ -126,16 +151,8 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
         The PVD file.
     """
     folder = Path(folder)
-    common = common_pressure(solution.model)
-    grows = common is not None and rises(common)
-    scale, meaning = (common.pressure / kPa, "pressure [kPa]") if common and grows else (1.0, "load factor")
-    factors = [state.load_factor for state in solution.states]
-    falls = any(b <= a for a, b in pairwise(factors))
-    times = [float(number) for number in range(len(factors))] if falls else [factor * scale for factor in factors]
-    meaning = "number of the state" if falls else meaning
-    clock = [state.time for state in solution.states if state.time is not None]
-    if len(clock) == len(factors):
-        times, meaning = clock, "time [s]"
+    folder.mkdir(parents=True, exist_ok=True)
+    times, meaning = _times(solution)
     facts = MeshFacts(solution.model.mesh)
     extents = extents_of(StateFields(state, facts) for state in solution.states)
     entries: dict[str, list[str]] = {name: []}

@@ -1,31 +1,37 @@
 """Arcs: paths whose load factor is sought, from where they begin to the bounds at which they end."""
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from math import inf
 
 import numpy as np
 
 from turgor.engine.fields import cell_fields
+from turgor.engine.linear import SingularTangentError
 from turgor.engine.system import System
 from turgor.errors import TurgorError
-from turgor.model.loads import RAMP
+from turgor.model.history import is_straight, share_at
 from turgor.model.model import Model
+from turgor.solvers.carried import unknowns_of
 from turgor.solvers.controls import ArcTarget, Control, LoadFactor, displacement_of
 from turgor.solvers.following import follow
+from turgor.solvers.load_rates import LEAPT, UNSTABLE, leapt, load_response, rate_at
 from turgor.solvers.newton import NewtonSettings, Start, newton
 from turgor.solvers.outcome import Outcome, stuck
-from turgor.solvers.path_outcomes import followed, reached
+from turgor.solvers.path_outcomes import followed, reached, turned_back
 from turgor.solvers.path_procedures import ArcLength
 from turgor.solvers.points import Point, Run, fixed_load, silent, state_of
 from turgor.solvers.problem import Array, Problem, begin, run_of
+from turgor.solvers.retracing import retraces
 from turgor.solvers.solution import Step
-from turgor.solvers.stepping import StepControl
+from turgor.solvers.stepping import CUT, StepControl
+
+Ending = Callable[[Point, Point, Run], Outcome | None]
 
 
 def check_proportional(model: Model, what: str) -> None:
     """Refuse what a sought load factor cannot drive."""
-    histories = [getattr(load, "history", RAMP) for load in model.loads]
-    if any(history != RAMP for history in histories):
+    if not all(is_straight(load.history) for load in model.loads):
         raise TurgorError(f"{what} needs loads that grow in proportion to the load factor; leave out their histories.")
 
 
@@ -35,59 +41,104 @@ def check_still(system: System, what: str) -> None:
         raise TurgorError(f"{what} needs supports that stay in place; a Displacement moves with the load factor.")
 
 
+def _check_driven(model: Model) -> None:
+    """Refuse an arc along which no load changes, or an obstacle moves."""
+    for obstacle in model.contact.obstacles:
+        if (obstacle.displacement(0.0) != obstacle.displacement(1.0)).any():
+            raise TurgorError(f"ArcLength needs obstacles that stay in place, and '{obstacle.name}' moves.")
+    if all(share_at(load.history, 0.0) == share_at(load.history, 1.0) for load in model.loads):
+        raise TurgorError("ArcLength follows loads that change, and here none does; state one.")
+
+
 def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
     """Take the first step by the load, which sets the scale of the displacement, then go on by the arc."""
-    system, tangent = problem.system, problem.tangent
-    check_proportional(system.model, "ArcLength")
-    check_still(system, "ArcLength")
-    rest = system.evaluate(np.zeros(system.size), 0.0)
+    check_proportional(problem.system.model, "ArcLength")
+    check_still(problem.system, "ArcLength")
+    _check_driven(problem.system.model)
+    rest = problem.system.evaluate(start_of(problem), 0.0)
     assert rest is not None
-    problem.states.append(state_of(system, rest, None, {}, {}))
+    problem.states.append(state_of(problem.system, rest, None, {}, {}))
+    return from_rest(problem, procedure.first_step, procedure.max_step, bounds(procedure.max_stretch))
+
+
+def from_rest(problem: Problem, load: float, longest: float, ends: Ending) -> Outcome:
+    """Take a first step by the load, at most as long as asked, and go on by the arc."""
+    system, tangent, procedure = problem.system, problem.tangent, problem.procedure
     settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
-    load = procedure.first_step
+    system.materials.begin_step(inf)
+    rest = start_of(problem)
+    at_rest = system.evaluate(rest, 0.0)
+    assert at_rest is not None
+    stresses, (rate, modes) = system.stresses(at_rest), rate_at(system, tangent, at_rest)
     while True:
-        first = newton(system, tangent, Start(rest.unknowns, system.stresses(rest)), load, settings, silent)
-        problem.steps.append(_first_step(load, first.iterations, first.residual, first.converged, first.reason))
-        if first.converged:
+        first = newton(system, tangent, Start(rest, stresses), load, settings, silent)
+        reason = first.reason
+        if first.evaluation is not None and first.converged:
+            faster, unstable = rate_at(system, tangent, first.evaluation)
+            reason = LEAPT if leapt(system, first.evaluation.unknowns - rest, load, (rate, faster)) else ""
+            reason = UNSTABLE if (unstable or 0) > (modes or 0) else reason
+        problem.steps.append(_first_step(load, first.iterations, first.residual, reason))
+        if first.converged and not reason:
             break
-        load *= 0.35
+        load *= CUT
         if load < procedure.min_step:
             return stuck(system.model, problem.states, problem.steps, bool(first.unstable_modes))
     assert first.evaluation is not None
-    return follow(arc_run(problem, first.evaluation.unknowns, load, procedure.max_stretch))
+    return follow(arc_run(problem, first.evaluation.unknowns, load, (load * 2**0.5, longest), ends))
 
 
-def arc_run(problem: Problem, unknowns: Array, load: float, max_stretch: float) -> Run:
-    """A run by the arc length from a state on, in the direction in which it lies from the undeformed one."""
+def arc_run(problem: Problem, unknowns: Array, load: float, steps: tuple[float, float], ends: Ending) -> Run:
+    """A run by the arc length from a stable state on, to where the load rises, with a first and a longest step."""
     system, procedure = problem.system, problem.procedure
-    size = float(np.linalg.norm(unknowns[: 3 * system.node_count])) / load
-    length, here = load * 2**0.5, np.array([load])
-    along = displacement_of(system, unknowns) / (length * size**2)
-    target = ArcTarget(system, size, length, unknowns, here, along, load / length)
-    longest = procedure.max_step if isinstance(procedure, ArcLength) else 2 * procedure.max_step
-    stepping = StepControl(length=length, max_step=longest, min_step=procedure.min_step, targets=(inf,))
-    run = run_of(problem, Control(LoadFactor(system), target), stepping, nothing, bounds(max_stretch))
-    begin(run, length, unknowns, here)
+    size, here = displacement_scale(problem, unknowns, load), np.array([load])
+    along, rise = _direction(problem, unknowns, load, size)
+    target = ArcTarget(system, size, 0.0, unknowns, here, along, rise)
+    length, longest = steps
+    stepping = StepControl(length=min(length, longest), max_step=longest, min_step=procedure.min_step, targets=(inf,))
+    run = run_of(problem, Control(LoadFactor(system), target), stepping, nothing, ends)
+    run.size = size
+    begin(run, 0.0, unknowns, here)
     if len(run.states) == 1:
         run.states.append(run.history[-1].state)
     return run
 
 
-def _first_step(load: float, iterations: int, residual: float, accepted: bool, reason: str) -> Step:
+def displacement_scale(problem: Problem, unknowns: Array, load: float) -> float:
+    """Displacement that counts as much as a load factor of 1: what the state would have moved there in proportion."""
+    return float(np.linalg.norm(displacement_of(problem.system, unknowns - start_of(problem)))) / load
+
+
+def start_of(problem: Problem) -> Array:
+    """Unknowns (size,) at load factor 0."""
+    return unknowns_of(problem.system, None if problem.carried is None else problem.carried.state)
+
+
+def _direction(problem: Problem, unknowns: Array, load: float, size: float) -> tuple[Array, float]:
+    """Direction in which the load rises, as `ArcTarget` wants it; from rest to here where the tangent is singular."""
+    system = problem.system
+    at = system.evaluate(unknowns, load)
+    assert at is not None
+    response = displacement_of(system, unknowns - start_of(problem)) / load
+    with suppress(SingularTangentError):
+        problem.tangent.factor(at)
+        response = displacement_of(system, load_response(system, problem.tangent, unknowns))
+    norm = float(np.hypot(np.linalg.norm(response) / size, 1.0))
+    return response / (norm * size**2), 1 / norm
+
+
+def _first_step(load: float, iterations: int, residual: float, reason: str) -> Step:
     return Step(
         load_factor=load,
         increment=load,
         iterations=iterations,
         residual=residual,
-        accepted=accepted,
+        accepted=not reason,
         seconds=0.0,
         reason=reason,
     )
 
 
-def bounds(
-    max_stretch: float, enough: Callable[[Point, Run], bool] | None = None
-) -> Callable[[Point, Point, Run], Outcome | None]:
+def bounds(max_stretch: float, enough: Callable[[Point, Run], bool] | None = None) -> Ending:
     """End where the load factor reaches 1 or 0, the stretch or displacement its bound, or the cavities theirs."""
 
     def finished(before: Point, now: Point, run: Run) -> Outcome | None:
@@ -99,13 +150,17 @@ def bounds(
             full = fixed_load(run, before, now, 1.0)
             if full is not None:
                 run.states.append(full)
-                return reached(run.states, run.steps, run.limits)
+                run.bifurcations[:] = [each for each in run.bifurcations if each.load_factor <= 1]
+                return reached(run.states, run.steps, run.limits, run.bifurcations)
+        if retraces(run, now):
+            run.states.append(now.state)
+            return turned_back(run)
         grown = enough is not None and enough(now, run)
         why = "the cavities have grown as far as asked" if grown else _bound(run, now, max_stretch)
         if why is None:
             return None
         run.states.append(now.state)
-        return followed(run.states, run.steps, run.limits, why)
+        return followed(run, why)
 
     return finished
 
@@ -113,7 +168,8 @@ def bounds(
 def _bound(run: Run, now: Point, max_stretch: float) -> str | None:
     state, procedure = now.state, run.task.procedure
     if now.scalars[0] <= 0:
-        return "the load is back at zero"
+        begun = any(share_at(load.history, 0.0) for load in state.model.loads)
+        return "the loads are back at what they were at first" if begun else "the load is back at zero"
     stretch = float(cell_fields(state.model, state.displacement, state.mean_stress).stretch.max())
     if stretch >= max_stretch:
         return f"the largest stretch has reached {stretch:.3g}"

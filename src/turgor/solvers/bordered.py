@@ -131,7 +131,6 @@ def bordered_newton(
                 coupling = border.factor(control, at, geometric, jump)
             right = -at.residual - coupling
             right[system.held] = jump
-            jump = np.zeros_like(jump)
             update, change = border.update(right, conditions, conditions.errors)
         except (SingularTangentError, np.linalg.LinAlgError) as error:
             return _failure(at, scalars, iteration, residual, str(error))
@@ -140,18 +139,19 @@ def bordered_newton(
         new, length = _line_search(control, tangent, (at, update, scalars, change), parameter, kept)
         if new is None:
             return _failure(at, scalars, iteration, residual, "every update turns a cell inside out")
+        jump = (1 - length) * jump  # the supports are satisfied by an update of full length
         scalars = scalars + length * change
         conditions = control.target.conditions(new.unknowns, parameter, scalars)
         previous, residual = residual, _residual(control, new, conditions)
         correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
         residuals.append(residual)
         report(iteration, residual, correction, length)
-        if residual <= settings.tolerance:
+        if residual <= settings.tolerance and not jump.any():
             return BorderedResult(
                 evaluation=new, scalars=scalars, iterations=iteration, residual=residual, converged=True
             )
         contracting = residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
-        fresh = tangent.plain or not (contracting and length == 1)
+        fresh = tangent.plain or bool(jump.any()) or not (contracting and length == 1)
         if tangent.mixed_points and fresh:
             geometric = system.stresses(at, length * update)
         at = new
@@ -168,8 +168,13 @@ def rates(
     factor, factor_before = (control.sought.load_factor(p, scalars) for p in (parameter, before))
     moved = np.zeros(system.size)
     moved[system.held] = (system.prescribed(factor) - system.prescribed(factor_before)) / nudge
+    timed = control.clock.duration is not None
+    if timed:  # rubber that relaxes does so on the way, too
+        control.clock.begin(system, before)
     # not by the tangent, which leaves out what the pressure on a rim does when supports move it
     earlier = system.evaluate(at.unknowns - nudge * moved, factor_before, at.sought)
+    if timed:
+        control.clock.begin(system, parameter)
     if earlier is None:
         return None
     try:

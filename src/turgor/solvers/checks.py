@@ -8,6 +8,8 @@ from turgor.finding import Finding, Severity
 from turgor.meshing.bodies import Body, find_bodies
 from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
+from turgor.solvers.dynamic import Dynamic
+from turgor.solvers.stabilized import Stabilized
 
 
 def check_supports(model: Model, inertia: bool = False) -> None:
@@ -37,6 +39,39 @@ def check_supports(model: Model, inertia: bool = False) -> None:
                 "the supports prescribe the whole surface of an incompressible body (B01), which leaves its mean "
                 "stress undetermined; leave a direction of one face free or give the material a bulk_modulus."
             )
+
+
+def free_motions(model: Model) -> int:
+    """Count the rigid motions of all bodies that supports leave free.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    int
+    """
+    supports = held_components(model)
+    return sum(6 - _held_motions(model, supports, body) for body in find_bodies(model.mesh))
+
+
+def may_be_free(model: Model, procedure: object) -> bool:
+    """Whether supports may leave rigid motions free under a procedure: what moves or is slowed down needs none.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Procedure
+        `Dynamic` always; `Stabilized` where there is something to come to rest at.
+
+    Returns
+    -------
+    bool
+    """
+    if isinstance(procedure, Stabilized):
+        return bool(model.contact.obstacles) or len(find_bodies(model.mesh)) > 1
+    return isinstance(procedure, Dynamic)
 
 
 def _held_motions(model: Model, supports: Held, body: Body) -> int:
@@ -77,7 +112,7 @@ def _contact_does_not_hold(model: Model, bodies: int) -> str:
         return ""
     return (
         f" Contact with {', '.join(obstacles + others)} does not count: it pushes only while it touches, "
-        "and a body that it alone should hold has no equilibrium before that."
+        "and a body that it alone should hold has no equilibrium before that; Stabilized or Dynamic let it find one."
     )
 
 

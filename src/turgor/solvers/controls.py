@@ -5,7 +5,7 @@ of these cavities. Both may depend on a parameter that orders the states of the 
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 import numpy as np
@@ -15,6 +15,7 @@ from turgor.engine.chambers import Chambers
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
+from turgor.solvers.clock import Clock
 
 Array = NDArray[np.float64]
 
@@ -94,10 +95,15 @@ class Target(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Control:
-    """What is sought and what it must fulfill."""
+    """What is sought, what it must fulfill, and how long it takes."""
 
     sought: Sought
     target: Target
+    clock: Clock = field(default_factory=Clock)
+
+    def onward(self, last: Place, now: Place) -> "Control":
+        """The control beyond a state that was found after another one."""
+        return Control(self.sought, self.target.onward(last, now), self.clock.onward(now.parameter))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -88,6 +88,7 @@ def too_viscous(states: Sequence[_WithEnergies]) -> tuple[Finding, ...]:
             severity=Severity.WARNING,
             message=f"Viscous stabilization took {last.viscous:.3g} J, {100 * last.viscous / last.strain:.2g} % "
             "of the strain energy.",
-            advice="If the actuator snapped, that is the energy it released; else lower procedure.stabilization.",
+            advice="If the actuator snapped, slid or fell, that is the energy it released; else lower "
+            "procedure.stabilization.",
         ),
     )

@@ -1,16 +1,17 @@
 """Following: step along the path of a control, find the limit points on it, and end where it was asked to."""
 
 from collections.abc import Callable
-from math import inf
 from time import perf_counter
 
 import numpy as np
 
 from turgor.solvers.bordered import BorderedResult, BorderedStart
-from turgor.solvers.controls import Control
+from turgor.solvers.continuity import Verdict, judged
 from turgor.solvers.outcome import Outcome, interrupted, stopped_by, stuck, too_many_steps
+from turgor.solvers.path_outcomes import lost_path
 from turgor.solvers.points import Point, Run, between, point_at, solve_at
 from turgor.solvers.predictor import HISTORY
+from turgor.solvers.scaling import go_onward
 from turgor.solvers.solution import Iteration, Step
 from turgor.solvers.turning import insert_limit_points
 
@@ -32,38 +33,49 @@ def _advance(run: Run) -> Outcome | None:
     """Attempt one step; return how the run ends, if it does."""
     last, began = run.history[-1], perf_counter()
     parameter = run.stepping.next_load(last.parameter)
-    run.task.system.materials.begin_step(inf)
+    run.control.clock.begin(run.task.system, parameter)
     result = solve_at(run, parameter, _start(run, parameter), _reporter(run, parameter))
     increment = parameter - last.parameter
+    now, verdict = None, Verdict(result.reason)
+    if result.converged and result.evaluation is not None:
+        now = point_at(run, result.evaluation, parameter, result.scalars)
+        verdict = judged(run, last, now)
     run.steps.append(
         Step(
             load_factor=run.control.sought.load_factor(parameter, result.scalars),
             increment=increment,
             iterations=result.iterations,
             residual=result.residual,
-            accepted=result.converged,
+            accepted=now is not None and not verdict.reason,
             seconds=perf_counter() - began,
-            reason=result.reason,
+            reason=verdict.reason,
         )
     )
-    if not result.converged:
+    if now is None or verdict.reason:
         shorter = run.stepping.failed(increment)
         if shorter is None:
-            return stuck(run.task.system.model, run.states, run.steps, False)
+            return _stuck(run)
         run.stepping = shorter
         return None
     assert result.evaluation is not None
-    now = point_at(run, result.evaluation, parameter, result.scalars)
     run.task.system.contact.accept(result.evaluation.contacts)  # after the state has been read
+    run.bifurcations += verdict.passed
     return _accept(run, last, now, result)
+
+
+def _stuck(run: Run) -> Outcome:
+    """No step is short enough: on a path whose load factor is sought this is no limit point."""
+    if run.size:
+        return lost_path(run)
+    return stuck(run.task.system.model, run.states, run.steps, False)
 
 
 def _accept(run: Run, last: Point, now: Point, result: BorderedResult) -> Outcome | None:
     task = run.task
     run.history.append(now)
     del run.history[:-HISTORY]
-    insert_limit_points(run, last, now)
-    ending = task.finished(last, now, run)
+    before, ending = insert_limit_points(run, last, now)
+    ending = ending or task.finished(before, now, run)
     if ending is not None:
         return ending
     run.states.append(now.state)
@@ -74,7 +86,7 @@ def _accept(run: Run, last: Point, now: Point, result: BorderedResult) -> Outcom
     if reason is not None:
         return stopped_by(task.system.model, now.state, reason)
     run.stepping = run.stepping.accepted(now.parameter - last.parameter, result.hardest or result.iterations)
-    run.control = Control(run.control.sought, run.control.target.onward(last, now))
+    go_onward(run, last, now)
     if now.parameter in task.kinks:
         _turn(run, now)
     return None
@@ -82,6 +94,8 @@ def _accept(run: Run, last: Point, now: Point, result: BorderedResult) -> Outcom
 
 def _turn(run: Run, now: Point) -> None:
     """Beyond a kink the path goes another way: its past predicts nothing, and its rates are those ahead."""
+    if run.control.clock.duration is not None:
+        run.control.clock.begin(run.task.system, now.parameter)
     at = run.control.sought.evaluate(now.unknowns, now.parameter, now.scalars)
     assert at is not None
     run.history[:] = [point_at(run, at, now.parameter, now.scalars, ahead=True)]

@@ -1,22 +1,27 @@
 """In turn: solve the stages of a sequence one after the other and make one solution of them."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import fields, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar
 
 from turgor.errors import TurgorError
-from turgor.model.continuing import continued, with_loads
+from turgor.finding import Finding
+from turgor.model.continuing import continued, movable, with_loads
+from turgor.model.drive import pressures_at
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
 from turgor.solvers.carried import Carried
 from turgor.solvers.dynamic_run import Listeners
 from turgor.solvers.path_procedures import GasMass, VolumeControl
-from turgor.solvers.paths import asked_cavities
+from turgor.solvers.paths import asked_cavities, controlled_faces
 from turgor.solvers.pressures import pressures_of
 from turgor.solvers.solution import Iteration, Solution, State, Status, Timing
 from turgor.solvers.stages import OneProcedure, Stage, Stages
 
 T = TypeVar("T")
+
+#: Findings about what stays so in later stages; one of each is enough.
+LASTING = ("B02",)
 
 #: Solves one procedure from rest or from what was carried, and says what to carry on.
 Follow = Callable[[Model, OneProcedure, Listeners, Carried | None], tuple[Solution, Carried]]
@@ -26,9 +31,11 @@ def in_turn(model: Model, procedure: Stages, listeners: Listeners, follow: Follo
     """Solve the stages of a sequence until one of them stops early."""
     found: list[Solution] = []
     carried: Carried | None = None
+    first = _movable(model, procedure)
     for stage in procedure.stages:
         try:
-            question = _question(model, stage, carried)
+            last = None if carried is None else _End.of(carried.state)
+            question = _question(first, stage, last)
             solution, carried = follow(question, stage.procedure, _within(stage, listeners), carried)
         except TurgorError as error:
             raise TurgorError(f"stage '{stage.name}': {error}") from None
@@ -38,18 +45,67 @@ def in_turn(model: Model, procedure: Stages, listeners: Listeners, follow: Follo
     return _together(model, procedure, found)
 
 
-def _question(model: Model, stage: Stage, carried: Carried | None) -> Model:
+def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
+    """Return the model of each stage as far as it is known before any is solved.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Stages
+
+    Returns
+    -------
+    tuple of Model
+        Pressures that a stage seeks are missing in later ones.
+
+    Raises
+    ------
+    TurgorError
+        If a stage changes what the model does not have, or seeks a pressure that it states.
+    """
+    found: list[Model] = []
+    first, last = _movable(model, procedure), None
+    for stage in procedure.stages:
+        try:
+            question = _question(first, stage, last)
+            controlled_faces(question, stage.procedure)
+        except TurgorError as error:
+            raise TurgorError(f"stage '{stage.name}': {error}") from None
+        found.append(question)
+        last = _End(question, 1.0, pressures_at(question, 1.0))
+    return tuple(found)
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """How a stage ended: its model, its load factor, and the pressures."""
+
+    model: Model
+    load_factor: float
+    pressures: dict[str, float]
+
+    @staticmethod
+    def of(state: State) -> "_End":
+        return _End(state.model, state.load_factor, pressures_of(state))
+
+
+def _movable(model: Model, procedure: Stages) -> Model:
+    """The model in which faces that are held and moved later are moved by nothing at first."""
+    return movable(model, [each for stage in procedure.stages for each in stage.displacements])
+
+
+def _question(model: Model, stage: Stage, last: _End | None) -> Model:
     """The model of a stage."""
-    if carried is None:
+    if last is None:
         return with_loads(model, stage.loads, stage.displacements, stage.moves)
-    last = carried.state
-    pressures = pressures_of(last)
+    pressures = dict(last.pressures)
     if isinstance(stage.procedure, VolumeControl | GasMass):
         stated = {load.face for load in stage.loads if isinstance(load, Pressure)}
         for name in asked_cavities(last.model, stage.procedure):
             if name not in stated:
                 pressures.pop(name, None)  # it is sought from here on
-    return continued(last.model, (last.load_factor, pressures), stage.loads, stage.displacements, stage.moves)
+    acting = (last.load_factor, pressures)
+    return continued(last.model, acting, stage.loads, stage.displacements, stage.moves)
 
 
 def _within(stage: Stage, listeners: Listeners) -> Listeners:
@@ -84,11 +140,25 @@ def _together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Sol
         status=_status(found),
         message=" ".join(f"{s.name}: {each.message}" for s, each in zip(procedure.stages, found, strict=False)),
         advice=" ".join(_once(each.advice for each in found if each.advice)),
-        steps=tuple(step for each in found for step in each.steps),
-        findings=tuple(_once(finding for each in found for finding in each.findings)),
+        steps=tuple(
+            replace(step, stage=stage.name)
+            for stage, each in zip(procedure.stages, found, strict=False)
+            for step in each.steps
+        ),
+        findings=_findings(procedure, found),
         timing=_sum([each.timing for each in found]),
         limit_points=tuple(limits),
     )
+
+
+def _findings(procedure: Stages, found: Sequence[Solution]) -> tuple[Finding, ...]:
+    """What the checks of each stage noticed, with its name; what they notice again is left out."""
+    named: dict[tuple[str, str], Finding] = {}
+    for stage, solution in zip(procedure.stages, found, strict=False):
+        for each in solution.findings:
+            what = each.code if each.code in LASTING else each.message
+            named.setdefault((each.code, what), replace(each, message=f"Stage '{stage.name}': {each.message}"))
+    return tuple(named.values())
 
 
 def _placed(state: State, stage: Stage, passed: float) -> State:

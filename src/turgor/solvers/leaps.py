@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from turgor.solvers.solution import State
 
@@ -10,29 +11,44 @@ from turgor.solvers.solution import State
 #: to a limit point steps get shorter, and the factor from one to the next stays at two or three.
 LEAP = 5.0
 
+#: A body that moves by less than this share of its displacement does not leap.
+STILL = 1e-2
 
-def leap(states: Sequence[State]) -> float:
+Array = NDArray[np.float64]
+
+
+def leap(points: Sequence[tuple[float, Array]]) -> float:
     """How many times as much a body moved in the last step as in the one before, for the same load.
 
     Parameters
     ----------
-    states : sequence of State
+    points : sequence of (float, array)
+        Load factors, and the displacement at each.
 
     Returns
     -------
     float
-        0 where there are fewer than three states, or the load does not rise.
+        0 where there are fewer than three points, the load does not rise, or the last step is next to nothing.
+
+    Examples
+    --------
+    >>> leap([(0.0, np.zeros(3)), (0.5, np.ones(3)), (0.6, np.full(3, 3.0))])
+    10.0
     """
-    if len(states) < 3:
+    if len(points) < 3:
         return 0.0
-    before, last, now = states[-3:]
-    first, second = last.load_factor - before.load_factor, now.load_factor - last.load_factor
-    if not (first > 0 and second > 0):
+    (f0, u0), (f1, u1), (f2, u2) = points[-3:]
+    moved, moves = float(np.linalg.norm(u1 - u0)), float(np.linalg.norm(u2 - u1))
+    if not f0 < f1 < f2 or moved == 0 or moves <= STILL * float(np.linalg.norm(u2)):
         return 0.0
-    moved, moves = (float(np.linalg.norm(b.displacement - a.displacement)) for a, b in ((before, last), (last, now)))
-    return (moves / second) / (moved / first) if moved > 0 else 0.0
+    return round((moves / (f2 - f1)) / (moved / (f1 - f0)), 9)
+
+
+def leap_to(states: Sequence[State], number: int) -> float:
+    """How many times as much a body moved on the way to a state as in the step before, for the same load."""
+    return leap([(state.load_factor, state.displacement) for state in states[max(0, number - 2) : number + 1]])
 
 
 def first_leap(states: Sequence[State]) -> int | None:
     """Number of the first state that a leap led to; None where there is none."""
-    return next((n for n in range(2, len(states)) if leap(states[n - 2 : n + 1]) > LEAP), None)
+    return next((n for n in range(2, len(states)) if leap_to(states, n) > LEAP), None)

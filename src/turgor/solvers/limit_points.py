@@ -3,10 +3,12 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 #: A slope times the width of the step is flat below this share of the value.
 EVEN = 1e-6
 
+Array = NDArray[np.float64]
 End = tuple[float, float, float]
 
 
@@ -45,8 +47,8 @@ def turning_points(before: End, after: End) -> list[float]:
 def extremum_ahead(loads: Sequence[float], sizes: Sequence[float]) -> float | None:
     """Load at which the cubic through the last four states has a maximum; None where it has none just ahead.
 
-    A parabola through three where there are no more. Near a limit point the load that is missing to it falls with the
-    square of the growth that is missing.
+    A parabola through the last three where there are no more, or the cubic has none. Near a limit point the load that
+    is missing to it falls with the square of the growth that is missing.
 
     Parameters
     ----------
@@ -65,6 +67,11 @@ def extremum_ahead(loads: Sequence[float], sizes: Sequence[float]) -> float | No
     f, s = np.asarray(loads[-4:]), np.asarray(sizes[-4:])
     if len(f) < 3 or not (np.diff(s) > 0).all():
         return None
+    return _top(f, s) or _top(f[-3:], s[-3:])
+
+
+def _top(f: Array, s: Array) -> float | None:
+    """Maximum just ahead of the polynomial through all points; None where it has none."""
     width = s[-1] - s[0]
     curve = np.polynomial.Polynomial.fit(s, f, len(f) - 1, domain=[s[0], s[-1]])
     turns = [float(x.real) for x in curve.deriv().roots() if abs(x.imag) < 1e-9 * width]

@@ -39,9 +39,16 @@ KEEP_PARTNERS_AFTER = 8
 #: They are kept earlier where the residual is this small and falls no more.
 SMALL_RESIDUAL = 0.05
 
+#: Where a body has moved by more than this share of its largest displacement since the tangent was last factored, its
+#: factors do not count the unstable modes of where it is.
+STALE = 0.05
+
 #: Shortest update that the line search tries; and where walls are pressed into each other.
 SHORTEST_STEP = 1.0 / 64
 SHORTEST_TOUCHING_STEP = 1.0 / 32
+
+#: It gives up where so many updates in a row are cut to the shortest because they press walls too deep.
+CUT_SHORT = 3
 
 #: With friction, an update is too long where the force along it turns around, to more than this share of before.
 OVERSHOT = 0.9
@@ -57,10 +64,16 @@ class NewtonSettings:
         Largest relative residual.
     max_iterations : int
         Updates before it gives up.
+    mixed_points : bool
+        Whether stresses may be linearized where the tangent is set to that.
+    count_anew : bool
+        Whether unstable modes are counted by new factors where the last ones are stale.
     """
 
     tolerance: float = 1e-6
     max_iterations: int = 15
+    mixed_points: bool = True
+    count_anew: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -133,44 +146,49 @@ def newton(
     if at is None:
         return _failure(None, 0, np.inf, "the start turns a cell inside out")
     residual = relative_residual(system, at)
-    geometric = start.stresses if tangent.mixed_points else None
+    mixed = tangent.mixed_points and settings.mixed_points
+    geometric = start.stresses if mixed else None
     jump = system.prescribed(load_factor) - start.unknowns[system.held]
     fresh = start.fresh or bool(jump.any())
-    settled, residuals = False, [residual]
+    settled, residuals, lengths, moved = False, [residual], [1.0], 0.0
     for iteration in range(1, settings.max_iterations + 1):
         coupling = np.zeros(system.size)
         if fresh:
             try:
-                coupling = tangent.factor(at, geometric, jump)
+                coupling, moved = tangent.factor(at, geometric, jump), 0.0
             except SingularTangentError as error:
                 return _failure(at, iteration, residual, str(error))
         right = -at.residual - coupling
         right[system.held] = jump
-        jump = np.zeros_like(jump)  # the supports are satisfied after the first update
         update = tangent.solve(right)
         settled = settled or partners_settle(iteration, residuals)
         kept = at.contacts if settled else None
         new, length = _line_search(system, tangent, at, update, kept)
         if new is None:
             return _failure(at, iteration, residual, "every update turns a cell inside out", tangent)
+        jump = (1 - length) * jump  # the supports are satisfied by an update of full length
         previous, residual = residual, relative_residual(system, new)
         correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
         residuals.append(residual)
+        lengths.append(length)
+        moved += correction
         report(iteration, residual, correction, length)
-        if residual <= settings.tolerance:
-            return _success(tangent, new, iteration, residual)
+        if residual <= settings.tolerance and not jump.any():
+            return _success(tangent, new, iteration, residual, settings.count_anew and moved > STALE)
+        if system.contact.parts and max(lengths[-CUT_SHORT:]) <= SHORTEST_TOUCHING_STEP:
+            return _failure(at, iteration, residual, "every update presses walls too deep", tangent)
         contracting = residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
-        fresh = tangent.plain or not (contracting and length == 1)
-        if tangent.mixed_points and fresh:
+        fresh = tangent.plain or bool(jump.any()) or not (contracting and length == 1)
+        if mixed and fresh:
             geometric = _linearized(system, tangent, at, length * update)
         at = new
     return _failure(at, iteration, residual, f"no convergence in {settings.max_iterations} iterations", tangent)
 
 
-def _success(tangent: Tangent, at: Evaluation, iterations: int, residual: float) -> NewtonResult:
-    """Count the unstable modes from the last factors, and where these find any, at the state itself."""
+def _success(tangent: Tangent, at: Evaluation, iterations: int, residual: float, stale: bool) -> NewtonResult:
+    """Count the unstable modes from the last factors, and where these find any or are stale, at the state itself."""
     modes = tangent.unstable_modes()
-    if modes:
+    if modes or stale:
         try:
             tangent.factor(at)
             modes = tangent.unstable_modes()

@@ -8,7 +8,9 @@ import numpy as np
 
 from turgor.model.drive import drive_text, kinks
 from turgor.model.model import Model
-from turgor.solvers.leaps import first_leap, leap
+from turgor.solvers.distortion import distortion_text
+from turgor.solvers.downhill import FELL
+from turgor.solvers.leaps import first_leap, leap_to
 from turgor.solvers.limit_points import extremum_ahead
 from turgor.solvers.pressures import pressure_text
 from turgor.solvers.solution import State, Status, Step
@@ -17,6 +19,9 @@ from turgor.solvers.stages import OneProcedure
 #: A maximum of the load this near ahead of the last state, relative to it, is where the path ended, whatever the
 #: factors say; one this near is worth saying where they have told.
 NEAR, SAID = 1e-3, 1e-2
+
+#: How a pressure reads that does not act: it names no load.
+NOTHING = "0 kPa"
 
 #: On the way to a limit point a body moves this many times as much for the load as before at least.
 SOFTENING = 1.5
@@ -43,7 +48,7 @@ def _at(state: State) -> str:
 
 def _with_factor(pressures: str, load_factor: float, digits: int = 4) -> str:
     factor = f"load factor {load_factor:.{digits}g}"
-    return f"{pressures} ({factor})" if pressures else factor
+    return f"{pressures} ({factor})" if pressures and (pressures != NOTHING or not load_factor) else factor
 
 
 def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> Outcome:
@@ -52,13 +57,14 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
     cut = sum(not step.accepted for step in steps)
     message = f"Reached {_load(model, 1.0)} in {len(states) - 1} steps and {iterations} iterations"
     message += f", {cut} steps cut back." if cut else "."
+    message += _falls(model, steps)
     unstable = next((state for state in states if state.unstable_modes), None)
     leapt = first_leap(states) if not kinks(model) else None
     if unstable is None and leapt is not None:
         return Outcome(
             Status.CONVERGED,
             f"{message} Between {_at(states[leapt - 1])} and {_at(states[leapt])} it moved "
-            f"{leap(states[leapt - 2 : leapt + 1]):.3g} times as much for the load as in the step before: it may have "
+            f"{leap_to(states, leapt):.3g} times as much for the load as in the step before: it may have "
             "jumped past a limit point.",
             "Look at what lies between with the procedure auto, or with a smaller max_step.",
         )
@@ -72,32 +78,42 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
     )
 
 
+def _falls(model: Model, steps: Sequence[Step]) -> str:
+    """Where what touched let go, and the body fell."""
+    falls = [step.load_factor for step in steps if step.accepted and step.reason == FELL]
+    if not falls:
+        return ""
+    more = f", first of {len(falls)} times" if len(falls) > 1 else ""
+    return f" On the way to {_load(model, falls[0])}{more} it slipped or snapped to another equilibrium close by."
+
+
 def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_stability: bool) -> Outcome:
     """The step fell below the smallest allowed."""
     last = states[-1]
     top = extremum_ahead(
         [state.load_factor for state in states], [float(np.linalg.norm(state.displacement)) for state in states]
     )
-    ahead = np.inf if top is None else top - last.load_factor
-    if (
-        (lost_stability and softens(states))
-        or last.unstable_modes
-        or ahead <= max(10 * steps[-1].increment, NEAR * last.load_factor)
+    ahead, distorted = np.inf if top is None else top - last.load_factor, distortion_text(last)
+    if last.unstable_modes or (
+        not distorted
+        and ((lost_stability and softens(states)) or ahead <= max(10 * steps[-1].increment, NEAR * last.load_factor))
     ):
         estimate = ""
         if top is not None and ahead <= SAID * last.load_factor:
             estimate = f" The path up to there points to a maximum of {_load(model, top, 5)}."
+        driven = pressure_text(last) not in ("", NOTHING)
         return Outcome(
             Status.LIMIT_POINT,
             f"The load could not rise past {_at(last)}: the tangent lost positive definiteness there, "
             f"which is a limit point (ballooning, snap-through) or buckling.{estimate}{_lost_before(states)}",
-            "Ask for less than this load; the path up to it is complete. To go past it, let the volume of the cavities "
-            "drive (VolumeControl), follow the path by its length (ArcLength), or choose the procedure auto.",
+            "Ask for less than this load; the path up to it is complete. To go past it, "
+            f"{'let the volume of the cavities drive (VolumeControl), ' if driven else ''}"
+            "follow the path by its length (ArcLength), or choose the procedure auto.",
         )
     return Outcome(
         Status.STEP_TOO_SMALL,
         f"No equilibrium was found beyond {_at(last)}: {steps[-1].reason}, "
-        f"down to steps of {steps[-1].increment:.2g} of the load.",
+        f"down to steps of {steps[-1].increment:.2g} of the load.{distorted}",
         "Look at the last state for a badly distorted cell or walls that met; refine the mesh there.",
     )
 

@@ -3,8 +3,11 @@
 from collections.abc import Sequence
 
 from turgor.finding import Finding, Severity
+from turgor.solvers.continuity import JUMPS
+from turgor.solvers.distortion import distortion_text
 from turgor.solvers.outcome import Outcome
 from turgor.solvers.path_procedures import Auto
+from turgor.solvers.points import Bifurcation, Run
 from turgor.solvers.pressures import pressure_text
 from turgor.solvers.solution import LimitPoint, Procedure, State, Status, Step
 from turgor.units import kPa, mL
@@ -12,27 +15,69 @@ from turgor.units import kPa, mL
 #: Limit points that a sentence names; the rest is in ``solution.limit_points``.
 NAMED = 4
 
+#: Advice where a path has branches.
+BEND_IT = (
+    "A real body takes the branch that its imperfections lead to: bend the geometry a little, as it would buckle, "
+    "to follow it."
+)
 
-def reached(states: Sequence[State], steps: Sequence[Step], limits: Sequence[LimitPoint]) -> Outcome:
+
+def reached(
+    states: Sequence[State],
+    steps: Sequence[Step],
+    limits: Sequence[LimitPoint],
+    bifurcations: Sequence[Bifurcation] = (),
+) -> Outcome:
     """All that was asked for was injected, pumped in or applied."""
-    message = f"Reached {_where(states[-1])}{_effort(states, steps)}.{_turns(limits)}"
+    message = (
+        f"Reached {_where(states[-1], states[0])}{_effort(states, steps)}.{_turns(limits)}{_branches(bifurcations)}"
+    )
     unstable = next((state for state in states if state.unstable_modes), None)
     if unstable is None or not unstable.driven:  # at given loads a falling branch is unstable, which was said
-        return Outcome(Status.CONVERGED, message)
+        return Outcome(Status.CONVERGED, message, BEND_IT if bifurcations else "")
     return Outcome(
         Status.CONVERGED,
-        f"{message} From {_where(unstable)} on the equilibrium is unstable even so "
+        f"{message} From {_where(unstable, states[0])} on the equilibrium is unstable even so "
         f"({unstable.unstable_modes} negative modes): a real actuator would leave it.",
         "Treat what follows with care: the actuator may buckle, bulge on one side or jump.",
     )
 
 
-def followed(states: Sequence[State], steps: Sequence[Step], limits: Sequence[LimitPoint], why: str) -> Outcome:
+def followed(run: Run, why: str) -> Outcome:
     """The path was followed as far as asked, and the load factor did not come back to 1."""
+    bend_it = f" {BEND_IT}" if run.bifurcations else ""
     return Outcome(
         Status.FOLLOWED,
-        f"Followed the path to {_where(states[-1])}{_effort(states, steps)}: {why}.{_turns(limits)}",
-        "The full load is not on the path so far; follow it farther, or ask for less.",
+        f"Followed the path to {_where(run.states[-1], run.states[0])}{_effort(run.states, run.steps)}: {why}."
+        f"{_turns(run.limits)}{_branches(run.bifurcations)}{distortion_text(run.states[-1])}",
+        f"The full load is not on the path so far; follow it farther, or ask for less.{bend_it}",
+    )
+
+
+def lost_path(run: Run) -> Outcome:
+    """No arc is short enough to go on along the same path."""
+    last, step = run.states[-1], run.steps[-1]
+    return Outcome(
+        Status.TURNED_BACK if step.reason == JUMPS else Status.STEP_TOO_SMALL,
+        f"The path could not be followed beyond {_where(last, run.states[0])}{_effort(run.states, run.steps)}: "
+        f"{step.reason}, down to steps of {step.increment:.2g}."
+        f"{_turns(run.limits)}{_branches(run.bifurcations)}{distortion_text(last)}",
+        "The path up to there stands. Look at the last state for a badly distorted cell or walls that met, and refine "
+        "the mesh there; or try a smaller min_step.",
+    )
+
+
+def turned_back(run: Run) -> Outcome:
+    """The load fell, and the body went back the way it came."""
+    top = max(run.states, key=lambda state: state.load_factor)
+    return Outcome(
+        Status.TURNED_BACK,
+        f"The path turned at {_where(top, run.states[0])} and goes back the way it came, down to "
+        f"{_where(run.states[-1], run.states[0])} so far"
+        f"{_effort(run.states, run.steps)}: a few cells give way there, and the rest of the body is let off."
+        f"{_branches(run.bifurcations)}{distortion_text(run.states[-1])}",
+        "Take the path up to the turn; what comes after it depends on the mesh. Refine the mesh where cells are "
+        "squeezed, and see up to which stretch the law is stable (first_instability).",
     )
 
 
@@ -59,6 +104,29 @@ def _turns(limits: Sequence[LimitPoint]) -> str:
     return f" Limit points: {', '.join(map(_turn, limits[:NAMED]))}{' …' if len(limits) > NAMED else ''}."
 
 
+def _branches(bifurcations: Sequence[Bifurcation]) -> str:
+    """Where another path leaves this one: a limit point it is not."""
+    if not bifurcations:
+        return ""
+    named = ", ".join(map(_branch, bifurcations[:NAMED]))
+    many = len(bifurcations) > 1
+    return (
+        f" Bifurcation{'s' if many else ''}: {named}{' …' if len(bifurcations) > NAMED else ''}; "
+        f"{'others leave' if many else 'another path leaves'} this one there."
+    )
+
+
+def _branch(bifurcation: Bifurcation) -> str:
+    count = abs(bifurcation.modes)
+    modes = f"{count} mode{'s' if count != 1 else ''} {'become' if count != 1 else 'becomes'}"
+    pressures = pressure_text(bifurcation.state)
+    factor = f"load factor {bifurcation.load_factor:.4g}"
+    return (
+        f"at {f'{pressures} ({factor})' if pressures else factor}, where {modes} "
+        f"{'unstable' if bifurcation.modes > 0 else 'stable again'}"
+    )
+
+
 def _turn(limit: LimitPoint) -> str:
     where = f" in {limit.face}" if limit.face not in ("", "cavity") else ""
     if limit.pressure == limit.pressure:  # a number
@@ -66,10 +134,13 @@ def _turn(limit: LimitPoint) -> str:
     return f"{limit.kind} of the load at load factor {limit.load_factor:.5g}"
 
 
-def _where(state: State) -> str:
+def _where(state: State, first: State) -> str:
     driven = state.driven
     said = []
-    if "injected_volume" in driven:
+    before = first.driven.get("injected_volume", 0.0)
+    if before:
+        said.append(_grown(driven["injected_volume"], before))
+    elif "injected_volume" in driven:
         said.append(f"an injected volume of {driven['injected_volume'] / mL:.4g} mL")
     elif "gas_mass_ratio" in driven:
         said.append(f"{driven['gas_mass_ratio']:.4g} times the gas")
@@ -78,6 +149,13 @@ def _where(state: State) -> str:
     return (
         f"{' at '.join(said)} (load factor {state.load_factor:.4g})" if said else f"load factor {state.load_factor:.4g}"
     )
+
+
+def _grown(injected: float, before: float) -> str:
+    """A volume against that at rest, where it has changed before already."""
+    if abs(injected) < 1e-6 * abs(before):
+        return "the volume at rest"
+    return f"a volume {abs(injected) / mL:.4g} mL {'larger' if injected > 0 else 'smaller'} than at rest"
 
 
 def _effort(states: Sequence[State], steps: Sequence[Step]) -> str:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from turgor.errors import TurgorError
+from turgor.solvers.duration import check_duration
 from turgor.solvers.stepping import Steps
 
 #: Pressure of the air around [Pa].
@@ -48,6 +49,8 @@ class VolumeControl:
         Newton iterations before a step is cut back.
     max_steps : int
         Attempted steps before the solve stops.
+    duration : float [s], optional
+        Time at load factor 1, for rubber that relaxes, as that of `Static`.
 
     Examples
     --------
@@ -63,6 +66,7 @@ class VolumeControl:
     tolerance: float = 1e-6
     max_iterations: int = 15
     max_steps: int = 1000
+    duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
         for where, volume in _by_cavity(self.volume, "volume").items():
@@ -98,7 +102,7 @@ class GasMass:
         said above about states at rest holds for that one. Zero seals them at rest.
     seal : float [-]
         Load factor at which they are sealed, in (0, 1); of no meaning without a pressure.
-    first_step, max_step, min_step, at, tolerance, max_iterations, max_steps
+    first_step, max_step, min_step, at, tolerance, max_iterations, max_steps, duration
         As those of `VolumeControl`.
 
     Examples
@@ -120,6 +124,7 @@ class GasMass:
     tolerance: float = 1e-6
     max_iterations: int = 15
     max_steps: int = 1000
+    duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
         for where, ratio in _by_cavity(self.mass_ratio, "mass_ratio").items():
@@ -147,7 +152,8 @@ class ArcLength:
     """Follow the path by its length, so that the load may rise and fall; all loads keep their proportion.
 
     The length of a step joins the change of the load factor with that of the displacement, scaled so that both are
-    alike in the first step. The path ends where the load factor reaches 1, or at one of the bounds.
+    alike in the first step; a body that buckles is measured by its own displacement from then on. The path ends where
+    the load factor reaches 1 or 0, at one of the bounds, or where it goes back the way it came.
 
     Parameters
     ----------
@@ -192,7 +198,7 @@ class ArcLength:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Auto:
-    """Load control as long as it goes; from a limit point or a leap on the volume of the cavities drives, or the arc.
+    """Load control as long as it goes; before a limit point or a leap the volume of the cavities or the arc takes over.
 
     Where all loads are pressures in cavities, the volume weighted with the pressures takes over, and the path goes on
     until the load factor has come back to 1 or the cavities have grown ``past`` times as much as at the first limit
@@ -241,6 +247,7 @@ def _by_cavity(value: float | Mapping[str, float], name: str) -> dict[str, float
 
 
 def _check_steps(steps: _Steps, longest: float = 1.0) -> None:
+    check_duration(getattr(steps, "duration", None))
     for name, upper in (("first_step", 1.0), ("max_step", longest), ("min_step", 1.0)):
         value = getattr(steps, name)
         if not 0 < value <= upper:

@@ -14,9 +14,10 @@ from turgor.model.drive import kinks
 from turgor.model.model import Model
 from turgor.solvers.arcs import check_proportional, check_still, follow_arc
 from turgor.solvers.carried import unknowns_of
+from turgor.solvers.clock import Clock
 from turgor.solvers.controls import CavityPressures, Control, GasTarget, Target, VolumeTarget
 from turgor.solvers.following import follow
-from turgor.solvers.going_past import History, go_past, load_control, lost, stop_if_unstable
+from turgor.solvers.going_past import History, Watch, go_past, load_control, lost
 from turgor.solvers.outcome import Outcome
 from turgor.solvers.path_outcomes import reached
 from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
@@ -104,8 +105,9 @@ def follow_path(problem: Problem, by_load: ByLoad, history: History) -> Outcome:
     if isinstance(procedure, Auto):
         check_proportional(problem.system.model, "procedure auto")
         check_still(problem.system, "procedure auto")
-        outcome = by_load(load_control(procedure), stop_if_unstable(problem.stop, problem.states))
-        return go_past(problem, history) if lost(outcome, problem.states) else outcome
+        watch = Watch.at_rest(problem, history)
+        outcome = by_load(load_control(procedure), watch)
+        return go_past(problem, watch) if lost(outcome, watch) else outcome
     return _follow_cavities(problem, procedure)
 
 
@@ -129,7 +131,7 @@ def _follow_cavities(problem: Problem, procedure: VolumeControl | GasMass) -> Ou
         driven = _amounts("gas_mass_ratio", system.controlled, np.ones(len(volumes)), ratios, target.seal)
     seal = (target.seal,) if isinstance(target, GasTarget) and not target.sealed else ()
     turns = tuple(sorted({*kinks(system.model), *seal}))
-    control = Control(CavityPressures(system), target)
+    control = Control(CavityPressures(system), target, Clock(procedure.duration))
     run = run_of(problem, control, StepControl.of(procedure, turns), driven, _at_the_end, turns)
     begin(run, 0.0, start, pressures)
     return follow(run)

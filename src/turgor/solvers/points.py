@@ -1,7 +1,7 @@
 """Points: equilibria on a path, how they are found, and what a run along the path knows."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,9 +79,21 @@ class Task:
     kinks: tuple[float, ...] = ()
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Bifurcation:
+    """Where the path meets another one: the load factor, a state just beyond, and how many modes become unstable."""
+
+    load_factor: float
+    state: State
+    modes: int
+
+
 @dataclass(slots=True, eq=False)
 class Run:
-    """What was found so far; the caller owns the lists."""
+    """What was found so far; the caller owns the lists.
+
+    ``size`` is the displacement that counts as much as a load factor of 1, where the load factor is sought.
+    """
 
     task: Task
     control: Control
@@ -90,12 +102,15 @@ class Run:
     steps: list[Step]
     limits: list[LimitPoint] = field(default_factory=list)
     history: list[Point] = field(default_factory=list)
+    bifurcations: list[Bifurcation] = field(default_factory=list)
+    size: float = 0.0
 
 
 def solve_at(
     run: Run, parameter: float, start: BorderedStart, report: Callable[[int, float, float, float], None]
 ) -> BorderedResult:
     """Find the state at a parameter, with all that touches."""
+    run.control.clock.begin(run.task.system, parameter)
 
     def solve(start: BorderedStart) -> BorderedResult:
         return bordered_newton(run.control, run.task.tangent, start, parameter, run.task.settings, report)
@@ -118,6 +133,7 @@ def point_at(run: Run, at: Evaluation, parameter: float, scalars: Array, ahead: 
     found = rates(run.control, run.task.tangent, at, parameter, scalars, ahead)
     sought = {} if at.sought is None else dict(acting_pressures(system, scalars))
     state = state_of(system, at, None if found is None else found.modes, sought, run.task.driven(parameter))
+    state = replace(state, time=run.control.clock.time_of(parameter))
     change, slope = (None, None) if found is None else (found.unknowns, found.scalars)
     return Point(parameter, at.unknowns, scalars, system.stresses(at), change, slope, state)
 

@@ -61,9 +61,12 @@ def run_of(
 
 def begin(run: Run, parameter: float, unknowns: Array, scalars: Array) -> None:
     """Make a known equilibrium the first point of a run, and a state if there is none yet."""
+    timed = run.control.clock.duration is not None
+    if timed:
+        run.control.clock.begin(run.task.system, parameter)
     at = run.control.sought.evaluate(unknowns, parameter, scalars)
     assert at is not None
-    point = point_at(run, at, parameter, scalars)
+    point = point_at(run, at, parameter, scalars, ahead=timed)
     run.history.append(point)
     if not run.states:
         run.states.append(point.state)

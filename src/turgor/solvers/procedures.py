@@ -5,6 +5,7 @@ from math import inf
 
 from turgor.errors import TurgorError
 from turgor.model.model import Model
+from turgor.solvers.duration import check_duration
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,8 +49,7 @@ class Static:
     duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
-        if self.duration is not None and not 0 < self.duration < inf:
-            raise TurgorError(f"procedure.duration is {self.duration:g} s; it must be more than 0.")
+        check_duration(self.duration)
         for name in ("first_step", "max_step", "min_step"):
             value = getattr(self, name)
             if not 0 < value <= 1:

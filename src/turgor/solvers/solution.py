@@ -23,6 +23,7 @@ class Status(StrEnum):
     FOLLOWED = "followed"
     STEP_TOO_SMALL = "step_too_small"
     LIMIT_POINT = "limit_point"
+    TURNED_BACK = "turned_back"
     STEP_LIMIT = "step_limit"
     SINGULAR = "singular"
     STOPPED = "stopped"
@@ -160,6 +161,7 @@ class Step:
     accepted: bool
     seconds: float
     reason: str = ""
+    stage: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,18 +9,19 @@ from numpy.typing import NDArray
 
 from turgor.engine.additions import Linear
 from turgor.engine.energy import contact_energy, softening_loss, stored_energy
-from turgor.engine.linear import SingularTangentError
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
-from turgor.model.drive import extremes, kinks
+from turgor.model.drive import kinks
 from turgor.solvers.carried import unknowns_of
+from turgor.solvers.checks import free_motions
 from turgor.solvers.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.solvers.dynamic_run import Listeners
 from turgor.solvers.energies import Energies
 from turgor.solvers.moving_outcomes import came_to_rest, no_state, restless
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Start, relative_residual
 from turgor.solvers.outcome import Outcome, interrupted, stopped_by, too_many_steps
+from turgor.solvers.softness import softness
 from turgor.solvers.solution import Iteration, State, Step
 from turgor.solvers.stabilized import Stabilized
 from turgor.solvers.stepping import StepControl
@@ -58,6 +59,7 @@ class _Run:
     rate: Array
     viscous: Array
     energies: Energies
+    free: bool = False
     softened: float = 0.0
     raised: int = 0
 
@@ -105,33 +107,16 @@ def _begin(
     even = np.full(len(system.cells), system.stress / system.length**2)  # a scaled mass of 1 for a scaled volume of 1
     mass = mass_data(system, even)
     strain = stored_energy(system, unknowns) + contact_energy(system, at)
+    free = free_motions(system.model) > 0
     run = _Run(
         system=system, tangent=tangent, procedure=procedure, listeners=listeners, states=path[0], steps=path[1],
-        mass=mass, viscosity=procedure.stabilization * _softness(system, tangent, at, mass), at=at,
+        mass=mass, viscosity=procedure.stabilization * softness(system, tangent, at, mass, free), at=at, free=free,
         pushed=pushing(system, at), rate=np.zeros(system.size), viscous=np.zeros(system.size),
         energies=Energies(kinetic=0.0, strain=strain, dissipated=0.0, work=strain),
     )  # fmt: skip
     run.softened = softening_loss(system, at)
     run.states.append(_state(run, at, None))
     return run
-
-
-def _softness(system: System, tangent: Tangent, at: Evaluation, mass: Array) -> float:
-    """Strain energy over ∫ |u|² dV of the linear answer to the largest load: half the stiffness that meets the load."""
-    factor = max(extremes(system.model), key=lambda each: float(np.linalg.norm(system.external(at.unknowns, each))))
-    jump = system.prescribed(factor) - at.unknowns[system.held]
-    try:
-        coupling = tangent.factor(at, None, jump)
-    except SingularTangentError:
-        return float(np.abs(system.tangent_data(at)).max()) / float(np.abs(mass).max())
-    right = system.external(at.unknowns, factor) - coupling
-    right[system.held] = jump
-    answer = tangent.solve(right)
-    answer[3 * system.node_count :] = 0.0
-    data = system.tangent_data(at)  # first: contact may change the pattern
-    stretched = float(answer @ system.pattern.product(data, answer))
-    moved = float(answer @ system.layout.base.product(mass, answer))
-    return 0.5 * abs(stretched) / moved if moved > 0 else 1.0
 
 
 def _advance(run: _Run, control: StepControl) -> StepControl | Outcome:
@@ -152,6 +137,12 @@ def _advance(run: _Run, control: StepControl) -> StepControl | Outcome:
     return control.turned(run.procedure.first_step)
 
 
+def _drag(run: _Run, length: float) -> Linear:
+    """The viscous forces of a step of a length from the last state."""
+    base, drag = run.system.layout.base, run.viscosity / length * run.mass
+    return Linear(base, drag, -base.product(drag, run.at.unknowns))
+
+
 def _attempt(run: _Run, load: float, length: float) -> NewtonResult:
     """Solve for a load with the viscous forces of a step of a length."""
     system, listeners, began = run.system, run.listeners, perf_counter()
@@ -161,9 +152,8 @@ def _attempt(run: _Run, load: float, length: float) -> NewtonResult:
         if listeners.progress is not None:
             listeners.progress(_iteration(number, load, iteration, residual, correction, step), None)
 
-    drag = run.viscosity / length * run.mass
     system.materials.begin_step(inf)
-    system.addition = Linear(system.layout.base, drag, -system.layout.base.product(drag, run.at.unknowns))
+    system.addition = _drag(run, length)
     settings = NewtonSettings(tolerance=run.procedure.tolerance, max_iterations=run.procedure.max_iterations)
     result = newton_with_contact(system, run.tangent, _start(run, load, length), load, settings, report)
     run.steps.append(
@@ -198,7 +188,7 @@ def _too_far(run: _Run, result: NewtonResult) -> bool:
     after = _energies(run, at, addition.forces(at.unknowns))
     lost = abs(after.missing - run.energies.missing)
     moved = np.abs(at.unknowns - run.at.unknowns)[: 3 * run.system.node_count].max()
-    most = max(after.strain, run.energies.strain)
+    most = max(after.strain, run.energies.strain, after.dissipated if run.free else 0.0)  # a fall strains little
     if moved < SMALL_MOVE or lost <= ENERGY_ERROR * most:
         return False
     reason = f"{100 * lost / most:.2g} % of the energy unaccounted for"
@@ -252,6 +242,8 @@ def _come_to_rest(run: _Run) -> Outcome:
     else:
         return restless(run.states[-1])
     run.at = at
+    if run.free:  # where nothing holds it, the tangent is singular by itself
+        run.system.addition = _drag(run, 1.0)
     run.tangent.factor(at)
     run.states[-1] = _state(run, at, run.tangent.unstable_modes())
     return came_to_rest(run.states, run.steps)

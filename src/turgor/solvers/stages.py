@@ -12,6 +12,14 @@ from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeContr
 from turgor.solvers.procedures import Static
 from turgor.solvers.stabilized import Stabilized
 
+#: Procedures that ask a question of their own, and how a sequence asks it.
+INSTEAD: Mapping[str, str] = {
+    "BlockedForce": "it puts a plate before the tip at rest; add the plate as an obstacle, let a stage move it to the "
+    "tip, and read its force, such as plate_force",
+    "Grasp": "it is a sequence itself; close the fingers in one stage with a pressure, and pull the object in the next "
+    "one with moves, with a plane as obstacle where the fingers meet",
+}
+
 OneProcedure = Static | VolumeControl | GasMass | ArcLength | Auto | Dynamic | Stabilized
 
 
@@ -33,7 +41,7 @@ class Sealed(VolumeControl):
     ('cavity_1',)
     """
 
-    cavities: str | tuple[str, ...] = ()
+    cavities: str | tuple[str, ...] = field(default=(), metadata={"dimension": "names"})
     volume: float | Mapping[str, float] = field(init=False, default=0.0)
 
     def __post_init__(self) -> None:
@@ -55,13 +63,14 @@ class Stage:
     ----------
     name : str
         What messages and states call it.
-    procedure : Static, VolumeControl, Sealed, GasMass, Stabilized or Dynamic
+    procedure : Static, VolumeControl, Sealed, GasMass, ArcLength, Auto, Stabilized or Dynamic
         How it is followed. `VolumeControl` injects in addition to what is there; `GasMass` seals what is there, at its
-        pressure. `Auto` and `ArcLength` can only come first.
+        pressure; `ArcLength` and `Auto` let the loads of the stage go from what they were towards their new values.
     loads : sequence of Load
         Loads that change: pressures by their face, tractions by their face, gravity. A pressure of 0 opens a cavity.
     displacements : sequence of Displacement
-        Faces that are moved, from where they are; each takes the place of one of the model's.
+        Faces that are moved, from where they are; each takes the place of a `Displacement` or a `Fixed` of the model
+        with the same face and directions.
     moves : mapping of str to (3,) floats [m]
         Obstacles that are moved: how far each is in the end from where it was at first.
 
@@ -126,20 +135,31 @@ class Stages:
             if names.count(name) > 1:
                 raise TurgorError(f"{names.count(name)} stages are called '{name}'; give each a name of its own.")
         for number, stage in enumerate(self.stages):
-            _check(stage, number)
+            check_stage(stage, number)
 
 
-def _check(stage: Stage, number: int) -> None:
+def check_stage(stage: Stage, number: int) -> None:
+    """Refuse a procedure that cannot be a stage, or not at its place.
+
+    Parameters
+    ----------
+    stage : Stage
+    number : int
+        Its place in the sequence, from 0.
+
+    Raises
+    ------
+    TurgorError
+        If it cannot; the message says what to write instead.
+    """
     procedure, said = stage.procedure, f"stage '{stage.name}'"
+    instead = INSTEAD.get(type(procedure).__name__)
+    if instead:
+        raise TurgorError(f"{said}: {type(procedure).__name__} cannot be a stage, because {instead}.")
     if not isinstance(procedure, OneProcedure) or (isinstance(procedure, Static) and type(procedure) is not Static):
         raise TurgorError(
             f"{said}: {type(procedure).__name__} cannot be a stage; "
-            "take Static, VolumeControl, Sealed, GasMass, Stabilized or Dynamic."
-        )
-    if number and isinstance(procedure, ArcLength | Auto):
-        raise TurgorError(
-            f"{said}: {type(procedure).__name__} lets all loads grow in proportion from zero, so it can only come "
-            "first; take VolumeControl or Stabilized here."
+            "take Static, VolumeControl, Sealed, GasMass, ArcLength, Auto, Stabilized or Dynamic."
         )
     if number and isinstance(procedure, GasMass) and procedure.pressure:
         raise TurgorError(

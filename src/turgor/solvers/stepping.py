@@ -110,6 +110,18 @@ class StepControl:
         """
         return replace(self, length=min(self.length, first_step))
 
+    def resumed(self, first_step: float) -> "StepControl":
+        """Take steps as at the start, where they were cut only to see where stability is lost.
+
+        Examples
+        --------
+        >>> from turgor.solvers.procedures import Static
+        >>> control = StepControl.of(Static(first_step=0.2)).failed(0.2)
+        >>> round(control.length, 3), control.resumed(0.2).length
+        (0.07, 0.2)
+        """
+        return replace(self, length=max(self.length, first_step), patience=2)
+
     def failed(self, increment: float) -> "StepControl | None":
         """Cut the step; None when it would fall below the smallest."""
         shorter = increment * CUT

@@ -7,7 +7,7 @@ import numpy as np
 
 from turgor.finding import Finding, Severity
 from turgor.model.model import Model
-from turgor.solvers.procedures import Static
+from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.solution import Procedure, State
 
 #: A term is followed badly by steps longer than the first of these shares of its time. Terms much faster than the
@@ -20,20 +20,21 @@ HELD = 0.02
 
 def too_long_steps(model: Model, procedure: Procedure, states: Sequence[State]) -> tuple[Finding, ...]:
     """Say where steps in time were too long for the rubber (L07)."""
-    if not isinstance(procedure, Static) or procedure.duration is None:
+    duration = None if isinstance(procedure, Dynamic) else getattr(procedure, "duration", None)
+    if duration is None:
         return ()
     series = [material.viscoelasticity for material in model.region_materials.values()]
     times = sorted({tau for each in series if each is not None for tau in each.tau})
     largest = max((float(np.abs(state.displacement).max()) for state in states), default=0.0)
     moving = [
-        procedure.time_between(before.load_factor, after.load_factor)
+        (after.load_factor - before.load_factor) * duration
         for before, after in pairwise(states)
         if float(np.abs(after.displacement - before.displacement).max()) > HELD * largest
     ]
     for tau in times:
         missed = [step for step in moving if LONG * tau < step < FAST * tau]
         if missed:
-            return (_finding(max(missed), tau, procedure.duration),)
+            return (_finding(max(missed), tau, duration),)
     return ()
 
 

@@ -10,6 +10,7 @@ from turgor.engine.contact.part import Look
 from turgor.engine.contact.pressure import nodal_pressure, touched_area
 from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
+from turgor.solvers.downhill import downhill
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Report, Start, newton, relative_residual
 from turgor.solvers.solution import Touch
 
@@ -45,11 +46,11 @@ def until_settled(
         at = look(result) if result.converged else None
         if at is None:
             break
-        changed = contact.stiffen(at.contacts) | contact.settle(at.contacts)
+        renewed, stiffened = contact.settle(at.contacts), contact.stiffen(at.contacts)
         residual = relative_residual(system, at)
-        if not changed and residual <= SEARCHED_ANEW * tolerance:
+        if not stiffened and residual <= SEARCHED_ANEW * tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
-        if not changed and number >= PATIENCE and residual <= WEDGED:
+        if not (stiffened or renewed) and number >= PATIENCE and residual <= WEDGED:
             return replace(result, iterations=iterations, hardest=hardest)
         result = again(at, result)
         iterations += result.iterations
@@ -71,12 +72,19 @@ def newton_with_contact(
         assert last is not None
         return system.evaluate(last.unknowns, load_factor, known=last.contacts, how=Look.ANEW)
 
-    def again(at: Evaluation, result: NewtonResult) -> NewtonResult:
-        start = Start(at.unknowns, system.stresses(at))
-        return newton(system, tangent, start, load_factor, settings, report)
+    def find(start: Start) -> NewtonResult:
+        result = newton(system, tangent, start, load_factor, settings, report)
+        if result.converged or tangent.plain:
+            return result
+        found = downhill(system, tangent, start.unknowns, load_factor, settings, report)
+        iterations = result.iterations + found.iterations
+        return replace(found if found.converged else result, iterations=iterations)
 
-    first = newton(system, tangent, start, load_factor, settings, report)
-    settled: NewtonResult = until_settled(system, first, look, again, settings.tolerance)
+    def again(at: Evaluation, result: NewtonResult) -> NewtonResult:
+        found = find(Start(at.unknowns, system.stresses(at)))
+        return replace(found, reason=result.reason) if found.converged and not found.reason else found
+
+    settled: NewtonResult = until_settled(system, find(start), look, again, settings.tolerance)
     return settled
 
 

@@ -1,6 +1,7 @@
 """Turning: find where a scalar has its maxima and minima between two points of a path, and make them states."""
 
 from turgor.solvers.limit_points import EVEN, turning_points
+from turgor.solvers.outcome import Outcome
 from turgor.solvers.points import Point, Run, between, point_at, silent, solve_at
 from turgor.solvers.solution import LimitPoint
 from turgor.solvers.stages import Sealed
@@ -9,13 +10,18 @@ from turgor.solvers.stages import Sealed
 CLOSER = 8
 
 
-def insert_limit_points(run: Run, last: Point, now: Point) -> None:
+def insert_limit_points(run: Run, last: Point, now: Point) -> tuple[Point, Outcome | None]:
     """Find the maxima and minima of each scalar between two points, and make them states of the path.
 
     Where all volumes stay there are none: the pressure turns because other loads do.
+
+    Returns
+    -------
+    (Point, Outcome or None)
+        The last of them, or the first point; and how the path ends, if it does before or at one of them.
     """
     if isinstance(run.task.procedure, Sealed):
-        return
+        return last, None
     found = []
     for index in range(len(now.scalars)):
         for before, after in _brackets(run, last, now, index):
@@ -23,8 +29,13 @@ def insert_limit_points(run: Run, last: Point, now: Point) -> None:
             if turn is not None and before.slope is not None:
                 found.append((turn, "maximum" if before.slope[index] > 0 else "minimum", index))
     for turn, kind, index in sorted(found, key=lambda each: each[0].parameter):
+        ending = run.task.finished(last, turn, run)
+        if ending is not None:
+            return turn, ending
         run.states.append(turn.state)
         run.limits.append(_limit_point(run, kind, turn, index))
+        last = turn
+    return last, None
 
 
 def _brackets(run: Run, last: Point, now: Point, index: int) -> list[tuple[Point, Point]]:

@@ -1,8 +1,8 @@
 """Friction: points that touched in the last state stick there until Coulomb's limit, then slip.
 
-The tangential traction grows with the slip since the last state and is cut off at the coefficient times a normal
-pressure that is kept while Newton's method iterates, and renewed when it has converged: so friction has a potential
-in between, and its tangent is symmetric.
+The tangential traction grows with the slip since the last state and is cut off at the coefficient times the normal
+pressure. At a limit that is kept friction has a potential, and a symmetric tangent; that the limit follows the pressure
+adds an unsymmetric part, which `by_limit` gives and `turgor.engine.tangent` treats apart.
 """
 
 from dataclasses import dataclass
@@ -22,6 +22,9 @@ ELASTIC_SLIP = 0.005
 #: Points nearer than this share of the cell behind them may touch in the next step. They are anchored too, or the
 #: points over which a contact moves within a step would be free of friction in it.
 NEAR = 0.5
+
+#: Limits that were kept hold where none changes by more than this share of the largest.
+SETTLED = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,7 +46,7 @@ class Anchors:
     traction : (k, 3) array
         Tangential traction per reference area in the last state.
     limit : (k,) array
-        Coulomb's limit of the traction, of the last converged pass.
+        Coulomb's limit of the traction.
     slip : (k,) array
         Slip at which the limit is reached from rest.
     """
@@ -67,17 +70,32 @@ def tractions(anchors: Anchors, apart: Array) -> tuple[Array, Array]:
     """Tractions (k, 3) and their derivatives (k, 3, 3) by the present ``apart`` (k, 3)."""
     n = anchors.normal
     across = np.eye(3) - n[:, :, None] * n[:, None, :]
-    slip = np.einsum("kij,kj->ki", across, apart - anchors.apart)
-    stiffness = anchors.limit / anchors.slip
-    trial = anchors.traction + stiffness[:, None] * slip
-    size = np.maximum(np.linalg.norm(trial, axis=1), 1e-300)
-    slides = size > anchors.limit
+    _, trial, size, slides = _trial(anchors, apart)
     share = np.where(slides, anchors.limit / size, 1.0)
     direction = trial / size[:, None]
     along = direction[:, :, None] * direction[:, None, :]
     matrices = across - np.where(slides, 1.0, 0.0)[:, None, None] * along
-    matrices *= (stiffness * share)[:, None, None]
+    matrices *= (anchors.limit / anchors.slip * share)[:, None, None]
     return trial * share[:, None], matrices
+
+
+def by_limit(anchors: Anchors, apart: Array) -> Array:
+    """Derivatives (k, 3) of the tractions by their limits."""
+    slip, trial, size, slides = _trial(anchors, apart)
+    direction = trial / size[:, None]
+    stretched = slip / anchors.slip[:, None]
+    turning = stretched - direction * np.einsum("ki,ki->k", stretched, direction)[:, None]
+    sliding = direction + (anchors.limit / size)[:, None] * turning
+    return np.asarray(np.where(slides[:, None], sliding, stretched))
+
+
+def _trial(anchors: Anchors, apart: Array) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+    """Slips (k, 3) since the last state, tractions (k, 3) if everything stuck and their sizes (k,), and what slides."""
+    n, moved = anchors.normal, apart - anchors.apart
+    slip = moved - np.einsum("ki,ki->k", moved, n)[:, None] * n
+    trial = anchors.traction + (anchors.limit / anchors.slip)[:, None] * slip
+    size = np.maximum(np.linalg.norm(trial, axis=1), 1e-300)
+    return slip, trial, size, size > anchors.limit
 
 
 def taken(anchors: Anchors, apart: Array, weights: Array) -> float:

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.contact import friction, pairs
+from turgor.engine.contact import pairs
 from turgor.engine.contact.friction import Anchors
 from turgor.engine.contact.part import Found, Look, Ties, dofs, groups, nodal
+from turgor.engine.contact.points_part import PointsPart
 from turgor.engine.contact.search import Grid, centers_of, find_partners, follow_partners, points_of
 from turgor.engine.contact.surface import Surface
 from turgor.model.obstacles import Obstacle
@@ -74,7 +75,7 @@ class Partners:
     rigid: Rigid | None = None
 
 
-class PairPart:
+class PairPart(PointsPart):
     """Contact of a surface with sides.
 
     Parameters
@@ -90,10 +91,8 @@ class PairPart:
     """
 
     def __init__(self, name: str, surface: Surface, partners: Partners, coefficient: float, share: float) -> None:
-        self.name, self.surface, self.partners = name, surface, partners
-        self.coefficient, self.share = coefficient, share
-        self.boost = np.ones(len(surface.sides))
-        self.anchors: Anchors | None = None
+        super().__init__(name, surface, coefficient, share)
+        self.partners = partners
 
     @property
     def rigid(self) -> Rigid | None:
@@ -155,14 +154,10 @@ class PairPart:
             spring = np.minimum(spring, self.surface.spring[partner])
         return np.asarray(self.share * spring * self.boost[side])
 
-    def _weights(self, points: Ints) -> Array:
-        return np.asarray(self.surface.weights[points[:, 0], points[:, 1]])
-
-    def _nodes(self, points: Ints, partner: Ints) -> Ints:
+    def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
         return np.hstack([self.surface.sides[points[:, 0]], self.partners.sides[partner]])
 
-    def forces(self, position: Array, found: Found) -> Array:
-        """Internal forces (n, 3) on the nodes, those of a rigid body last."""
+    def _press(self, position: Array, found: Found) -> Array:
         every = self._all(position, found.place)
         points = found.touching
         i, q = points.T
@@ -171,58 +166,31 @@ class PairPart:
         local = pairs.press_forces(
             every, self.surface.sides, self.partners.sides, self.surface.N, points, partner, at, spring
         )
-        out = nodal(self._nodes(points, partner), local, len(every))
-        if self.anchors is None:
-            return out
-        a = self.anchors
-        traction, _ = friction.tractions(a, self._apart(every, a.points, a.partner, a.at))
-        local = (self._weights(a.points)[:, None] * self._shares(a))[:, :, None] * traction[:, None, :]
-        return out + nodal(self._nodes(a.points, a.partner), local, len(every))
+        return nodal(self._nodes(points, partner, len(position)), local, len(every))
 
-    def pressures(self, found: Found) -> Array:
-        """Pressure (s, q) per reference area at the points, that of both passes."""
-        out = np.zeros(found.gap.shape)
+    def _press_tangents(self, position: Array, found: Found) -> Ties:
         points = found.touching
-        i, q = points.T
-        out[i, q] = self._springs(points, found.partner[i, q]) / self.share * -found.gap[i, q]
-        return out
+        partner = found.partner[points[:, 0], points[:, 1]]
+        order, start, keys = groups(self._key(points[:, 0], partner))
+        points, partner = np.ascontiguousarray(points[order]), np.ascontiguousarray(partner[order])
+        spring = self._springs(points, partner) * self._weights(points)
+        sides = (self.surface.sides, self.partners.sides)
+        at = np.ascontiguousarray(found.at[points[:, 0], points[:, 1]])
+        every = self._all(position, found.place)
+        local = pairs.press_tangents(every, *sides, self.surface.N, points, partner, at, spring, start)
+        return Ties(self.tied_unknowns(keys), local)
 
-    def energy(self, found: Found) -> float:
-        """Energy stored in the penetration."""
-        points = found.touching
-        spring = self._springs(points, found.partner[points[:, 0], points[:, 1]]) * self._weights(points)
-        return float(0.5 * (spring * found.gap[points[:, 0], points[:, 1]] ** 2).sum())
+    def _apart(self, position: Array, found: Found, a: Anchors) -> Array:
+        places = self._all(position, found.place)[self._nodes(a.points, a.partner, len(position))]
+        return np.einsum("ka,kai->ki", self._shares(a.points, a.at), places)
 
-    def stiffened(self, boost: Array, before: Found, found: Found) -> float:
-        """Energy that raising the stiffness from a former ``boost`` (s,) put into what was and is penetrated.
-
-        Exact where forces do their work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
-        """
-        points = before.also(found)
-        i, q = points.T
-        gain = self._springs(points, found.partner[i, q]) * self._weights(points) * (1 - boost[i] / self.boost[i])
-        return float(0.5 * (gain * before.gap[i, q] * found.gap[i, q]).sum())
-
-    def rubbed(self, position: Array, found: Found) -> float:
-        """Energy that friction has taken since the last state."""
-        if self.anchors is None:
-            return 0.0
-        a = self.anchors
-        apart = self._apart(self._all(position, found.place), a.points, a.partner, a.at)
-        return friction.taken(a, apart, self._weights(a.points))
-
-    def _apart(self, every: Array, points: Ints, partner: Ints, at: Array) -> Array:
-        """Points minus places on their partners (k, 3)."""
-        weights = self._signed(points, at)
-        return np.einsum("ka,kai->ki", weights, every[self._nodes(points, partner)])
-
-    def _signed(self, points: Ints, at: Array) -> Array:
-        """Shape functions of the point, then minus those of its place on the partner (k, n1 + n2)."""
+    def _shares(self, points: Ints, at: Array) -> Array:
         there = pairs.shares_at(self.partners.sides.shape[1], np.ascontiguousarray(at))
         return np.hstack([self.surface.N[points[:, 1]], -there])
 
-    def _shares(self, a: Anchors) -> Array:
-        return self._signed(a.points, a.at)
+    def _normals(self, position: Array, found: Found, points: Ints) -> Array:
+        every, at = self._all(position, found.place), found.at[points[:, 0], points[:, 1]]
+        return pairs.normals_at(every, self.partners.sides, self._partners(found, points), at)
 
     def keys(self, found: Found) -> Ints:
         """Ties that the tangent needs."""
@@ -253,55 +221,6 @@ class PairPart:
             return np.hstack([first, dofs(self.partners.sides[partner])])
         body = self.rigid.unknown + np.arange(3) if self.rigid.unknown >= 0 else np.full(3, -1)
         return np.hstack([first, np.tile(body, (len(keys), self.partners.sides.shape[1]))])
-
-    def tangents(self, position: Array, found: Found) -> list[Ties]:
-        """Tangents of the points that touch, and of those that stick or slip."""
-        every = self._all(position, found.place)
-        points = found.touching
-        out = []
-        if len(points):
-            partner = found.partner[points[:, 0], points[:, 1]]
-            order, start, keys = groups(self._key(points[:, 0], partner))
-            points, partner = np.ascontiguousarray(points[order]), np.ascontiguousarray(partner[order])
-            spring = self._springs(points, partner) * self._weights(points)
-            sides = (self.surface.sides, self.partners.sides)
-            at = np.ascontiguousarray(found.at[points[:, 0], points[:, 1]])
-            local = pairs.press_tangents(every, *sides, self.surface.N, points, partner, at, spring, start)
-            out.append(Ties(self.tied_unknowns(keys), local))
-        if self.anchors is not None and len(self.anchors.points):
-            a = self.anchors
-            _, matrices = friction.tractions(a, self._apart(every, a.points, a.partner, a.at))
-            matrices *= self._weights(a.points)[:, None, None]
-            order, start, keys = groups(self._key(a.points[:, 0], a.partner))
-            local = pairs.tie_tangents(self._shares(a)[order], np.ascontiguousarray(matrices[order]), start)
-            out.append(Ties(self.tied_unknowns(keys), local))
-        return out
-
-    def limits(self, found: Found) -> Array:
-        """Coulomb's limit (k,) of the tractions of the anchors, from the present pressures."""
-        assert self.anchors is not None
-        points = self.anchors.points
-        depth = np.maximum(-found.gap[points[:, 0], points[:, 1]], 0.0)
-        spring = self._springs(points, np.maximum(found.partner[points[:, 0], points[:, 1]], 0))
-        return np.asarray(self.coefficient * spring * np.where(np.isfinite(depth), depth, 0.0))
-
-    def anchored(self, position: Array, found: Found) -> Anchors:
-        """Anchors of the points that touch or soon may, with the tractions that they have."""
-        every = self._all(position, found.place)
-        points = np.argwhere(found.gap < friction.NEAR * self.surface.height[:, None])
-        i, q = points.T
-        partner, at = found.partner[i, q], found.at[i, q]
-        normal = pairs.normals_at(every, self.partners.sides, partner, at)
-        traction = np.zeros((len(points), 3))
-        if self.anchors is not None:
-            a = self.anchors
-            now, _ = friction.tractions(a, self._apart(every, a.points, a.partner, a.at))
-            before = np.zeros((*found.gap.shape, 3))
-            before[a.points[:, 0], a.points[:, 1]] = now
-            traction = friction.turned(before[i, q], normal)
-        limit = self.coefficient * self._springs(points, partner) * np.maximum(-found.gap[i, q], 0.0)
-        apart = self._apart(every, points, partner, at)
-        return Anchors(points, partner, at, apart, normal, traction, limit, friction.elastic_slip(self.surface, points))
 
     def passed(self, position: Array, old: Found, new: Found) -> Array:
         """Signed gap (s, q) of points to the sides that were before them, where they have passed through unseen."""

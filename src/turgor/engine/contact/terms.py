@@ -1,8 +1,9 @@
 """ContactTerms: everything in a model that touches, in scaled units."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
+import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.engine.contact.build import Bodies, build_parts
@@ -31,9 +32,6 @@ UNSEEN = 0.5
 
 #: The stiffness of a side grows by this factor at once at most, and altogether.
 STIFFER_AT_ONCE, STIFFER = 4.0, 64.0
-
-#: Friction is renewed until no limit changes by more than this share of the largest.
-FRICTION_TOLERANCE = 1e-4
 
 Part = PairPart | ShapePart
 
@@ -170,17 +168,30 @@ class ContactTerms:
                 share = min(share, float(way.min(initial=1.0)), 1.0 if seen.sum() == bad.sum() else UNSEEN)
         return max(share, SHORTEST)
 
+    @property
+    def limits_kept(self) -> bool:
+        """Whether the limits of friction are kept, so that all forces have a potential, or follow the pressure."""
+        return any(part.limits_kept for part in self.parts)
+
+    @limits_kept.setter
+    def limits_kept(self, kept: bool) -> None:
+        for part in self.parts:
+            part.limits_kept = kept
+
+    def rubbing(self, at: Contacts, size: int) -> sp.csc_matrix | None:
+        """The unsymmetric part of the tangent (size, size): limits of friction follow the pressure; None without."""
+        parts = [part.rubbing(at.position, found) for part, found in zip(self.parts, at.found, strict=True)]
+        matrices = [
+            _entries(each.pulled, each.pull, size).T @ _entries(each.pressed, each.change, size)
+            for each in parts
+            if each is not None
+        ]
+        return sum(matrices[1:], matrices[0]).tocsc() if matrices else None
+
     def settle(self, at: Contacts) -> bool:
-        """Renew the limits of friction by the present pressures; whether any changed noticeably."""
-        changed = False
-        for part, found in zip(self.parts, at.found, strict=True):
-            if part.anchors is None or not len(part.anchors.points):
-                continue
-            limit = part.limits(found)
-            largest = float(max(limit.max(), part.anchors.limit.max()))
-            changed |= bool(np.abs(limit - part.anchors.limit).max() > FRICTION_TOLERANCE * largest)
-            part.anchors = replace(part.anchors, limit=limit)
-        return changed
+        """Keep the present limits of friction; whether any differs noticeably from what was kept."""
+        changed = [part.keep_limits(found) for part, found in zip(self.parts, at.found, strict=True)]
+        return any(changed)
 
     def accept(self, at: Contacts) -> None:
         """Take a state as the one from which points slip in the next step."""
@@ -206,3 +217,10 @@ class ContactTerms:
             raised |= bool((boost > part.boost).any())
             part.boost = boost
         return raised
+
+
+def _entries(unknowns: Ints, values: Array, size: int) -> sp.csr_matrix:
+    """A row for each point, with values (k, m) at its unknowns, −1 for none."""
+    rows, columns = np.nonzero(unknowns >= 0)
+    places = (rows, unknowns[rows, columns])
+    return sp.csr_matrix((values[rows, columns], places), shape=(len(unknowns), size))

@@ -1,0 +1,67 @@
+"""What is known of the equations at one point: the residual with all that the tangent needs again, and the stresses."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.cell_materials import Isochoric
+from turgor.engine.contact.terms import Contacts
+from turgor.engine.faces import FaceStresses
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stresses:
+    """Second Piola–Kirchhoff stresses that enter the geometric stiffness, scaled.
+
+    Parameters
+    ----------
+    cells : (c, q, 6) array
+    faces : FaceStresses
+        Those of membranes and fibers.
+    """
+
+    cells: Array
+    faces: FaceStresses
+
+    @staticmethod
+    def combine(parts: "Sequence[tuple[float, Stresses]]") -> "Stresses":
+        """Weighted sum, for extrapolation."""
+        cells = sum(weight * part.cells for weight, part in parts)
+        return Stresses(np.asarray(cells), FaceStresses.combine([(weight, part.faces) for weight, part in parts]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evaluation:
+    """The equations at one point: what the residual computed and the tangent needs again.
+
+    Parameters
+    ----------
+    unknowns : (size,) array
+        Scaled displacement, node by node along the directions of each, then scaled mean stress.
+    load_factor : float
+    residual : (size,) array
+        Internal minus external force; then the violation of the volume constraint.
+    external : (size,) array
+        External force alone.
+    isochoric : Isochoric
+        What the laws say at all points, scaled.
+    contacts : Contacts
+        What touches.
+    contact_force : float
+        Size of the contact forces on the free nodes.
+    sought : (k,) array or None
+        Scaled pressures of the controlled faces.
+    """
+
+    unknowns: Array
+    load_factor: float
+    residual: Array
+    external: Array
+    isochoric: Isochoric
+    contacts: Contacts
+    contact_force: float
+    sought: Array | None = None

@@ -1,0 +1,40 @@
+"""Clock: how much time a path takes whose parameter is the share of a duration."""
+
+from dataclasses import dataclass, replace
+from math import inf
+
+from turgor.engine.system import System
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """When a path is where, and since when the rubber has changed.
+
+    Parameters
+    ----------
+    duration : float or None [s]
+        Time at parameter 1; None where the path is so slow that all has relaxed.
+    began : float [-]
+        Parameter of the last state, from which a step goes.
+
+    Examples
+    --------
+    >>> Clock(20.0, 0.25).time_of(0.5), Clock().time_of(0.5)
+    (10.0, None)
+    """
+
+    duration: float | None = None
+    began: float = 0.0
+
+    def time_of(self, parameter: float) -> float | None:
+        """Time at a parameter [s], None where there is no duration."""
+        return None if self.duration is None else parameter * self.duration
+
+    def begin(self, system: System, parameter: float) -> None:
+        """Let the rubber relax for a step from the last state to a parameter."""
+        step = inf if self.duration is None else max(parameter - self.began, 0.0) * self.duration
+        system.materials.begin_step(step)
+
+    def onward(self, parameter: float) -> "Clock":
+        """The clock beyond a state."""
+        return replace(self, began=parameter)

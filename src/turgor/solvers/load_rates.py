@@ -1,0 +1,65 @@
+"""Load rates: how far a body moves for a small change of its load, and steps of load control that this belies.
+
+A step along a path moves a body by as much as the rates at its ends say, within a factor. A step that has left the
+path, past a limit point that it never met, moves it by much more.
+"""
+
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.linear import SingularTangentError
+from turgor.engine.system import Evaluation, System
+from turgor.engine.tangent import Tangent
+
+Array = NDArray[np.float64]
+
+#: A step that moves a body this many times as far as the faster of the rates at its ends has left the path.
+FARTHER_THAN_RATES = 2.0
+
+UNSTABLE = "the equilibrium is unstable"
+LEAPT = "the step may have leapt to another branch"
+
+
+def load_response(system: System, tangent: Tangent, unknowns: Array) -> Array:
+    """Change (size,) of the unknowns with the load factor, by the last factors of the tangent."""
+    force = system.external(unknowns, 1.0) - system.external(unknowns, 0.0)
+    return tangent.solve(np.where(system.held, 0.0, force))
+
+
+def rate_at(system: System, tangent: Tangent, at: Evaluation) -> tuple[float, int | None]:
+    """How far the nodes move with the load factor at a state, infinite at a singular tangent, and its unstable modes.
+
+    The tangent is factored anew: Newton's method may have ended with factors of the state before, whose count of
+    unstable modes is that of the state before too.
+    """
+    try:
+        tangent.factor(at)
+        response = load_response(system, tangent, at.unknowns)
+    except SingularTangentError:
+        return inf, None
+    return float(np.linalg.norm(response[: 3 * system.node_count])), tangent.unstable_modes()
+
+
+def rate_in_step(system: System, tangent: Tangent, unknowns: Array, before: float, after: float) -> float:
+    """How far the nodes move with the load factor, for the loads of a step and by the last factors of the tangent.
+
+    Infinite where supports or obstacles move or the rubber remembers, so that more than loads moves the body.
+    """
+    obstacles = system.model.contact.obstacles
+    if (
+        system.materials.remembers
+        or (system.prescribed(before) != system.prescribed(after)).any()
+        or any((each.displacement(before) != each.displacement(after)).any() for each in obstacles)
+    ):
+        return inf
+    force = (system.external(unknowns, after) - system.external(unknowns, before)) / (after - before)
+    response = tangent.solve(np.where(system.held, 0.0, force))
+    return float(np.linalg.norm(response[: 3 * system.node_count]))
+
+
+def leapt(system: System, change: Array, rise: float, rates: tuple[float, float]) -> bool:
+    """Whether a change of the unknowns is too far for a rise of the load factor and the rates before and after it."""
+    moved = float(np.linalg.norm(change[: 3 * system.node_count]))
+    return moved > FARTHER_THAN_RATES * max(rates) * rise
