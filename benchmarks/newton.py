@@ -38,7 +38,7 @@ EQUAL = tg.Static(first_step=0.05, max_step=0.05)
 WAYS = (("equal steps, plain", PLAIN), ("adaptive, extrapolated", NEWTON), ("and mixed points", MIXED))
 
 #: CPU seconds after which a run is left.
-LIMIT = 60.0
+LIMIT = 300.0
 
 
 def demo() -> tuple[tg.Model, tg.Static]:

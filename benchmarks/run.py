@@ -1,6 +1,6 @@
 """`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
 
-python benchmarks/run.py [bender] [demo] [growth] [contact] [newton]   all where none is named; writes results.md
+python benchmarks/run.py [bender] [demo] [growth] [contact] [newton]   all where none is named; renews results.md
 """
 
 import json
@@ -21,6 +21,7 @@ from tables import table
 from turgor.engine.linear import available_solvers
 
 HERE = Path(__file__).parent
+PAGE = HERE / "results.md"
 TWO = min(2, os.cpu_count() or 1)
 
 GROWTH_SIZES = (4.0e-3, 2.4e-3, 1.6e-3, 1.15e-3, 0.85e-3, 0.625e-3)  # 15,000 to 500,000 unknowns
@@ -150,14 +151,23 @@ def main() -> None:
     if unknown := [name for name in chosen if name not in parts]:
         sys.exit(f"unknown part {', '.join(unknown)}; known: {', '.join(parts)}.")
     about = "\n".join(f"- {name}: {value}" for name, value in machine().items())
+    known = written()
     measure({"case": "growth", "solver": "rslab", "threads": TWO, "size": 4e-3})  # compiles the kernels if they are not
-    text = f"# Benchmarks\n\nWritten by `make bench`.\n\n{about}\n"
-    print(text)
+    last = "Written by `make bench`; the machine is that of the last run, which may have renewed a part."
+    head = f"# Benchmarks\n\n{last}\n\n{about}"
+    print(head)
     for name in chosen:
-        section = parts[name]()
-        print(section, flush=True)
-        text += f"\n{section}"
-    (HERE / "results.md").write_text(text, encoding="utf-8")
+        section = parts[name]().strip()
+        print(f"\n{section}", flush=True)
+        known[section.partition("\n")[0]] = section
+        PAGE.write_text("\n\n".join((head, *known.values())) + "\n", encoding="utf-8")
+
+
+def written() -> dict[str, str]:
+    """The sections of the page by their headings; none where there is no page."""
+    text = PAGE.read_text("utf-8") if PAGE.exists() else ""
+    sections = ("## " + each.strip() for each in text.split("\n## ")[1:])
+    return {section.partition("\n")[0]: section for section in sections}
 
 
 if __name__ == "__main__":
