@@ -22,9 +22,9 @@ UNSTABLE = "the equilibrium is unstable"
 LEAPT = "the step may have leapt to another branch"
 
 
-def load_response(system: System, tangent: Tangent, unknowns: Array) -> Array:
-    """Change (size,) of the unknowns with the load factor, by the last factors of the tangent."""
-    force = system.external(unknowns, 1.0) - system.external(unknowns, 0.0)
+def load_response(system: System, tangent: Tangent, unknowns: Array, before: float = 0.0, after: float = 1.0) -> Array:
+    """Change (size,) of the unknowns with the load factor, for loads from one to another, by the last factors."""
+    force = (system.external(unknowns, after) - system.external(unknowns, before)) / (after - before)
     return tangent.solve(np.where(system.held, 0.0, force))
 
 
@@ -54,8 +54,7 @@ def rate_in_step(system: System, tangent: Tangent, unknowns: Array, before: floa
         or any((each.displacement(before) != each.displacement(after)).any() for each in obstacles)
     ):
         return inf
-    force = (system.external(unknowns, after) - system.external(unknowns, before)) / (after - before)
-    response = tangent.solve(np.where(system.held, 0.0, force))
+    response = load_response(system, tangent, unknowns, before, after)
     return float(np.linalg.norm(response[: 3 * system.node_count]))
 
 

@@ -2,30 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Protocol
 
 from turgor.errors import TurgorError
-from turgor.solvers.duration import check_duration
-from turgor.solvers.stepping import Steps
+from turgor.solvers.step_checks import check_steps
 
 #: Pressure of the air around [Pa].
 STANDARD_ATMOSPHERE = 101_325.0
-
-
-class _Steps(Steps, Protocol):
-    """What all of them say about steps and iterations."""
-
-    @property
-    def tolerance(self) -> float:
-        """Largest relative residual."""
-
-    @property
-    def max_iterations(self) -> int:
-        """Iterations of a step."""
-
-    @property
-    def max_steps(self) -> int:
-        """Attempted steps."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,7 +58,7 @@ class VolumeControl:
 
     def check_steps(self) -> None:
         """Refuse steps, tolerances and numbers of iterations that make no sense."""
-        _check_steps(self)
+        check_steps(self)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -139,7 +121,7 @@ class GasMass:
             raise TurgorError(f"procedure.pressure is {self.pressure:g} Pa; more than minus the ambient one is needed.")
         if not 0 < self.seal < 1:
             raise TurgorError(f"procedure.seal is {self.seal:g}; a load factor between 0 and 1 is needed.")
-        _check_steps(self)
+        check_steps(self)
 
     @property
     def final_outside(self) -> float:
@@ -193,7 +175,7 @@ class ArcLength:
             raise TurgorError(f"procedure.max_stretch is {self.max_stretch:g}; a stretch above 1 is needed.")
         if self.max_displacement is not None and not self.max_displacement > 0:
             raise TurgorError(f"procedure.max_displacement is {self.max_displacement:g} m; it must be above 0.")
-        _check_steps(self, longest=100.0)
+        check_steps(self, longest=100.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -234,7 +216,7 @@ class Auto:
             raise TurgorError(f"procedure.past is {self.past:g}; allowed is more than 1 up to 1000.")
         if not self.max_stretch > 1:
             raise TurgorError(f"procedure.max_stretch is {self.max_stretch:g}; a stretch above 1 is needed.")
-        _check_steps(self)
+        check_steps(self)
 
 
 def _by_cavity(value: float | Mapping[str, float], name: str) -> dict[str, float]:
@@ -244,23 +226,3 @@ def _by_cavity(value: float | Mapping[str, float], name: str) -> dict[str, float
     if not value:
         raise TurgorError(f"procedure.{name} names no cavity; state a number, or one for each cavity.")
     return {f".{cavity}": each for cavity, each in value.items()}
-
-
-def _check_steps(steps: _Steps, longest: float = 1.0) -> None:
-    check_duration(getattr(steps, "duration", None))
-    for name, upper in (("first_step", 1.0), ("max_step", longest), ("min_step", 1.0)):
-        value = getattr(steps, name)
-        if not 0 < value <= upper:
-            raise TurgorError(f"procedure.{name} is {value:g}; allowed is more than 0 up to {upper:g}.")
-    if steps.min_step > steps.first_step:
-        raise TurgorError(
-            f"procedure.min_step is {steps.min_step:g}; it must not exceed first_step, {steps.first_step:g}."
-        )
-    if not 1e-12 <= steps.tolerance <= 1e-2:
-        raise TurgorError(f"procedure.tolerance is {steps.tolerance:g}; allowed is 1e-12 to 0.01.")
-    for name in ("max_iterations", "max_steps"):
-        if getattr(steps, name) < 1:
-            raise TurgorError(f"procedure.{name} is {getattr(steps, name)}; allowed is 1 or more.")
-    for factor in steps.at:
-        if not 0 < factor <= 1:
-            raise TurgorError(f"procedure.at holds {factor:g}; a load factor lies in (0, 1].")

@@ -3,9 +3,8 @@
 from dataclasses import dataclass, field
 from math import inf
 
-from turgor.errors import TurgorError
 from turgor.model.model import Model
-from turgor.solvers.duration import check_duration
+from turgor.solvers.step_checks import check_steps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,23 +48,7 @@ class Static:
     duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
-        check_duration(self.duration)
-        for name in ("first_step", "max_step", "min_step"):
-            value = getattr(self, name)
-            if not 0 < value <= 1:
-                raise TurgorError(f"procedure.{name} is {value:g}; allowed is more than 0 up to 1.")
-        if self.min_step > self.first_step:
-            raise TurgorError(
-                f"procedure.min_step is {self.min_step:g}; it must not exceed first_step, {self.first_step:g}."
-            )
-        if not 1e-12 <= self.tolerance <= 1e-2:
-            raise TurgorError(f"procedure.tolerance is {self.tolerance:g}; allowed is 1e-12 to 0.01.")
-        for name in ("max_iterations", "max_steps"):
-            if getattr(self, name) < 1:
-                raise TurgorError(f"procedure.{name} is {getattr(self, name)}; allowed is 1 or more.")
-        for factor in self.at:
-            if not 0 < factor <= 1:
-                raise TurgorError(f"procedure.at holds {factor:g}; a load factor lies in (0, 1].")
+        check_steps(self)
 
     def time_of(self, load_factor: float) -> float | None:
         """Time at a load factor [s], None where there is no duration."""

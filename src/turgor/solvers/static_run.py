@@ -78,7 +78,7 @@ def follow_load(run: StaticRun) -> Outcome:
     path.history.append((0.0, rest, system.stresses(at_rest)))
     path.states.append(_state(run, at_rest, None))
     control = StepControl.of(run.procedure, path.kinks)
-    if control.length >= FAR:
+    if control.length >= FAR and not path.kinks:  # where loads grow in proportion, all of them say how the first does
         path.rate = rate_at(system, run.tangent, at_rest)[0]
     try:
         while path.history[-1][0] < 1.0:
