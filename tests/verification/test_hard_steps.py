@@ -16,6 +16,7 @@ import turgor as tg
 from turgor.engine.system import System
 from turgor.engine.tangent import Tangent
 from turgor.meshing.cells import HEXAHEDRON
+from turgor.solvers.load_rates import LEAPT
 from turgor.solvers.newton import NewtonSettings, relative_residual
 from turgor.solvers.relaxing import relaxed
 from turgor.units import kPa, mm
@@ -145,6 +146,17 @@ def test_one_step_over_both_limit_points_is_taken_back(record_verification):
         expected=limits[0].load_factor, got=got, tolerance="0.2 % below",
     )  # fmt: skip
     assert 0.998 * limits[0].load_factor < got <= 1.0001 * limits[0].load_factor
+
+
+def test_a_load_that_comes_back_is_no_leap():
+    """Pulled until it locks and let go: how it moves at rest is not told by loads that are the same at both ends."""
+    mesh = meshes.box((20 * mm, 10 * mm, 10 * mm), (2, 1, 1))
+    supports = [tg.Fixed("x0", "x"), tg.Fixed("y0", "y"), tg.Fixed("z0", "z")]
+    pull = tg.Traction("x1", (0.4e6, 0, 0), history=[(0, 0), (0.5, 1), (1, 0)])
+    model = problems.one_material(mesh, tg.Gent(mu=0.1e6, Jm=1.0), supports=supports, loads=[pull])
+    steps = problems.solve(model, tg.Static(first_step=0.5, max_step=0.5)).steps
+    assert [step.load_factor for step in steps if step.accepted] == [0.5, 1.0]
+    assert not any(LEAPT in step.reason for step in steps)
 
 
 def test_relaxed_state_is_an_equilibrium_of_the_model():
