@@ -166,14 +166,14 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
 
 def _tell(outcome: "RunOutcome") -> None:
     """Say how it ended, the numbers at the end, and where everything is."""
-    from turgor.results.drive import with_each_cavity
+    from turgor.results.headlines import with_parts
     from turgor.results.measures import find_measure
     from turgor.solvers.pressures import pressure_text
 
     solution, response = outcome.solution, outcome.response
     if solution.complete:
         typer.echo(f"{solution.message} {solution.advice}".strip())
-    wanted = [name for each in outcome.job.output.measures for name in with_each_cavity(response, each)]
+    wanted = [name for each in outcome.job.output.measures for name in with_parts(response, each)]
     measures = [find_measure(name) for name in dict.fromkeys(wanted)]
     numbers = [f"{m.name.replace('_', ' ')} {m.text(response.column(m.name)[-1])}" for m in measures]
     drive = pressure_text(solution.states[-1]) or "the end"

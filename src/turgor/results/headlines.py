@@ -1,0 +1,63 @@
+"""Headlines: which columns of a response a reader looks for first, and which columns belong together."""
+
+from collections.abc import Iterable
+
+from turgor.response import Response
+from turgor.results.field_measures import (
+    BY_REGION,
+    maximum_principal_stretch,
+    maximum_von_mises,
+    principal_stretch_p99,
+    von_mises_p99,
+)
+
+#: What is shown first of an actuator, in this order.
+HEADLINE = (
+    "blocked_force", "holding_force", "bending_angle", "tip_displacement", "cavity_volume",
+    principal_stretch_p99.name, maximum_principal_stretch.name, von_mises_p99.name, maximum_von_mises.name,
+)  # fmt: skip
+
+#: The maximum at a point is no headline where the response has what 99 % of the volume stay below.
+_INSTEAD = {maximum_principal_stretch.name: principal_stretch_p99.name, maximum_von_mises.name: von_mises_p99.name}
+
+
+def headlines(names: Iterable[str]) -> list[str]:
+    """Return those of some columns that a reader looks for first.
+
+    Parameters
+    ----------
+    names : iterable of str
+
+    Returns
+    -------
+    list of str
+
+    Examples
+    --------
+    >>> headlines(["maximum_von_mises", "von_mises_p99", "bending_angle", "reaction"])
+    ['bending_angle', 'von_mises_p99']
+    >>> headlines(["maximum_von_mises", "reaction"])
+    ['maximum_von_mises']
+    """
+    known = set(names)
+    return [name for name in HEADLINE if name in known and _INSTEAD.get(name) not in known]
+
+
+def with_parts(response: Response, name: str) -> list[str]:
+    """Return a column's name and those of its parts: the volume of each cavity, stress and stretch of each region.
+
+    Parameters
+    ----------
+    response : Response
+    name : str
+
+    Returns
+    -------
+    list of str
+    """
+    others = [other for other in response.names if other != name]
+    if name == "cavity_volume":
+        return [name, *(other for other in others if other.startswith("cavity_") and other.endswith("_volume"))]
+    if name in (each.name for each in BY_REGION):
+        return [name, *(other for other in others if other.endswith(f"_{name}"))]
+    return [name]
