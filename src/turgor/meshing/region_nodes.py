@@ -54,7 +54,7 @@ def region_nodes(mesh: Mesh) -> RegionNodes:
     --------
     >>> import numpy as np
     >>> points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, -1.0]])
-    >>> from turgor.meshing.cells import TETRAHEDRON_EDGES
+    >>> from turgor.meshing.mesh import TETRAHEDRON_EDGES
     >>> corners = np.array([[0, 1, 2, 3], [1, 0, 2, 4]])
     >>> pairs = np.sort([[cell[list(edge)] for edge in TETRAHEDRON_EDGES] for cell in corners], axis=2)
     >>> edges, place = np.unique(pairs.reshape(-1, 2), axis=0, return_inverse=True)

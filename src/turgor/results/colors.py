@@ -18,7 +18,7 @@ VON_MISES, CONTACT_PRESSURE = "von_mises", "contact_pressure"
 FIELDS: Mapping[str, str] = MappingProxyType(
     {
         VON_MISES: "von Mises stress [kPa]; {share} of the volume lie within the bar, the arrow is more",
-        CONTACT_PRESSURE: "contact pressure [kPa]; {share} of the area that touches lie within the bar, the arrow is more",
+        CONTACT_PRESSURE: "contact pressure [kPa]; {share} of what touches lie within the bar, the arrow is more",
     }
 )
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from turgor.response import Response
+from turgor.response import Column, Response
 from turgor.results.field_measures import (
     BY_REGION,
     maximum_principal_stretch,
@@ -61,3 +61,31 @@ def with_parts(response: Response, name: str) -> list[str]:
     if name in (each.name for each in BY_REGION):
         return [name, *(other for other in others if other.endswith(f"_{name}"))]
     return [name]
+
+
+def in_regions(response: Response, name: str) -> str:
+    """Say the last values of a column's regions: ``"body 147 kPa, base 224 kPa"``; empty where there are none.
+
+    Parameters
+    ----------
+    response : Response
+    name : str
+        Column of the solid, such as ``"von_mises_p99"``.
+    """
+    if name not in (each.name for each in BY_REGION):
+        return ""
+    return ", ".join(
+        f"{part.removesuffix(f'_{name}').replace('_', ' ')} {last_value(response.find(part))}"
+        for part in with_parts(response, name)[1:]
+    )
+
+
+def last_value(column: Column) -> str:
+    """Value of the last row with its unit.
+
+    Examples
+    --------
+    >>> last_value(Column("pressure", "kPa", [0.0, 50e3]))
+    '50 kPa'
+    """
+    return f"{column.in_unit[-1]:.4g} {column.unit}".strip()

@@ -155,13 +155,11 @@ def _plot_lines(axes: Axes, response: Response, drive: str, names: list[str]) ->
         return plot_response(axes, response, drive, names[0])
     whole = names[0] if names[0] in HEADLINE else None
     for name, color in zip(names, cycle(COLORS), strict=False):
-        part = face_of(response.find(name)) if whole is None else name.removesuffix(f"_{whole.removeprefix('cavity_')}")
-        plot_response(
-            axes, response, drive, name, color=color, label="all" if name == whole else part.replace("_", " ")
-        )
+        part = name.removesuffix(f"_{whole.removeprefix('cavity_')}") if whole else face_of(response.find(name))
+        label = "all" if name == whole else part.replace("_", " ")
+        plot_response(axes, response, drive, name, color=color, label=label)
     column = response.find(names[0])
-    label = column.label if whole else f"{column.name.rpartition('_')[2]} [{column.unit}]"
-    axes.set_ylabel(label, color=INK)
+    axes.set_ylabel(column.label if whole else f"{column.name.rpartition('_')[2]} [{column.unit}]", color=INK)
     axes.legend(frameon=False, labelcolor=INK)
     return axes
 

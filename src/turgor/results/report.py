@@ -16,8 +16,10 @@ from turgor.response import Column, Response
 from turgor.results import describe, describe_procedure
 from turgor.results.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
 from turgor.results.drive import drive_of, pressures_in
-from turgor.results.headlines import headlines, with_parts
+from turgor.results.field_measures import BY_REGION
+from turgor.results.headlines import headlines, in_regions, last_value, with_parts
 from turgor.results.measures import MEASURES, find_measure
+from turgor.results.percentiles import PERCENTILE
 from turgor.results.plots import response_svg
 from turgor.solvers.solution import Solution, Timing
 from turgor.solvers.stages import Stages
@@ -104,12 +106,13 @@ def _context(report: Report) -> dict[str, object]:
     staged = isinstance(solution.procedure, Stages)
     return {
         "title": report.title,
-        "status": str(solution.status).replace("_", " "),
+        "status": describe_procedure.ending(solution.status),
         "good": solution.complete and all(finding.severity is not Severity.ERROR for finding in report.findings),
         "message": solution.message,
         "advice": solution.advice,
         "findings": list(report.findings),
         "numbers": _numbers(response),
+        "percentile": PERCENTILE if {each.name for each in BY_REGION} & set(response.names) else 0,
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
         "picture_width": _picture_width(report.pictures),
         "plot": response_svg(response) if len(response) > 1 else "",
@@ -153,27 +156,24 @@ def _numbers(response: Response) -> list[tuple[str, str]]:
     drives = [column.name for column in pressures_in(response)] or [drive_of(response)]
     numbers = []
     for name in [*drives, *(name for name in headlines(response.names) if name not in drives)]:
-        column, *parts = (response.find(each) for each in with_parts(response, name))
-        if name == "cavity_volume":
-            numbers += [(_last(each), _words(each)) for each in (column, *parts)]
-            continue
-        listed = ", ".join(f"{each.name.removesuffix(f'_{name}').replace('_', ' ')} {_last(each)}" for each in parts)
-        numbers.append((_last(column), f"{_words(column)} ({listed})" if listed else _words(column)))
+        column, regions = response.find(name), in_regions(response, name)
+        cavities = [] if regions else with_parts(response, name)[1:]
+        numbers.append((_last(column), f"{_words(column)} ({regions})" if regions else _words(column)))
+        numbers += [(_last(each), _words(each)) for each in map(response.find, cavities)]
     return numbers
 
 
 def _last(column: Column) -> str:
-    """Value of the last state with its unit."""
-    return f"{column.in_unit[-1]:.4g} {column.unit}".strip().replace(" deg", "°")
+    """Value of the last state with its unit; degrees have their sign."""
+    return last_value(column).replace(" deg", "°")
 
 
 def _definitions(response: Response, contacts: set[str]) -> list[tuple[str, str]]:
     """Names and definitions of the columns that ready-made measures filled."""
     parts = {part for name in headlines(response.names) for part in with_parts(response, name)}
+    known = {*MEASURES, *parts, *contacts}
     return [
-        (_words(column), find_measure(column.name).definition)
-        for column in response.columns
-        if column.name in {*MEASURES, *parts, *contacts}
+        (_words(column), find_measure(column.name).definition) for column in response.columns if column.name in known
     ]
 
 

@@ -11,7 +11,6 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from turgor.meshing.exchange.vtu import NODE
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.region_nodes import RegionNodes
 from turgor.model.drive import common_pressure, rises
@@ -55,7 +54,7 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
         VtuArray("cauchy_stress", cauchy.astype("f4"), "Pa", SYMMETRIC_NAMES),
         VtuArray("von_mises", at.von_mises.astype("f4"), "Pa"),
         VtuArray("stretch", at.stretch.astype("f4")),
-        VtuArray(NODE, nodes.node.astype("i4")),
+        VtuArray("node", nodes.node.astype("i4")),
     ]
     if at.state.touches:
         point_data.append(VtuArray("contact_pressure", at.contact_pressure[nodes.node].astype("f4"), "Pa"))

@@ -32,10 +32,6 @@ _COMPRESSORS: Mapping[str, Callable[[bytes], bytes]] = {
     "vtkZLibDataCompressor": zlib.decompress,
     "vtkLZMADataCompressor": lzma.decompress,
 }
-
-#: Name of the numbers by which points of one place are joined: fields may jump between them.
-NODE = "node"
-
 _APPENDED = re.compile(rb"<AppendedData\s+encoding=\"(raw|base64)\"\s*>\s*_", re.IGNORECASE)
 
 
@@ -79,8 +75,7 @@ def read_vtu(path: Path) -> RawMesh:
         if position is None or not {"connectivity", "offsets", "types"} <= set(arrays):
             raise TurgorError(f"'{path}' is damaged: a piece has no points or no cells.")
         points.append(_values(file, position).reshape(-1, 3).astype(np.float64))
-        row = _joined(points[-1], _labels(file, piece, "PointData").get(NODE))
-        nodes.append(row[arrays["connectivity"].astype(np.int64)] + node_count)
+        nodes.append(arrays["connectivity"].astype(np.int64) + node_count)
         ends.append(arrays["offsets"].astype(np.int64) + used)
         types.append(arrays["types"].astype(np.int64))
         node_count, used = node_count + len(points[-1]), used + len(nodes[-1])
@@ -118,20 +113,9 @@ def _open(path: Path) -> tuple[_File, ElementTree.Element]:
     )
 
 
-def _joined(points: NDArray, number: NDArray | None) -> NDArray:
-    """The row to use for each point: the first of those in one place that have one number in the array ``node``."""
-    alone = np.arange(len(points))
-    if number is None or len(number) != len(points):
-        return alone
-    _, first, place = np.unique(number, return_index=True, return_inverse=True)
-    row = np.asarray(first[place])
-    return np.where((points[row] == points).all(axis=1), row, alone)
-
-
-def _labels(file: _File, piece: ElementTree.Element, section: str = "CellData") -> dict[str, NDArray]:
-    """Whole numbers that a piece gives its cells or, in the section ``PointData``, its points."""
+def _labels(file: _File, piece: ElementTree.Element) -> dict[str, NDArray]:
     found = {}
-    for array in piece.iterfind(f"{section}/DataArray"):
+    for array in piece.iterfind("CellData/DataArray"):
         whole = array.get("type", "").startswith(("Int", "UInt"))
         if whole and array.get("NumberOfComponents", "1") in ("1", "0"):
             found[array.get("Name", "label")] = _values(file, array).astype(np.int64)
