@@ -19,7 +19,7 @@ COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
         "": 1.0, "m": units.m, "mm": units.mm, "um": units.um, "1/m": 1.0, "rad": units.rad, "deg": units.deg,
         "Pa": units.Pa, "kPa": units.kPa, "MPa": units.MPa, "m2": 1.0, "mm2": 1e-6, "m3": 1.0,
         "L": units.L, "mL": units.mL, "N": units.N, "mN": units.mN, "Nm": 1.0, "J": 1.0, "mJ": 1e-3,
-        "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms,
+        "N/m": 1.0, "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms,
     }
 )  # fmt: skip
 
@@ -70,8 +70,11 @@ class Column:
 
     @property
     def label(self) -> str:
-        """Name and unit as they stand beside an axis, such as ``"bending angle [deg]"``."""
-        words = self.name.replace("_", " ").replace("von mises", "von Mises stress")
+        """Name and unit as they stand beside an axis, such as ``"bending angle [deg]"``.
+
+        The ending ``_p99`` says what 99 % of the volume stay below: ``"von Mises stress, 99 % of volume [kPa]"``.
+        """
+        words = self.name.replace("_", " ").replace("von mises", "von Mises stress").replace(" p99", ", 99 % of volume")
         return f"{words} [{self.unit}]" if self.unit else words
 
     @property
