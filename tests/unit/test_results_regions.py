@@ -13,17 +13,18 @@ from turgor.model.supports import Fixed
 from turgor.results.field_measures import (
     maximum_von_mises,
     principal_stretch_in,
-    principal_stretch_p99,
     von_mises_in,
     von_mises_p99,
 )
 from turgor.results.fields import StateFields
+from turgor.results.headlines import in_regions
 from turgor.results.measures import check_measures, find_measure, measure
 from turgor.results.percentiles import weighted_percentile
 from turgor.results.pictures import shared_view
 from turgor.results.plots import response_figure
 from turgor.results.skin import visible_skin
 from turgor.results.vtu import write_vtu
+from turgor.units import kPa
 
 STRETCH = 1.3
 STIFF = Material(name="stiff", law=NeoHooke(C10=10 * cases.RUBBER.law.C10))
@@ -71,6 +72,7 @@ def test_a_response_has_the_regions_beside_the_solid(at):
     path = cases.solution([cases.state(at.model, None, 0.0), at.state])
     response = measure(path, von_mises_p99, find_measure("base_von_mises_p99"))
     assert response.names == ("load_factor", "von_mises_p99", "body_von_mises_p99", "base_von_mises_p99")
+    assert in_regions(response, "von_mises_p99") == f"body {BODY / kPa:.4g} kPa, base {BASE / kPa:.4g} kPa"
     assert response.find("body_von_mises_p99").label == "body von Mises stress, 99 % of volume [kPa]"
     axes = response_figure(response).axes
     assert len(axes) == 1
