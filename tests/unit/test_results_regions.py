@@ -5,12 +5,14 @@ import pytest
 import results_cases as cases
 
 from turgor.errors import TurgorError
+from turgor.job.material_findings import laws_beyond_their_tests
 from turgor.materials.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.exchange.read import read_mesh
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
 from turgor.results.field_measures import (
+    maximum_principal_stretch,
     maximum_von_mises,
     principal_stretch_in,
     von_mises_in,
@@ -50,6 +52,18 @@ def test_one_spoiled_cell_is_a_maximum_and_no_headline():
     model = cases.model(cases.body(hollow=False))
     spoiled = StateFields(cases.state(model, lambda X: X * 1.0 + 2e-3 * (np.arange(len(X)) == 0)[:, None]))
     assert maximum_von_mises(spoiled) > 2 * von_mises_p99(spoiled)
+
+
+def test_one_spoiled_cell_does_not_put_a_law_beyond_its_tests():
+    mesh = cases.body(hollow=False)
+    narrow = Material(name="narrow", law=cases.RUBBER.law, stretch_range=(0.5, 1.2))
+    model = Model(mesh, dict.fromkeys(mesh.regions, narrow), [Fixed("fixed")], [])
+    lonely = mesh.vertex_count + int(np.bincount(mesh.cells.ravel())[mesh.vertex_count :].argmin())  # of one cell
+    spoiled = cases.state(model, lambda X: X + 1e-3 * (np.arange(len(X)) == lonely)[:, None])
+    assert maximum_principal_stretch(spoiled) > 1.3
+    assert laws_beyond_their_tests(cases.solution([cases.state(model, None, 0.0), spoiled])) == ()
+    (found,) = laws_beyond_their_tests(cases.solution([spoiled, cases.state(model, cases.stretched(STRETCH))]))
+    assert found.message.startswith("The law of 'narrow' is used up to stretch 1.3,")
 
 
 def test_percentiles_of_the_regions(at):
