@@ -87,7 +87,7 @@ def test_a_response_has_the_regions_beside_the_solid(at):
     response = measure(path, von_mises_p99, find_measure("base_von_mises_p99"))
     assert response.names == ("load_factor", "von_mises_p99", "body_von_mises_p99", "base_von_mises_p99")
     assert in_regions(response, "von_mises_p99") == f"body {BODY / kPa:.4g} kPa, base {BASE / kPa:.4g} kPa"
-    assert response.find("body_von_mises_p99").label == "body von Mises stress, 99 % of volume [kPa]"
+    assert response.find("body_von_mises_p99").label == "body von Mises stress (99 % of volume) [kPa]"
     axes = response_figure(response).axes
     assert len(axes) == 1
     assert [text.get_text() for text in axes[0].get_legend().get_texts()] == ["all", "body", "base"]

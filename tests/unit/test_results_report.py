@@ -113,10 +113,10 @@ def test_headlines_are_percentiles_and_say_so(tmp_path, solution):
         f"{response.find(name).in_unit[-1]:.4g} kPa"
         for name in ("von_mises_p99", "body_von_mises_p99", "base_von_mises_p99")
     )
-    assert f"{whole} von Mises stress, 99 % of volume (base {base}, body {body})" in shown.text
+    assert f"{whole} von Mises stress (99 % of volume); base {base}, body {body}" in shown.text
     assert f"{response.find('maximum_von_mises').in_unit[-1]:.4g} kPa maximum" not in shown.text
     assert "Stress and stretch are what 99 % of the volume stay below" in shown.text
-    assert "body von Mises stress, 99 % of volume von Mises stress that 99 % of the volume of the region" in shown.text
+    assert "body von Mises stress (99 % of volume) von Mises stress that 99 % of the volume of the region" in shown.text
     assert "grows without limit at sharp edges" in shown.text
     pointwise = measure(solution, bending_angle, find_measure("maximum_von_mises"))
     shown = page(tmp_path, title="T", solution=solution, response=pointwise)
