@@ -166,7 +166,8 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
 
 def _tell(outcome: "RunOutcome") -> None:
     """Say how it ended, the numbers at the end, and where everything is."""
-    from turgor.results.headlines import in_regions, last_value, with_parts
+    from turgor.results.error_text import last_with_error
+    from turgor.results.headlines import in_regions, with_parts
     from turgor.solvers.pressures import pressure_text
 
     solution, response = outcome.solution, outcome.response
@@ -177,7 +178,7 @@ def _tell(outcome: "RunOutcome") -> None:
         regions = in_regions(response, each)
         for name in [each] if regions else with_parts(response, each):
             column = response.find(name)
-            said = f"{column.label.split(' [')[0]} {last_value(column)}"
+            said = f"{column.label.split(' [')[0]} {last_with_error(response, column)}"
             numbers[name] = f"{said} [{regions}]" if regions else said
     drive = pressure_text(solution.states[-1]) or "the end"
     typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
