@@ -103,6 +103,7 @@ def _run(
 def _check(job: JobFile, debug: Debug = False) -> None:
     """Read, build, mesh and check a job without solving it."""
     with _errors_as_sentences(debug):
+        from turgor.adaptivity.findings import ONLY_WITH_ERROR
         from turgor.finding import Severity
         from turgor.job.read import read_job
         from turgor.job.run import prepare
@@ -119,7 +120,7 @@ def _check(job: JobFile, debug: Debug = False) -> None:
         if isinstance(asked.procedure, Stages):
             for name, changes in procedure(asked.procedure):
                 typer.echo(f"Stage '{name}': {changes}.")
-        _warn(findings)
+        _warn([found for found in findings if found.code != ONLY_WITH_ERROR])
         raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
 
 

@@ -187,7 +187,12 @@ def _measured(job: Job, solution: Solution, options: EngineOptions) -> tuple[Res
         return response, ()
     if options.notify is not None:
         options.notify("estimating the mesh error")
-    estimate = mesh_error_of(solution, response, measures, options)
+    estimate = mesh_error_of(solution, measures, options)
+    if options.notify is not None and estimate.states:
+        options.notify(
+            f"mesh error: {len(estimate.states)} states found again on {estimate.unknowns} unknowns, "
+            f"{estimate.seconds:.1f} s"
+        )
     return with_mesh_error(response, estimate), () if estimate.finding is None else (estimate.finding,)
 
 
