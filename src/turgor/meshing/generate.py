@@ -7,13 +7,14 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from netgen.meshing import MeshingParameters, NgException, SetMessageImportance
+from netgen.meshing import MeshingParameters, NgException, Pnt, SetMessageImportance
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.assemble import Raw, assemble
+from turgor.meshing.local_sizes import LocalSizes, local_sizes
 from turgor.meshing.mend import mended
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality import cell_volumes, refuse_inverted
@@ -105,8 +106,9 @@ def mesh(
         _check_result(result, geometry)
         refuse_inverted(result)
         return result
-    sizes = _Sizes(size=float(length), grading=float(grading))
-    with _sizes_on_faces(geometry, face_sizes):
+    local = local_sizes(geometry, float(length), face_sizes)
+    sizes = _Sizes(size=float(length), grading=float(grading), local=local)
+    with _sizes_on_faces(geometry, local.faces):
         try:
             result = _fitting_walls(geometry, sizes)
         except TurgorError as error:
@@ -124,6 +126,7 @@ class _Sizes:
 
     size: float
     grading: float
+    local: LocalSizes
     curvature: float = field(default_factory=lambda: CELLS_PER_RADIUS)
     places: tuple[ThinWalls, ...] = ()
 
@@ -164,17 +167,17 @@ def _meshed_finer(error: TurgorError) -> Finding:
 
 
 @contextmanager
-def _sizes_on_faces(geometry: Geometry, face_sizes: Mapping[str, float]) -> Iterator[None]:
+def _sizes_on_faces(geometry: Geometry, sizes: Mapping[int, float]) -> Iterator[None]:
     """Hang sizes on the faces of the shape while it is meshed; the shape stays as it was."""
-    faces = [face for face in geometry._shape.faces if face.name in face_sizes]
-    before = [face.maxh for face in faces]
+    faces = {place: face for place, face in enumerate(geometry._shape.faces) if place in sizes}
+    before = {place: face.maxh for place, face in faces.items()}
     try:
-        for face in faces:
-            face.maxh = face_sizes[face.name] / geometry.length_scale
+        for place, face in faces.items():
+            face.maxh = sizes[place] / geometry.length_scale
         yield
     finally:
-        for face, maxh in zip(faces, before, strict=True):
-            face.maxh = maxh
+        for place, face in faces.items():
+            face.maxh = before[place]
 
 
 def _generate(geometry: Geometry, sizes: _Sizes) -> Raw:
@@ -205,10 +208,12 @@ def _generate(geometry: Geometry, sizes: _Sizes) -> Raw:
 
 
 def _local_sizes(sizes: _Sizes, scale: float) -> MeshingParameters | None:
-    """Smaller sizes at points, as the generator takes them."""
-    if not sizes.places:
+    """Smaller sizes at points and along lines, as the generator takes them."""
+    if not sizes.places and not len(sizes.local.lines):
         return None
     parameters = MeshingParameters()
+    for start, end in sizes.local.lines / scale:
+        parameters.RestrictHLine(Pnt(*start), Pnt(*end), sizes.local.line_size / scale)
     for rounds, walls in enumerate(sizes.places):
         for (x, y, z), size in zip(walls.points / scale, walls.sizes(rounds) / scale, strict=True):
             parameters.RestrictH(x, y, z, size)
