@@ -4,6 +4,8 @@ Type checkers and editors read this file as what ``turgor`` holds, and ``__init_
 first use. A new public name is a new line here, in the order that `ruff` keeps.
 """
 
+from turgor.adaptivity.measure import measure as measure
+from turgor.adaptivity.mesh_to import mesh_to as mesh_to
 from turgor.engine.mass import total_mass as total_mass
 from turgor.engine.runtime import EngineOptions as EngineOptions
 from turgor.errors import TurgorError as TurgorError
@@ -164,7 +166,6 @@ from turgor.results.field_measures import von_mises_p99 as von_mises_p99
 from turgor.results.history_plots import history_figure as history_figure
 from turgor.results.measures import bending_angle as bending_angle
 from turgor.results.measures import cavity_volume as cavity_volume
-from turgor.results.measures import measure as measure
 from turgor.results.measures import reaction as reaction
 from turgor.results.measures import smallest_gap as smallest_gap
 from turgor.results.measures import tip_displacement as tip_displacement

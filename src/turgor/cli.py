@@ -178,7 +178,7 @@ def _tell(outcome: "RunOutcome") -> None:
         for name in [each] if regions else with_parts(response, each):
             column = response.find(name)
             said = f"{column.label.split(' [')[0]} {last_value(column)}"
-            numbers[name] = f"{said} ({regions})" if regions else said
+            numbers[name] = f"{said} [{regions}]" if regions else said
     drive = pressure_text(solution.states[-1]) or "the end"
     typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")

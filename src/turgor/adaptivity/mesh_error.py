@@ -7,6 +7,7 @@ estimate. Between these states it is interpolated along the path, relative to th
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from time import perf_counter
 
@@ -109,7 +110,7 @@ def estimate_mesh_error(
     MeshError
         With nan and a finding (N03) where it cannot be estimated: motion and friction depend on all that was before.
     """
-    reason = _why_not(solution)
+    reason = why_not(solution)
     found = None if reason else find_again(solution, options or EngineOptions())
     if found is None or not found.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
@@ -118,8 +119,12 @@ def estimate_mesh_error(
     return MeshError(errors=errors, unknowns=found.unknowns, states=tuple(found.pairs), seconds=found.seconds)
 
 
+@lru_cache(maxsize=1)
 def find_again(solution: Solution, options: EngineOptions) -> FoundAgain | None:
-    """Find a few states of a path again on a second mesh, within the time that is left for it."""
+    """Find a few states of a path again on a second mesh, within the time that is left for it.
+
+    The last answer is kept, because a solution may be measured more than once.
+    """
     began = perf_counter()
     chosen = _chosen(solution)
     if not chosen:
@@ -135,14 +140,15 @@ def find_again(solution: Solution, options: EngineOptions) -> FoundAgain | None:
             if pairs and spent * (count + 1) / count > budget:
                 break
             state = solution.states[number]
-            found = second.found_again(state, _procedure_of(solution, state))
+            found = second.found_again(state, procedure_of(solution, state))
             if found is not None:
                 pairs[number] = found
     factor = REMAINDER / max(captured, 0.05) ** CAPTURED_POWER
     return FoundAgain(pairs, refinement.mesh.unknown_count, factor, perf_counter() - began)
 
 
-def _why_not(solution: Solution) -> str:
+def why_not(solution: Solution) -> str:
+    """Say why states of a path cannot be found again on another mesh; empty where they can."""
     procedures = solution.procedure.stages if isinstance(solution.procedure, Stages) else ()
     moving = [solution.procedure, *(stage.procedure for stage in procedures)]
     if any(isinstance(each, Dynamic) for each in moving):
@@ -167,7 +173,8 @@ def _not_estimated(reason: str) -> Finding:
     )
 
 
-def _procedure_of(solution: Solution, state: State) -> OneProcedure:
+def procedure_of(solution: Solution, state: State) -> OneProcedure:
+    """Return the procedure that found a state: in a sequence that of its stage."""
     if isinstance(solution.procedure, Stages):
         named = {stage.name: stage.procedure for stage in solution.procedure.stages}
         return named.get(state.stage, solution.procedure.stages[-1].procedure)

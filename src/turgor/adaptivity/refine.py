@@ -24,7 +24,7 @@ def refined(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float
     mesh : Mesh
         Ten-node tetrahedra or 27-node hexahedra.
     shares : (c, 1) or (c, 3) array
-        Each cell's share of the error, of hexahedra by direction, as `turgor.adaptivity.indicator.error_indicator` gives it.
+        Each cell's share of the error, of hexahedra by direction: what `error_indicator` gives.
     growth : float
         Cells of the refined mesh over those of this one, aimed at; 8 refines all.
 

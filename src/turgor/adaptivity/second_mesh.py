@@ -16,7 +16,7 @@ from turgor.meshing.refinement import Refinement
 from turgor.model.model import Model
 from turgor.solvers.bordered import BorderedStart, bordered_newton
 from turgor.solvers.controls import CavityPressures, Control, LoadFactor, VolumeTarget, WorkTarget, acting_pressures
-from turgor.solvers.newton import NewtonSettings
+from turgor.solvers.newton import NewtonSettings, relative_residual
 from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
 from turgor.solvers.solution import State
 from turgor.solvers.stages import OneProcedure
@@ -26,6 +26,9 @@ Array = NDArray[np.float64]
 
 #: How closely equilibrium is met on the second mesh where pressures are sought.
 SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
+
+#: Relative residual of a state that takes the place of the first one, as `Static` has it.
+TOLERANCE = 1e-6
 
 #: Updates at most; the last one is this small a share of the whole correction, which is the mesh error that is looked
 #: for. New factors are made where an update is not this much smaller than the one before.
@@ -49,8 +52,11 @@ class SecondMesh:
     options: EngineOptions
     _known: list[tuple[Model, tuple[str, ...], System, Tangent]] = field(default_factory=list)
 
-    def found_again(self, state: State, procedure: OneProcedure) -> State | None:
-        """Find a state on the refined mesh, driven as its procedure does; None where Newton's method does not."""
+    def found_again(self, state: State, procedure: OneProcedure, exact: bool = False) -> State | None:
+        """Find a state on the refined mesh, driven as its procedure does; None where Newton's method does not.
+
+        ``exact`` asks for equilibrium as a solve has it, not only for a good estimate of the mesh error.
+        """
         controlled = _controlled(state, procedure)
         system, tangent = self._equations(state.model, controlled)
         system.materials.memory = self.transfer.memory(state.memory)
@@ -59,9 +65,22 @@ class SecondMesh:
         try:
             if controlled or isinstance(procedure, ArcLength | Auto):
                 return _at_volume(system, tangent, start, state, controlled)
-            return _at_load(system, tangent, start, state)
+            return _at_load(system, tangent, start, state, exact)
         except (SingularTangentError, np.linalg.LinAlgError):
             return None
+
+    def at_rest(self, state: State) -> State:
+        """Carry the undeformed state to the refined mesh."""
+        return replace(
+            state,
+            model=replace(state.model, mesh=self.refinement.mesh),
+            displacement=self.transfer.nodal(state.displacement),
+            mean_stress=self.transfer.mean_stress(
+                state.model, replace(state.model, mesh=self.refinement.mesh), state.mean_stress
+            ),
+            nodal_force=np.zeros_like(self.refinement.mesh.points),
+            touches={},
+        )
 
     def _equations(self, model: Model, controlled: tuple[str, ...]) -> tuple[System, Tangent]:
         for known, faces, system, tangent in self._known:
@@ -92,8 +111,8 @@ def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
     return tuple(name for name in state.pressures if name not in stated)
 
 
-def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State) -> State | None:
-    """Equilibrium at the load factor of the state, as far as the correction is to be known."""
+def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, exact: bool) -> State | None:
+    """Equilibrium at the load factor of the state, or as near to it as the correction is to be known."""
     at = system.evaluate(unknowns, state.load_factor)
     whole, before, fresh = np.zeros(3 * system.node_count), np.inf, True
     for _ in range(UPDATES):
@@ -107,8 +126,8 @@ def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State) ->
         at = system.evaluate(at.unknowns + update, state.load_factor)
         whole += update[: len(whole)]
         size, total = float(np.linalg.norm(update[: len(whole)])), float(np.linalg.norm(whole))
-        if at is not None and size <= SMALL * total:
-            return _state(system, at, state, {})
+        if at is not None and size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
+            return _state(system, at, state, {}, tangent.unstable_modes())
         fresh, before = size > CONTRACTION * before, size
     return None
 
@@ -126,7 +145,7 @@ def _at_volume(
     else:
         weights = {load.face: load.pressure for load in state.model.pressures}
         if not weights:
-            return _at_load(system, tangent, unknowns, state)
+            return _at_load(system, tangent, unknowns, state, exact=True)
         chambers = Chambers(system, tuple(weights))
         shares = np.array(list(weights.values())) / max(map(abs, weights.values()))
         now, rest = (float(shares @ chambers.volumes(x)) for x in (unknowns, np.zeros(system.size)))
@@ -140,7 +159,9 @@ def _at_volume(
     return _state(system, result.evaluation, state, dict(found))
 
 
-def _state(system: System, at: Evaluation, state: State, pressures: dict[str, float]) -> State:
+def _state(
+    system: System, at: Evaluation, state: State, pressures: dict[str, float], modes: int | None = None
+) -> State:
     displacement, mean_stress = system.physical(at.unknowns)
     if not pressures and state.pressures:
         share = at.load_factor / state.load_factor if state.load_factor else 1.0
@@ -152,7 +173,7 @@ def _state(system: System, at: Evaluation, state: State, pressures: dict[str, fl
         displacement=displacement,
         mean_stress=mean_stress,
         nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
-        unstable_modes=None,
+        unstable_modes=modes,
         touches=touches(system, at),
         pressures=pressures,
         memory=system.materials.memory,

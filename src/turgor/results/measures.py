@@ -71,9 +71,7 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     TurgorError
         If a measure needs a face that the mesh does not have.
     """
-    standard = measures in ((), STANDARD_MEASURES)
-    asked = (*STANDARD_MEASURES, *contact_measures_of(solution)) if standard else measures
-    chosen = _with_parts(asked, solution.model.mesh)
+    chosen = chosen_measures(solution, measures)
     facts = MeshFacts(solution.model.mesh)
     rows = []
     for state in solution.states:
@@ -91,6 +89,13 @@ def measure(solution: Solution, *measures: Measure) -> Response:
         message=solution.message,
         stages=tuple(state.stage for state in solution.states) if isinstance(solution.procedure, Stages) else (),
     )
+
+
+def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:
+    """Choose what `measure` reads: what is asked for with its parts, or the standard measures."""
+    standard = tuple(measures) in ((), STANDARD_MEASURES)
+    asked = (*STANDARD_MEASURES, *contact_measures_of(solution)) if standard else measures
+    return _with_parts(asked, solution.model.mesh)
 
 
 def check_measures(model: Model, measures: Sequence[Measure]) -> None:

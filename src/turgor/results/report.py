@@ -158,7 +158,7 @@ def _numbers(response: Response) -> list[tuple[str, str]]:
     for name in [*drives, *(name for name in headlines(response.names) if name not in drives)]:
         column, regions = response.find(name), in_regions(response, name)
         cavities = [] if regions else with_parts(response, name)[1:]
-        numbers.append((_last(column), f"{_words(column)} ({regions})" if regions else _words(column)))
+        numbers.append((_last(column), f"{_words(column)}; {regions}" if regions else _words(column)))
         numbers += [(_last(each), _words(each)) for each in map(response.find, cavities)]
     return numbers
 
