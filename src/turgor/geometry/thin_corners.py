@@ -65,7 +65,7 @@ def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
     >>> from turgor.geometry import ExtendingCylinder, OmnidirectionalActuator
     >>> sectors = OmnidirectionalActuator(chamber_shape="ring_sector", symmetric=True).build()
     >>> [(found.name, len(found.curved), len(found.lines)) for found in find_thin_corners(sectors)]
-    [('cavity_1', 1, 1), ('cavity_2', 1, 2)]
+    [('cavity_1', 2, 4), ('cavity_2', 1, 7)]
     >>> find_thin_corners(ExtendingCylinder().build())
     ()
     """

@@ -65,11 +65,13 @@ def mesh(
         What to mesh.
     size : float [m], optional
         Largest edge length aimed at; cells get smaller near short edges. At most four times the thinnest wall, unless
-        ``wall_cells`` is 2; `default_size` if it is not given: about twice the thinnest wall.
+        ``wall_cells`` is 2; `default_size` if it is not given: about twice the thinnest wall, three times for hexahedra.
     grading : float [-]
         How fast cells may grow away from small ones: 0.1 slowly (more cells), 1 at once.
     face_sizes : mapping of str to float [m]
         Smaller sizes for some faces, by name. Curved faces get at least two cells along an arc as long as its radius.
+        Corners of cavities about which thin walls bend (`turgor.geometry.thin_corners`) get a third of ``size``, and
+        curved walls that end there 0.7 of it, unless the cavity is named here.
     wall_cells : int
         Cells at least through every wall: 1 leaves them as they come; 2 gives smaller sizes to walls that are thinner
         than a quarter of ``size``, and cuts cells in two that still reach through a wall.

@@ -1,6 +1,9 @@
 """Smaller sizes at the corners about which thin walls bend: the default answer to what `thin_corners` finds.
 
-Measured at the default size of twice the wall, against half the size everywhere: DOC
+Measured at the default size of twice the wall, error of the angle and unknowns without | with these sizes | with half
+the size everywhere: omnidirectional actuator with ring sectors, neo-Hooke, 8 % below its largest pressure, 3.7 %
+(17,000) | 0.4 % (27,000) | 0.4 % (45,000); rectangular bender of 50 mm on a base 20 times stiffer, 3.3 % (7,000) | 1.3 %
+(13,000) | 1.8 % (27,000).
 """
 
 from collections.abc import Mapping
@@ -59,9 +62,9 @@ def local_sizes(geometry: Geometry, size: float, face_sizes: Mapping[str, float]
     >>> part = OmnidirectionalActuator(chamber_shape="ring_sector", symmetric=True).build()
     >>> found = local_sizes(part, 4e-3, {})
     >>> len(found.faces), len(found.lines), round(found.line_size, 6)
-    (2, 3, 0.001333)
+    (3, 11, 0.001333)
     >>> len(local_sizes(part, 4e-3, {"cavity_2": 4e-3}).lines)
-    1
+    4
     """
     corners = [found for found in find_thin_corners(geometry) if found.name not in face_sizes]
     named = {i: face_sizes[face.name] for i, face in enumerate(geometry._shape.faces) if face.name in face_sizes}

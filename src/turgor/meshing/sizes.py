@@ -13,7 +13,8 @@ from turgor.units import mm
 #: wall, four times as long as thick, still bends well; beyond that bulging walls are lost.
 LARGEST_SIZE_PER_WALL = 4.0
 
-#: Without a given size, cells are this many times longer than the thinnest wall is thick.
+#: Without a given size, cells are this many times longer than the thinnest wall is thick. Measured with hexahedra: at
+#: four times, an eccentric bender was 3 % off and ring sectors 6 %, at three times 0.3 % and 1 %.
 DEFAULT_SIZE_PER_WALL = {"tetrahedra": 2.0, "hexahedra": 3.0}
 
 #: Without a given size, the part is at least this many cells long.
@@ -46,7 +47,7 @@ def size_range(geometry: Geometry) -> tuple[float, float]:
 
 
 def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
-    """Mesh size for a geometry where none is given [m]: twice the thinnest wall, for hexahedra four times; two digits.
+    """Mesh size for a geometry where none is given [m]: twice the thinnest wall, for hexahedra three times; two digits.
 
     It is larger where this would make more than about 150,000 unknowns, up to four times the wall, and never more
     than an eighth of the part.
@@ -55,7 +56,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     ----------
     geometry : Geometry
     cells : str
-        ``"tetrahedra"`` or ``"hexahedra"``, which bend as well where they are twice as long.
+        ``"tetrahedra"`` or ``"hexahedra"``, which are shorter beside walls by themselves.
 
     Returns
     -------
@@ -66,7 +67,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     >>> from turgor.geometry import FastPneuNet
     >>> finger = FastPneuNet().build()
     >>> default_size(finger), default_size(finger, "hexahedra")
-    (0.002, 0.004)
+    (0.002, 0.003)
     """
     low, high = size_range(geometry)
     size = max(DEFAULT_SIZE_PER_WALL[cells] * geometry.smallest_wall, _size_of(geometry, DEFAULT_UNKNOWNS))
