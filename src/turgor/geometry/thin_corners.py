@@ -133,7 +133,8 @@ def _xyz(point: Any) -> Array:
 
 def _samples(edge: Any) -> tuple[Array, Array]:
     """Points along an edge and unit tangents there, (5, 3) each."""
-    at = np.linspace(*edge.parameter_interval, 5)
+    start, end = edge.parameter_interval
+    at = np.linspace(float(start), float(end), 5)
     tangents = np.array([_xyz(edge.Tangent(s)) for s in at])
     length = np.linalg.norm(tangents, axis=1, keepdims=True)
     return np.array([_xyz(edge.Value(s)) for s in at]), tangents / np.where(length > 0, length, 1.0)
@@ -146,8 +147,8 @@ def _is_straight(edge: Any) -> bool:
 
 def _fold(edge: Any, one: Any, other: Any) -> bool:
     """Whether two faces meet at an angle along their common straight edge: neither continues the other smoothly."""
-    into = [_into(face, edge) for face in (one, other)]
-    return all(len(d) for d in into) and bool(np.linalg.norm(np.cross(*into)) > ALIKE)
+    first, second = _into(one, edge), _into(other, edge)
+    return bool(len(first) and len(second) and np.linalg.norm(np.cross(first, second)) > ALIKE)
 
 
 def _into(face: Any, edge: Any) -> Array:

@@ -65,7 +65,8 @@ def mesh(
         What to mesh.
     size : float [m], optional
         Largest edge length aimed at; cells get smaller near short edges. At most four times the thinnest wall, unless
-        ``wall_cells`` is 2; `default_size` if it is not given: about twice the thinnest wall, three times for hexahedra.
+        ``wall_cells`` is 2; `default_size` if it is not given: about twice the thinnest wall, for hexahedra
+        three times.
     grading : float [-]
         How fast cells may grow away from small ones: 0.1 slowly (more cells), 1 at once.
     face_sizes : mapping of str to float [m]
