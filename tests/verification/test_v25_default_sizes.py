@@ -2,7 +2,7 @@
 
 Problem 1: half of an omnidirectional actuator (length 60 mm, radius 12.5 mm, wall and webs 2 mm), one of three ring
 sectors under 48 kPa, neo-Hooke C10 = 0.11 MPa: 8 % below its largest pressure, so that errors of the walls grow.
-Reference: angle on meshes twice as fine, FINE_TEXT.
+Reference: 11.24°, between tetrahedra of 2.5 mm (53,501 unknowns, 11.202°) and hexahedra of 4 mm (55,376, 11.270°).
 Tolerance: 2 %, the error that default meshes are allowed. Without smaller cells at corners it is 3.7 % off.
 Problem 2: fast PneuNet of three chambers on a base 20 times stiffer, 4 kPa, wall 1 to 1.2 mm in steps of 5 %.
 Reference: none; answers that depend smoothly on the wall lie on a parabola. Tolerance: 5 % of the mean step between two
@@ -19,7 +19,7 @@ RUBBER = tg.Material(name="soft", law=tg.NeoHooke(C10=0.11 * MPa))
 STIFF = tg.Material(name="stiff", law=tg.NeoHooke(C10=2.2 * MPa))
 
 #: Bending angle of the ring sectors on fine meshes.
-FINE = FINE_VALUE * deg
+FINE = 11.24 * deg
 
 WALLS = np.array([1.0, 1.05, 1.1, 1.15, 1.2]) * mm
 
@@ -35,7 +35,7 @@ def test_ring_sectors_near_their_largest_pressure(cells, record_verification):
     got = angle(tg.mesh(part, cells=cells), {"body": RUBBER}, "cavity_1", 48 * kPa)
     record_verification(
         claim=f"ring sectors 8 % below their largest pressure, default mesh of {cells}: bending angle [°]",
-        source="V25, meshes twice as fine",
+        source="V25, two fine meshes",
         expected=FINE / deg,
         got=got / deg,
         tolerance="2 %",
