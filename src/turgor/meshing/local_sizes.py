@@ -3,8 +3,8 @@
 Measured at the default size of twice the wall, error of the angle and unknowns without | with these sizes | with half
 the size everywhere:
 
-- omnidirectional actuator with ring sectors, neo-Hooke, 8 % below its largest pressure: 3.7 % (17,000) | 0.4 % (27,000)
-  | 0.4 % (45,000);
+- omnidirectional actuator with ring sectors, neo-Hooke, 8 % below its largest pressure: 3.9 % (17,000) | 0.6 % (27,000)
+  | 0.6 % (45,000);
 - rectangular bender of 50 mm on a base 20 times stiffer: 3.3 % (7,000) | 1.3 % (13,000) | 1.8 % (27,000).
 """
 
