@@ -7,9 +7,9 @@ loses stability at 77°, where its inner face is compressed to 0.85 of its lengt
 with the exact solution. The functions are 1, ξ, η, ζ and the products ξη, ηζ, ζξ.
 
 Measured with γ = 5 μ on that block, 8 × 16 cells: the first unstable mode comes at 260°, where the inner face is
-compressed to 0.62 and rubber creases; with 1, ξ, η, ζ alone at 174°, with the mean alone at 84°. A penalty on all of J − 1 − p/κ has none up to 270°,
-but punishes moments of second order that long cells cannot avoid: a closed tube of 5 mm cells extended 3 % too little
-with it, 0.6 % with these functions.
+compressed to 0.62 and rubber creases; with 1, ξ, η, ζ alone at 174°, with the mean alone at 84°. A penalty on all of
+J − 1 − p/κ has none up to 270°, but punishes moments of second order that long cells cannot avoid: a closed tube of
+5 mm cells extended 3 % too little with it, 0.6 % with these functions.
 """
 
 import numpy as np
