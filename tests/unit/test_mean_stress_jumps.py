@@ -27,7 +27,11 @@ def box(request: pytest.FixtureRequest) -> Mesh:
 
 
 def count(
-    mesh: Mesh, right: Material = SOFT, supports: tuple[object, ...] = (), loads: tuple[object, ...] = (), **more: object
+    mesh: Mesh,
+    right: Material = SOFT,
+    supports: tuple[object, ...] = (),
+    loads: tuple[object, ...] = (),
+    **more: object,
 ) -> int:
     """Mean stresses beyond one for each vertex."""
     sheets = more.pop("sheets", {})
@@ -80,7 +84,7 @@ def test_around_the_rim_of_an_inner_face_cells_share(box: Mesh) -> None:
 
 
 @pytest.mark.parametrize(
-    "supports, loads",
+    ("supports", "loads"),
     [((Fixed("patch"),), ()), ((), (Pressure("patch", 1e3),)), ((), (Traction("patch", (1.0, 0.0, 0.0)),))],
 )
 def test_supports_and_loads_on_inner_faces_let_it_jump(
