@@ -115,3 +115,28 @@ def ball_approach(contact_radius: float, terms: int = 1000) -> float:
         radial = -ratio * (4 * n + 6) / n + 2 * ((n + 1) * ratio + n - 1)
         pole += share * (1 + ratio) / radial
     return pole * 8 / (np.pi * contact_radius)  # for μ = 1, where Hertz's largest pressure is 8 a / π
+
+
+def held_tube(law: Law, stretch: float, inner: float, held: float, outer: float) -> tuple[float, float]:
+    """Pressure [Pa] of a closed tube whose material keeps its radius at ``held``, and what the hoops there press [Pa].
+
+    r² = h² + (R² − h²)/λz everywhere, so that the energy depends on λz alone and the volume within the tube grows by
+    π h² for each λz: P = ∫ dŴ/dλz 2 R dR / h². Across the hoops the radial stress, and with it the mean stress, jumps
+    by q = P − ∫ λθ Ŵ,θ R/(λz r²) dR.
+    """
+
+    def integral(force: bool) -> float:
+        def integrand(R: float) -> float:
+            square = held**2 + (R**2 - held**2) / stretch
+            hoop = square**0.5 / R
+            nominal = nominal_stress(law, biaxial(hoop, stretch))
+            slope = -(R**2 - held**2) / (2 * square**0.5 * stretch**2 * R)
+            if force:
+                return float((nominal[0, 0] * slope + nominal[1, 1]) * 2 * R / held**2)
+            return float(hoop * nominal[0, 0] * R / (stretch * square))
+
+        parts = (quad(integrand, *ends, epsabs=0, epsrel=1e-10)[0] for ends in ((inner, held), (held, outer)))
+        return float(sum(parts))
+
+    pressure = integral(force=True)
+    return pressure, pressure - integral(force=False)

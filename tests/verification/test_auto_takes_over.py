@@ -32,13 +32,13 @@ def solve(model, procedure, **more):
     return tg.solve(model, procedure, options=OPTIONS, throw=False, **more)
 
 
-def column(bow=0.0):
+def column(bow=0.0, cells=6):
     """A thin cantilever under twice Euler's load."""
 
     def place(points):
         return points + np.outer(bow * (1 - np.cos(np.pi * points[:, 0] / 0.2)), [0, 0, 1])
 
-    mesh = meshes.box((0.1, 1e-3, 1e-3), (6, 1, 1), place, kind=meshes.HEXAHEDRON)
+    mesh = meshes.box((0.1, 1e-3, 1e-3), (cells, 1, 1), place, kind=meshes.HEXAHEDRON)
     rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6))
     load = tg.Traction("x1", (-2 * EULER / 1e-6, 0.0, 0.0))
     return tg.Model(mesh, {"body": rubber}, [tg.Fixed("x0")], [load])
@@ -72,9 +72,12 @@ def test_a_first_step_that_is_unstable_is_shortened():
 
 
 def test_a_bifurcation_is_passed_by_tiny_arcs_too(record_verification):
-    """Close to it, directions of the path are what round-off makes of a singular tangent."""
+    """Close to it, directions of the path are what round-off makes of a singular tangent.
+
+    16 cells find Euler's load within 0.8 %; 6 of them are 2 % too stiff.
+    """
     bound = 0.507 * 2 * EULER / (YOUNG * 1e-6) * 0.1
-    solution = solve(column(), ArcLength(first_step=0.5, max_step=1e-3, max_displacement=bound))
+    solution = solve(column(cells=16), ArcLength(first_step=0.5, max_step=1e-3, max_displacement=bound))
     assert solution.status is tg.Status.FOLLOWED, solution.message
     (found,) = re.findall(r"Bifurcation: at load factor ([\d.]+)", solution.message)
     over_euler = 2 * float(found)

@@ -12,7 +12,8 @@ lies far away. The layer: Hertz times 1 + 1.133 χ + 1.283 χ² + 0.769 χ³ + 0
 Source: verification case V16, number 2; for the layer Dimitriadis et al., Biophysical Journal 82 (2002) 2798.
 Tolerance: the table's 3 % for the force at δ/R = 0.01; 3 % to δ/R = 0.05 against the ball between two planes (the
 table's 6 % against a half space would not hold there). 4 % for widths and pressures: a cell next to the edge of the
-contact is a fifth of it.
+contact is an eighth of it: 8 cells from the pole to 45°. The largest pressure comes out low by 2.8 % with them, by
+3.8 and 4.1 % with 7 and 6.
 """
 
 import numpy as np
@@ -66,7 +67,7 @@ def _pressure(state):
 
 @pytest.fixture(scope="module")
 def ball():
-    return _ball((6, 1, 3))
+    return _ball((8, 1, 4))
 
 
 def _force(approach):

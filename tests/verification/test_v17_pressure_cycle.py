@@ -18,7 +18,7 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine import kernels
+from turgor.engine import kernels_geometry
 from turgor.engine.element import element_of
 from turgor.geometry import FastPneuNet
 from turgor.materials.softening import Mullins, softening_dissipation
@@ -106,9 +106,10 @@ def stress_work(solution):
     model = solution.model
     element, total, before = element_of(model), 0.0, None
     r = element.tables
-    Jinv, weight = kernels.reference_geometry(element.shape, model.mesh.points, model.mesh.cells, r.dN, r.weights)
+    mesh = model.mesh
+    Jinv, weight = kernels_geometry.reference_geometry(element.shape, mesh.points, mesh.cells, r.dN, r.weights)
     for state in solution.states:
-        F = kernels.deformation_gradients(element.shape, model.mesh.cells, state.displacement, r.dN, Jinv)
+        F = kernels_geometry.deformation_gradients(element.shape, mesh.cells, state.displacement, r.dN, Jinv)
         inverse = np.linalg.inv(F)
         S = np.linalg.det(F)[..., None, None] * inverse @ problems.fields(state).cauchy @ inverse.swapaxes(-1, -2)
         E = 0.5 * F.swapaxes(-1, -2) @ F

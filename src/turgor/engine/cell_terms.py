@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels
+from turgor.engine import kernels, kernels_geometry
 from turgor.engine.cell_materials import CellMaterials, Isochoric
 from turgor.engine.element import element_of
 from turgor.engine.pattern import Pattern, locate, scatter_add
@@ -51,7 +51,7 @@ class CellTerms:
         self.cells = np.ascontiguousarray(model.mesh.cells)
         self.element = element_of(model)
         e, r = self.element, self.element.tables
-        self.Jinv, self.dV = kernels.reference_geometry(e.shape, points, self.cells, r.dN, r.weights)
+        self.Jinv, self.dV = kernels_geometry.reference_geometry(e.shape, points, self.cells, r.dN, r.weights)
         if not (self.dV > 0).all():
             bad = int((self.dV <= 0).any(axis=1).sum())
             raise TurgorError(f"mesh '{model.mesh.name}': {bad} cells are inside out; refine or straighten the mesh.")
@@ -78,17 +78,17 @@ class CellTerms:
     def gradients(self, u: Array) -> Array:
         """Deformation gradients (c, q, 3, 3) of all cells at displacements (n, 3)."""
         return np.asarray(
-            kernels.deformation_gradients(self.element.shape, self.cells, u, self.element.tables.dN, self.Jinv)
+            kernels_geometry.deformation_gradients(self.element.shape, self.cells, u, self.element.tables.dN, self.Jinv)
         )
 
     def laws(self, u: Array) -> Isochoric | None:
         """What the laws say at displacements (n, 3); None where a cell is turned inside out."""
         e, r = self.element, self.element.tables
-        I1, I2, _ = kernels.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
+        I1, I2, _ = kernels_geometry.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
         if not np.isfinite(I1).all():
             return None
         chosen = self.cells[self.materials.gradient_cells]
-        F = kernels.deformation_gradients(e.shape, chosen, u, r.dN, self._gradient_Jinv)
+        F = kernels_geometry.deformation_gradients(e.shape, chosen, u, r.dN, self._gradient_Jinv)
         return self.materials.isochoric(I1, I2, F)
 
     def forces(self, u: Array, p: Array, laws: Isochoric) -> Array:

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels
+from turgor.engine import kernels, kernels_geometry
 from turgor.engine.system import System
 
 Array = NDArray[np.float64]
@@ -70,8 +70,8 @@ class StrainRateDamping:
         system, e, r = self._system, self._system.element, self._system.element.tables
         u = system.split(unknowns)[0]
         v = system.split(self._rate * unknowns + self._offset)[0]
-        F = kernels.deformation_gradients(e.shape, system.cells, u, r.dN, system.Jinv)
-        G = kernels.deformation_gradients(e.shape, system.cells, v, r.dN, system.Jinv) - np.eye(3)
+        F = kernels_geometry.deformation_gradients(e.shape, system.cells, u, r.dN, system.Jinv)
+        G = kernels_geometry.deformation_gradients(e.shape, system.cells, v, r.dN, system.Jinv) - np.eye(3)
         product = np.swapaxes(F, -1, -2) @ G
         rate = 0.5 * (product + np.swapaxes(product, -1, -2))
         rate -= np.trace(rate, axis1=-2, axis2=-1)[..., None, None] / 3 * np.eye(3)

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels
+from turgor.engine import kernels_geometry
 from turgor.engine.evaluation import Evaluation
 from turgor.engine.stabilization import penalty_energy
 from turgor.engine.system import System
@@ -18,9 +18,9 @@ def stored_energy(system: System, unknowns: Array) -> float:
     """
     e, r, rubber = system.element, system.element.tables, system.materials
     u, p = system.split(unknowns)
-    I1, I2, J = kernels.kinematics(e.shape, system.cells, u, r.dN, system.Jinv)
+    I1, I2, J = kernels_geometry.kinematics(e.shape, system.cells, u, r.dN, system.Jinv)
     chosen = rubber.gradient_cells
-    F = kernels.deformation_gradients(e.shape, system.cells[chosen], u, r.dN, system.Jinv[chosen])
+    F = kernels_geometry.deformation_gradients(e.shape, system.cells[chosen], u, r.dN, system.Jinv[chosen])
     compliance = rubber.compliance[:, None]
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean]) if e.modes else (J - 1) / compliance
     lost = J - 1 - mean * compliance

@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels
+from turgor.engine import kernels_geometry
 from turgor.engine.cell_materials import CellMaterials
 from turgor.engine.element import Element, element_of, tables_with
 from turgor.engine.faces import FaceTerms
@@ -54,7 +54,7 @@ def _geometry(mesh: Mesh, points: int) -> tuple[Array, Array]:
     """Inverse Jacobian and weight at that many integration points of each cell."""
     nodes = mesh.cell_type.nodes
     r = tables_with(nodes, points)
-    return kernels.reference_geometry((0,) * nodes, mesh.points, mesh.cells, r.dN, r.weights)
+    return kernels_geometry.reference_geometry((0,) * nodes, mesh.points, mesh.cells, r.dN, r.weights)
 
 
 def _materials(model: Model, points: int, memory: Memory | None) -> CellMaterials:
@@ -87,7 +87,7 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: M
     mesh, element = model.mesh, element_of(model)
     r = element.tables
     Jinv, weight = _geometry(mesh, len(r.weights))
-    F = kernels.deformation_gradients(element.shape, mesh.cells, displacement, r.dN, Jinv)
+    F = kernels_geometry.deformation_gradients(element.shape, mesh.cells, displacement, r.dN, Jinv)
     J = np.linalg.det(F)
     B = F @ F.swapaxes(-1, -2)
     I1 = np.trace(B, axis1=-2, axis2=-1)
@@ -181,11 +181,11 @@ def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory:
     mesh, element = model.mesh, element_of(model)
     r = element.tables
     Jinv, weight = _geometry(mesh, len(r.weights))
-    I1, I2, J = kernels.kinematics(element.shape, mesh.cells, displacement, r.dN, Jinv)
+    I1, I2, J = kernels_geometry.kinematics(element.shape, mesh.cells, displacement, r.dN, Jinv)
     materials = _materials(model, len(r.weights), memory)
     mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
     chosen = materials.gradient_cells
-    F = kernels.deformation_gradients(element.shape, mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
+    F = kernels_geometry.deformation_gradients(element.shape, mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
     density = materials.energy(I1, I2, F) + 0.5 * mean**2 * materials.compliance[:, None]
     penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
     lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])

@@ -10,127 +10,17 @@ knows them and unrolls: one compiled version for each kind of cell.
 Stress and tangent are formed once per point in the reference configuration (second Piola–Kirchhoff S and 4 ∂²W/∂C²),
 pushed to ∂P/∂F and contracted with the shape function gradients; node loops run over contiguous arrays so that the
 compiler vectorizes them. Laws in stretches bring the isochoric S and 4 ∂²W/∂C² along (`turgor.engine.spectral`): cell c
-adds row ``rows[c]`` of them, none where that is negative. All of it is one file because numba keys its cache by the
-file of the calling loop. Symbols follow the review's section 3.1.
+adds row ``rows[c]`` of them, none where that is negative. All of it is one file, but for the deformation gradients,
+because numba keys its cache by the file of the calling loop. Symbols follow the review's section 3.1.
 """
 
 import numpy as np
 from numba import njit, prange
 
-_FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
+from turgor.engine.kernels_geometry import FAST, cofactor_at, deformation_gradient_at, gradient_at, load_cell
 
 
-@njit(cache=True, fastmath=_FAST)
-def _gradient(shape, dN, Jinv, G):
-    """Shape function gradients ∂N/∂X at one point, stored (3, nodes)."""
-    for J in range(3):
-        for a in range(len(shape)):
-            G[J, a] = dN[a, 0] * Jinv[0, J] + dN[a, 1] * Jinv[1, J] + dN[a, 2] * Jinv[2, J]
-
-
-@njit(cache=True, fastmath=_FAST)
-def _deformation_gradient(shape, u, G, F):
-    """F = I + ∂u/∂X with u stored (3, nodes)."""
-    for i in range(3):
-        for J in range(3):
-            total = 1.0 if i == J else 0.0
-            for a in range(len(shape)):
-                total += u[i, a] * G[J, a]
-            F[i, J] = total
-
-
-@njit(cache=True, fastmath=_FAST)
-def _cofactor(F, Cof):
-    """Cofactor J F⁻ᵀ and the volume ratio J."""
-    for i in range(3):
-        i1, i2 = (i + 1) % 3, (i + 2) % 3
-        for J in range(3):
-            J1, J2 = (J + 1) % 3, (J + 2) % 3
-            Cof[i, J] = F[i1, J1] * F[i2, J2] - F[i1, J2] * F[i2, J1]
-    return F[0, 0] * Cof[0, 0] + F[0, 1] * Cof[0, 1] + F[0, 2] * Cof[0, 2]
-
-
-@njit(cache=True, fastmath=_FAST)
-def _load_cell(shape, nodes, u, ue):
-    for a in range(len(shape)):
-        for i in range(3):
-            ue[i, a] = u[nodes[a], i]
-
-
-@njit(cache=True, parallel=True, fastmath=_FAST)
-def reference_geometry(shape, points, cells, dN, weights):
-    """Inverse Jacobian (c, q, 3, 3) and volume weight (c, q) of the curved reference cells."""
-    count, q_count = len(cells), len(weights)
-    Jinv = np.empty((count, q_count, 3, 3))
-    dV = np.empty((count, q_count))
-    for c in prange(count):
-        A = np.empty((3, 3))
-        Cof = np.empty((3, 3))
-        for q in range(q_count):
-            for i in range(3):
-                for k in range(3):
-                    total = 0.0
-                    for a in range(len(shape)):
-                        total += points[cells[c, a], i] * dN[q, a, k]
-                    A[i, k] = total
-            det = _cofactor(A, Cof)
-            for k in range(3):
-                for i in range(3):
-                    Jinv[c, q, k, i] = Cof[i, k] / det
-            dV[c, q] = det * weights[q]
-    return Jinv, dV
-
-
-@njit(cache=True, parallel=True, fastmath=_FAST)
-def kinematics(shape, cells, u, dN, Jinv):
-    """Isochoric invariants Ī₁, Ī₂ and volume ratio J at all points; J ≤ 0 gives NaN invariants."""
-    count, q_count = len(cells), len(dN)
-    I1 = np.empty((count, q_count))
-    I2 = np.empty((count, q_count))
-    ratio = np.empty((count, q_count))
-    for c in prange(count):
-        ue = np.empty((3, len(shape)))
-        G = np.empty((3, len(shape)))
-        F = np.empty((3, 3))
-        Cof = np.empty((3, 3))
-        _load_cell(shape, cells[c], u, ue)
-        for q in range(q_count):
-            _gradient(shape, dN[q], Jinv[c, q], G)
-            _deformation_gradient(shape, ue, G, F)
-            J = _cofactor(F, Cof)
-            first = 0.0
-            second = 0.0
-            for i in range(3):
-                for k in range(3):
-                    first += F[i, k] * F[i, k]
-                    second += Cof[i, k] * Cof[i, k]  # tr Cof C = I₂
-            ratio[c, q] = J
-            if J > 0:
-                j = J ** (-2.0 / 3.0)
-                I1[c, q] = j * first
-                I2[c, q] = j * j * second
-            else:
-                I1[c, q] = np.nan
-                I2[c, q] = np.nan
-    return I1, I2, ratio
-
-
-@njit(cache=True, parallel=True, fastmath=_FAST)
-def deformation_gradients(shape, cells, u, dN, Jinv):
-    """Deformation gradient F (c, q, 3, 3) at all points, for results."""
-    count, q_count = len(cells), len(dN)
-    out = np.empty((count, q_count, 3, 3))
-    for c in prange(count):
-        ue = np.empty((3, len(shape)))
-        G = np.empty((3, len(shape)))
-        _load_cell(shape, cells[c], u, ue)
-        for q in range(q_count):
-            _gradient(shape, dN[q], Jinv[c, q], G)
-            _deformation_gradient(shape, ue, G, out[c, q])
-    return out
-
-
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _mean_stress(modes, M, p, mean, J, compliance):
     """Mean stress at one point: interpolated, or κ (J − 1) in a cell that has none of its own."""
     if len(modes) == 0:
@@ -141,7 +31,7 @@ def _mean_stress(modes, M, p, mean, J, compliance):
     return total
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _lost_volume(modes, J, mean, compliance):
     """J − 1 − p/κ: what the volume ratio misses of what the mean stress says; nothing where it follows from J."""
     if len(modes) == 0:
@@ -149,7 +39,7 @@ def _lost_volume(modes, J, mean, compliance):
     return J - 1.0 - mean * compliance
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _bulk_modulus(modes, compliance):
     """κ where the mean stress is a function of the displacement, zero where it is an unknown."""
     if len(modes) == 0:
@@ -157,7 +47,7 @@ def _bulk_modulus(modes, compliance):
     return 0.0
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _lost_moments(shape, modes, ue, p, mean, dN, M, Jinv, dV, compliance, penalty):
     """Moments ∫ φₖ (J − 1 − p/κ) dV of a cell, (k,)."""
     moments = np.zeros(penalty.shape[1])
@@ -167,16 +57,43 @@ def _lost_moments(shape, modes, ue, p, mean, dN, M, Jinv, dV, compliance, penalt
     F = np.empty((3, 3))
     Cof = np.empty((3, 3))
     for q in range(len(dN)):
-        _gradient(shape, dN[q], Jinv[q], G)
-        _deformation_gradient(shape, ue, G, F)
-        J = _cofactor(F, Cof)
+        gradient_at(shape, dN[q], Jinv[q], G)
+        deformation_gradient_at(shape, ue, G, F)
+        J = cofactor_at(F, Cof)
         lost = _lost_volume(modes, J, _mean_stress(modes, M[q], p, mean, J, compliance), compliance)
         for k in range(len(moments)):
             moments[k] += dV[q] * penalty[q, k] * lost
     return moments
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
+def _moment_changes(shape, modes, ue, de, dp, mean, dN, M, Jinv, dV, compliance, penalty):
+    """Changes of the moments of a cell with the updates of displacements ``de`` (3, nodes) and mean stresses, (k,)."""
+    changes = np.zeros(penalty.shape[1])
+    if len(changes) == 0:
+        return changes
+    G = np.empty((3, len(shape)))
+    F = np.empty((3, 3))
+    H = np.empty((3, 3))
+    Cof = np.empty((3, 3))
+    for q in range(len(dN)):
+        gradient_at(shape, dN[q], Jinv[q], G)
+        deformation_gradient_at(shape, ue, G, F)
+        deformation_gradient_at(shape, de, G, H)
+        cofactor_at(F, Cof)
+        change = 0.0
+        for i in range(3):
+            H[i, i] -= 1.0
+            for J in range(3):
+                change += Cof[i, J] * H[i, J]
+        for m in range(len(modes)):
+            change -= compliance * M[q, m] * dp[mean[m]]
+        for k in range(len(changes)):
+            changes[k] += dV[q] * penalty[q, k] * change
+    return changes
+
+
+@njit(cache=True, fastmath=FAST)
 def _penalty_stress(penalty, moments):
     """Mean stress of the penalty at one point: Σ φₖ mₖ."""
     total = 0.0
@@ -185,7 +102,7 @@ def _penalty_stress(penalty, moments):
     return total
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _symmetric_inverse_times(J, Cof, Ci):
     """C⁻¹ = Cofᵀ Cof / J², symmetric, as six components 11 22 33 12 23 13."""
     s = 1.0 / (J * J)
@@ -197,7 +114,7 @@ def _symmetric_inverse_times(J, Cof, Ci):
     Ci[5] = s * (Cof[0, 0] * Cof[0, 2] + Cof[1, 0] * Cof[1, 2] + Cof[2, 0] * Cof[2, 2])
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _right_cauchy_green(F, C):
     C[0] = F[0, 0] * F[0, 0] + F[1, 0] * F[1, 0] + F[2, 0] * F[2, 0]
     C[1] = F[0, 1] * F[0, 1] + F[1, 1] * F[1, 1] + F[2, 1] * F[2, 1]
@@ -207,7 +124,7 @@ def _right_cauchy_green(F, C):
     C[5] = F[0, 0] * F[0, 2] + F[1, 0] * F[1, 2] + F[2, 0] * F[2, 2]
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _stress(C, Ci, J, W1, W2, p, s1, s2, T, S):
     """S = 2 (W₁ ∂Ī₁/∂C + W₂ ∂Ī₂/∂C) + p J C⁻¹; also leaves s1 = ∂Ī₁/∂C, s2 = ∂Ī₂/∂C and T = ∂I₂/∂C."""
     j = J ** (-2.0 / 3.0)
@@ -224,7 +141,7 @@ def _stress(C, Ci, J, W1, W2, p, s1, s2, T, S):
     return j, k, I1, I2
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _material_tangent(Ci, T, s1, s2, W, scalars, p, bulk, D):
     """D = 4 ∂²(W + pJ)/∂C∂C + κ J² C⁻¹ ⊗ C⁻¹ as a symmetric 6 × 6 array of tensor components."""
     W1, W2, W11, W12, W22 = W
@@ -252,13 +169,13 @@ def _material_tangent(Ci, T, s1, s2, W, scalars, p, bulk, D):
             D[w, v] = value
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _add_stress(more, S):
     for v in range(6):
         S[v] += more[v]
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _add_tangent(more, D):
     """Add a lower triangle, stored row by row, to the symmetric D."""
     at = 0
@@ -271,7 +188,7 @@ def _add_tangent(more, D):
         at += 1
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _push(F, D, S, A):
     """∂P/∂F (9 × 9, rows iJ) = F D Fᵀ + δ S."""
     index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
@@ -294,7 +211,7 @@ def _push(F, D, S, A):
                 A[3 * i + J, 3 * i + L] += S[index[J][L]]
 
 
-@njit(cache=True, parallel=True, fastmath=_FAST)
+@njit(cache=True, parallel=True, fastmath=FAST)
 def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, stress, compliance, penalty):
     """Gradient of the energy by cell: internal forces (node by node), then volume constraints."""
     count, q_count = len(cells), len(dN)
@@ -311,13 +228,13 @@ def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, str
         s2 = np.empty(6)
         T = np.empty(6)
         S = np.empty(6)
-        _load_cell(shape, cells[c], u, ue)
+        load_cell(shape, cells[c], u, ue)
         out[c, :] = 0.0
         moments = _lost_moments(shape, modes, ue, p, mean[c], dN, M, Jinv[c], dV[c], compliance[c], penalty[c])
         for q in range(q_count):
-            _gradient(shape, dN[q], Jinv[c, q], G)
-            _deformation_gradient(shape, ue, G, F)
-            J = _cofactor(F, Cof)
+            gradient_at(shape, dN[q], Jinv[c, q], G)
+            deformation_gradient_at(shape, ue, G, F)
+            J = cofactor_at(F, Cof)
             pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
@@ -340,7 +257,7 @@ def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, str
     return out
 
 
-@njit(cache=True, parallel=True, fastmath=_FAST)
+@njit(cache=True, parallel=True, fastmath=FAST)
 def extrapolated_stress(
     shape, modes, cells, mean, u, p, du, dp, dN, M, Jinv, dV, W, rows, stress, material, compliance, penalty
 ):
@@ -366,21 +283,23 @@ def extrapolated_stress(
         S = np.empty(6)
         D = np.empty((6, 6))
         E = np.empty(6)
-        _load_cell(shape, cells[c], u, ue)
-        _load_cell(shape, cells[c], du, de)
+        load_cell(shape, cells[c], u, ue)
+        load_cell(shape, cells[c], du, de)
         moments = _lost_moments(shape, modes, ue, p, mean[c], dN, M, Jinv[c], dV[c], compliance[c], penalty[c])
+        changes = _moment_changes(shape, modes, ue, de, dp, mean[c], dN, M, Jinv[c], dV[c], compliance[c], penalty[c])
         for q in range(q_count):
-            _gradient(shape, dN[q], Jinv[c, q], G)
-            _deformation_gradient(shape, ue, G, F)
-            _deformation_gradient(shape, de, G, H)
+            gradient_at(shape, dN[q], Jinv[c, q], G)
+            deformation_gradient_at(shape, ue, G, F)
+            deformation_gradient_at(shape, de, G, H)
             for i in range(3):
                 H[i, i] -= 1.0
-            J = _cofactor(F, Cof)
+            J = cofactor_at(F, Cof)
             pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
             dpq = 0.0
             for m in range(len(modes)):
                 dpq += M[q, m] * dp[mean[c, m]]
             pq += _penalty_stress(penalty[c, q], moments)
+            dpq += _penalty_stress(penalty[c, q], changes)
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
@@ -405,7 +324,7 @@ def extrapolated_stress(
     return out
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _add_point(shape, G, A, w, T9, K):
     """K += w Gᵀ A G for one point; K is (3, 3, nodes, nodes), blocks i ≤ k only."""
     for i in range(3):
@@ -424,7 +343,7 @@ def _add_point(shape, G, A, w, T9, K):
                     K[i, k, a, b] += g0 * T9[0, b] + g1 * T9[1, b] + g2 * T9[2, b]
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
     """Add Σ gₖ gₖᵀ with the gradients gₖ of the moments by displacements (k, 3, nodes) and mean stresses (k, m)."""
     for k in range(len(u_part)):
@@ -442,7 +361,7 @@ def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
                 Kpp[m, n] += p_part[k, m] * p_part[k, n]
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(cache=True, fastmath=FAST)
 def _pack(shape, modes, K, Kup, Kpp, out):
     """Lower triangle of the cell matrix, row by row: displacement unknowns node by node, then mean stresses."""
     at = 0
@@ -463,7 +382,7 @@ def _pack(shape, modes, K, Kup, Kpp, out):
             at += 1
 
 
-@njit(cache=True, parallel=True, fastmath=_FAST)
+@njit(cache=True, parallel=True, fastmath=FAST)
 def tangent(
     shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W, rows, stress, material, volume, geometric, use_geometric
 ):
@@ -494,14 +413,14 @@ def tangent(
         K = np.zeros((3, 3, len(shape), len(shape)))
         Kup = np.zeros((len(modes), 3, len(shape)))
         Kpp = np.zeros((len(modes), len(modes)))
-        _load_cell(shape, cells[c], u, ue)
+        load_cell(shape, cells[c], u, ue)
         moments = _lost_moments(shape, modes, ue, p, mean[c], dN, M, Jinv[c], dV[c], compliance[c], penalty[c])
         u_part = np.zeros((len(moments), 3, len(shape)))
         p_part = np.zeros((len(moments), len(modes)))
         for q in range(q_count):
-            _gradient(shape, dN[q], Jinv[c, q], G)
-            _deformation_gradient(shape, ue, G, F)
-            J = _cofactor(F, Cof)
+            gradient_at(shape, dN[q], Jinv[c, q], G)
+            deformation_gradient_at(shape, ue, G, F)
+            J = cofactor_at(F, Cof)
             pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
             pq += _penalty_stress(penalty[c, q], moments)
             _right_cauchy_green(F, C)

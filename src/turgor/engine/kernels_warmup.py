@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.engine import kernels, membranes, spectral, surfaces
+from turgor.engine import kernels, kernels_geometry, membranes, spectral, surfaces
 from turgor.engine.element import DISPLACEMENT_DEGREE
 from turgor.engine.pattern import build_pattern, locate, scatter_add
 from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes, side_tables
@@ -17,10 +17,10 @@ def touch_kernels(nodes: int, mixed: bool = True) -> None:
     cells = np.arange(nodes, dtype=np.int64)[None]
     mean = np.arange(len(modes), dtype=np.int64)[None]
     r = reference_cell(nodes, CELL_QUADRATURE_DEGREE if mixed else DISPLACEMENT_DEGREE[nodes])
-    Jinv, dV = kernels.reference_geometry(shape, points, cells, r.dN, r.weights)
+    Jinv, dV = kernels_geometry.reference_geometry(shape, points, cells, r.dN, r.weights)
     u, p = np.zeros((nodes, 3)), np.zeros(len(modes))
-    kernels.kinematics(shape, cells, u, r.dN, Jinv)
-    F = kernels.deformation_gradients(shape, cells, u, r.dN, Jinv)
+    kernels_geometry.kinematics(shape, cells, u, r.dN, Jinv)
+    F = kernels_geometry.deformation_gradients(shape, cells, u, r.dN, Jinv)
     bar, directions, scale = spectral.principal_stretches(F)
     one = np.ones((6, *dV.shape))
     more, material = spectral.spectral_response(bar, directions, scale, one[:3].copy(), one)

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels
+from turgor.engine import kernels_geometry
 from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
 from turgor.engine.system import System
 from turgor.errors import TurgorError
@@ -71,4 +71,4 @@ def _volumes(mesh: Mesh, points: Array) -> Array:
     """Volume (c, q) that belongs to each integration point of the mass."""
     nodes = mesh.cell_type.nodes
     r = reference_cell(nodes, CELL_QUADRATURE_DEGREE)
-    return np.asarray(kernels.reference_geometry((0,) * nodes, points, mesh.cells, r.dN, r.weights)[1])
+    return np.asarray(kernels_geometry.reference_geometry((0,) * nodes, points, mesh.cells, r.dN, r.weights)[1])
