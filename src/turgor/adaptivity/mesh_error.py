@@ -42,8 +42,11 @@ LEAST_GROWTH = {10: 2.0, 27: 2.5}
 #: The same on a mesh that was refined already, where the error is spread over many cells.
 LEAST_GROWTH_REFINED = 3.0
 
-#: A factorization of n unknowns takes n to this power (`docs/theory`), and a state found again needs so many of them.
-COST_EXPONENT, FACTORIZATIONS = 1.5, 2.5
+#: A factorization of n unknowns takes n to this power.
+COST_EXPONENT = 1.5
+
+#: Factorizations that a state needs to be found again, and one in which walls touch.
+FACTORIZATIONS, FACTORIZATIONS_TOUCHING = 2.5, 15.0
 
 #: The estimate is the difference between the meshes times the first number, over the captured share of the error to the
 #: power of the second one; set on the truth set (`docs/truth.md`).
@@ -189,7 +192,9 @@ def plan(solution: Solution, refined_before: bool) -> tuple[int, float]:
 
     Work is counted in factorizations, so that the estimate does not depend on how busy the machine is.
     """
-    affordable = SHARE_OF_WORK * max(solution.timing.factorizations, 1) / FACTORIZATIONS
+    touching = any(touch.area > 0 for touch in solution.states[-1].touches.values())
+    needed = FACTORIZATIONS_TOUCHING if touching else FACTORIZATIONS
+    affordable = SHARE_OF_WORK * max(solution.timing.factorizations, 1) / needed
     count = 1
     while count < len(PLACES) and (affordable / (count + 1)) ** (1 / COST_EXPONENT) > ENOUGH_GROWTH:
         count += 1
