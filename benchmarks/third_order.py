@@ -1,0 +1,274 @@
+"""An independent code for the truth set: displacement of third order and mean stress of second order, in NGSolve.
+
+Nothing of turgor's engine is used: NGSolve meshes the CAD shape with curved cells of its own, differentiates the
+energies by itself and factorizes with its own solver. Shared are the dimensions, the materials (the energy of a law is
+called with NGSolve's symbols) and the definitions of the measures. Units are mm, N and MPa.
+
+The mean stress is continuous within a region and jumps between regions, hence at membranes and wound faces as well.
+Path: elements of second order take the load in steps; the third order starts from their end and needs few iterations.
+NGSolve is for development only: its wheel carries UMFPACK (GPL). Its factorization calls the split matrix singular
+anyway; `sparsecholesky` factorizes it.
+
+    python benchmarks/third_order.py CASE [SIZE in mm] [ORDER]
+"""
+
+import math
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import ngsolve as ng
+import numpy as np
+
+import turgor as tg
+from turgor.model.supports import Radial
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+MPA, MM = 1e6, 1e-3
+#: Bulk modulus [MPa] of rubbers that keep their volume: the zero block of the matrix gets a small negative diagonal.
+NEARLY_INCOMPRESSIBLE = 1e5
+#: Stiffness that holds the radius of a face [MPa/mm]; rubber walls have about 0.1.
+RADIAL_PENALTY = 1e4
+ITERATIONS = 14
+AXES = {"x": 0, "y": 1, "z": 2}
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A case on a mesh with elements of some order."""
+
+    case: Any
+    mesh: ng.Mesh
+    order: int
+    space: ng.FESpace
+    load: ng.Parameter
+    form: ng.BilinearForm
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """Measures at the full load, by name, in the unit of the measure, and what they cost."""
+
+    values: dict[str, float]
+    cells: int
+    unknowns: int
+    seconds: float
+    change: float
+
+
+def curved_mesh(case: Any, size: float, order: int, grading: float = 0.5) -> ng.Mesh:
+    """Mesh the CAD shape of a case at a size [mm], with cells that are curved to an order."""
+    shape = case.actuator.build()._shape
+    for face in shape.faces:
+        if face.name in case.face_sizes:
+            face.maxh = min(size, case.face_sizes[face.name])
+    mesh = ng.Mesh(shape.GenerateMesh(maxh=size, grading=grading, curvaturesafety=2.0, ngs_mesh=False))
+    mesh.Curve(order)
+    return mesh
+
+
+def problem(case: Any, mesh: ng.Mesh, order: int) -> Problem:
+    """Spaces and the energy of a case."""
+    held = {axis: held_faces(case, mesh, axis) for axis in "xyz"}
+    V = ng.VectorH1(mesh, order=order, dirichletx=held["x"], dirichlety=held["y"], dirichletz=held["z"])
+    regions = sorted(set(mesh.GetMaterials()))
+    parts = [ng.H1(mesh, order=order - 1, definedon=mesh.Materials(name)) for name in regions]
+    space = ng.FESpace([V] + [ng.Compress(part, active_dofs=part.FreeDofs()) for part in parts])
+    u, *means = space.TrialFunction()
+    load = ng.Parameter(0.0)
+    form = ng.BilinearForm(space, symmetric=True)
+    for name, mean in zip(regions, means, strict=True):
+        energy = rubber_energy(case.materials[name], u, mean)
+        form += ng.Variation(energy.Compile() * ng.dx(name, bonus_intorder=2 * order - 3))
+    for where, energy in surface_energies(case, u, load):
+        form += ng.Variation(energy.Compile() * ng.ds(where, bonus_intorder=order))
+    return Problem(case, mesh, order, space, load, form)
+
+
+def held_faces(case: Any, mesh: ng.Mesh, axis: str) -> str:
+    """Faces that do not move along an axis, as NGSolve takes them: supports and mirror planes."""
+    names = {s.face for s in case.supports if isinstance(s, tg.Fixed) and axis in s.directions}
+    return "|".join(sorted(names | ({f"symmetry_{axis}"} & set(mesh.GetBoundaries()))))
+
+
+def rubber_energy(material: tg.Material, u: Any, mean: Any) -> Any:
+    """Energy density W(Ī₁, Ī₂) + p (J − 1) − p²/(2κ)."""
+    F = ng.Id(3) + ng.Grad(u)
+    C, J = F.trans * F, ng.Det(F)
+    first = ng.Trace(C)
+    second = 0.5 * (first * first - ng.Trace(C * C))
+    isochoric = material.law.energy(first * J ** (-2 / 3), second * J ** (-4 / 3)) / MPA
+    bulk = material.bulk_modulus / MPA if math.isfinite(material.bulk_modulus) else NEARLY_INCOMPRESSIBLE
+    return isochoric + mean * (J - 1) - mean * mean / (2 * bulk)
+
+
+def surface_energies(case: Any, u: Any, load: Any) -> Iterator[tuple[str, Any]]:
+    """Faces and their energies per area: pressure, membranes, fibers, held radii."""
+    normal = ng.specialcf.normal(3)
+    tangential = ng.Id(3) - ng.OuterProduct(normal, normal)
+    F = ng.Id(3) + ng.Grad(u).Trace()
+    moved = ng.CF((ng.x, ng.y, ng.z)) + u.Trace()
+    for face, pressure in case.pressures.items():  # −p V, V = −∫ x · cof(F) N / 3: the normal points into the cavity
+        yield face, load * pressure * 1e3 / MPA / 3 * ng.InnerProduct(moved, ng.Cof(F) * normal)
+    for face, sheet in case.materials.items():
+        if isinstance(sheet, tg.Membrane):
+            yield face, membrane_energy(sheet, F * tangential, tangential)
+    for fibers in case.reinforcements:
+        names = (fibers.face,) if isinstance(fibers.face, str) else fibers.face
+        for direction in thread_directions(fibers, normal, tangential):
+            yield "|".join(names), thread_energy(fibers, ng.Norm(F * direction))
+    for support in case.supports:
+        if isinstance(support, Radial):
+            arm = ng.CF((0.0, ng.y, ng.z))  # the axis is x
+            yield support.face, RADIAL_PENALTY / 2 * (u.Trace() * arm / ng.Norm(arm)) ** 2
+
+
+def membrane_energy(sheet: tg.Membrane, F: Any, tangential: Any) -> Any:
+    """Plane stress of Hooke's law in Green's strain of the surface, times the thickness [N/mm]."""
+    law = sheet.material.law
+    strain = 0.5 * (F.trans * F - tangential)
+    squares, trace = ng.InnerProduct(strain, strain), ng.Trace(strain)
+    factor = law.E / MPA / (1 - law.nu**2) * sheet.thickness / MM / 2
+    return factor * ((1 - law.nu) * squares + law.nu * trace * trace)
+
+
+def thread_directions(fibers: tg.Fibers, normal: Any, tangential: Any) -> Iterator[Any]:
+    """Directions of the threads in their face; right-handed ones turn counterclockwise around x as they advance."""
+    winding = fibers.winding
+    angle = winding.angle_from_axis
+    if angle is None:
+        angle = math.pi / 2 - winding.angle_from_circumference
+    axis = ng.CF(winding.axis)
+    lengthwise = tangential * axis
+    lengthwise = lengthwise / ng.Norm(lengthwise)
+    around = ng.Cross(axis, normal)
+    around = around / ng.Norm(around)
+    one = angle < 1e-9 or angle > math.pi / 2 - 1e-9 or winding.hand == "right"
+    for turn in (1.0,) if one else (-1.0,) if winding.hand == "left" else (1.0, -1.0):
+        yield math.cos(angle) * lengthwise + turn * math.sin(angle) * around
+
+
+def thread_energy(fibers: tg.Fibers, stretch: Any) -> Any:
+    """½ E A (λ − 1)² over the spacing [N/mm]; below λ = 1 the share that is left in compression."""
+    stiffness = fibers.stretching_stiffness / (fibers.winding.spacing / MM)
+    share = ng.IfPos(stretch - 1, 1.0, fibers.compression)
+    return 0.5 * stiffness * share * (stretch - 1) * (stretch - 1)
+
+
+def newton(task: Problem, solution: ng.GridFunction, tolerance: float = 1e-8) -> float | None:
+    """Newton's method at the present load; the last relative correction, None where it does not converge."""
+    residual, update = solution.vec.CreateVector(), solution.vec.CreateVector()
+    moved = len(solution.components[0].vec)
+    for _ in range(ITERATIONS):
+        task.form.Apply(solution.vec, residual)
+        task.form.AssembleLinearization(solution.vec)
+        update.data = task.form.mat.Inverse(task.space.FreeDofs(), inverse="sparsecholesky") * residual
+        solution.vec.data -= update
+        step = np.linalg.norm(update.FV().NumPy()[:moved])
+        size = step / max(np.linalg.norm(solution.vec.FV().NumPy()[:moved]), 1e-12)
+        if not math.isfinite(size) or size > 1e6:
+            return None
+        if size < tolerance:
+            return float(size)
+    return None
+
+
+def follow(task: Problem, first: float = 0.25) -> ng.GridFunction:
+    """Take the load in steps, each predicted from the two states before; halve a step that fails."""
+    now, before = ng.GridFunction(task.space), ng.GridFunction(task.space)
+    at, last, step = 0.0, 0.0, first
+    while at < 1:
+        wanted = min(1.0, at + step)
+        trial = ng.GridFunction(task.space)
+        trial.vec.data = now.vec
+        if at > last:
+            trial.vec.data += (wanted - at) / (at - last) * (now.vec - before.vec)
+        task.load.Set(wanted)
+        if newton(task, trial) is None:
+            step /= 2
+            if step < 1e-3:
+                raise RuntimeError(f"third order, {task.case.name}: no convergence past load factor {at:g}")
+            continue
+        before.vec.data, last = now.vec, at
+        now.vec.data, at = trial.vec, wanted
+    return now
+
+
+def raised(task: Problem, start: ng.GridFunction) -> ng.GridFunction:
+    """The solution of a higher order at the full load, from the end of a lower one."""
+    solution = ng.GridFunction(task.space)
+    solution.components[0].Set(start.components[0])
+    task.load.Set(1.0)
+    regions = sorted(set(task.mesh.GetMaterials()))
+    for number, name in enumerate(regions, 1):
+        solution.components[number].Set(start.components[number], definedon=task.mesh.Materials(name))
+    if newton(task, solution) is None:
+        print(f"{task.case.name}: the higher order starts from zero load", file=sys.stderr)
+        return follow(task)
+    return solution
+
+
+def measures(task: Problem, solution: ng.GridFunction) -> dict[str, float]:
+    """Measures as `turgor.results.measures` defines them, of the whole actuator."""
+    mesh, u = task.mesh, solution.components[0]
+    normal, F = ng.specialcf.normal(3), ng.Id(3) + ng.Grad(u).Trace()
+    rest, moved = ng.CF((ng.x, ng.y, ng.z)), ng.CF((ng.x, ng.y, ng.z)) + u
+    planes = [AXES[name[-1]] for name in set(mesh.GetBoundaries()) if name.startswith("symmetry_")]
+    mirrored = np.array([0.0 if axis in planes else 1.0 for axis in range(3)])
+
+    def over(what: Any, where: str) -> np.ndarray:
+        return np.array(ng.Integrate(what, mesh, ng.BND, definedon=mesh.Boundaries(where), order=2 * task.order + 4))
+
+    area = float(over(ng.CF(1.0), "tip"))
+    shift = over(u, "tip") / area * mirrored
+    vector = over(ng.Cof(F) * normal, "tip") * mirrored
+    middle, center = over(rest, "tip") / area, over(moved, "tip") / area
+    spread = over(ng.OuterProduct(moved - ng.CF(tuple(center)), rest - ng.CF(tuple(middle))), "tip").reshape(3, 3)
+    left, _, right = np.linalg.svd(spread)
+    turned = left @ np.diag([1.0, 1.0, np.linalg.det(left @ right)]) @ right
+    twist = 0.0 if planes else 2 * math.atan2(turned[2, 1] - turned[1, 2], 1 + np.trace(turned))
+    cavities = "|".join(sorted({name for name in mesh.GetBoundaries() if name.startswith("cavity")}))
+    volume = -float(over(ng.InnerProduct(moved, ng.Cof(F) * normal), cavities)) / 3 * 2 ** len(planes)
+    return {
+        "bending_angle": math.degrees(math.atan2(-vector[2], vector[0])),
+        "tip_displacement": float(np.linalg.norm(shift)),
+        **{f"tip_displacement_{axis}": float(shift[i]) for axis, i in AXES.items()},
+        "twist_angle": math.degrees(twist),
+        "cavity_volume": volume / 1e3,
+    }
+
+
+def solve(case: Any, size: float, order: int = 3) -> Found:
+    """Measures of a case at a size [mm]: second order along the path, then the order asked for."""
+    start = time.process_time()
+    mesh = curved_mesh(case, size, order)
+    task = problem(case, mesh, 2)
+    solution = follow(task)
+    before = measures(task, solution)
+    if order > 2:
+        task = problem(case, mesh, order)
+        solution = raised(task, solution)
+    values = measures(task, solution)
+    main = case.measures[0].name
+    change = values[main] / before[main] - 1
+    return Found(values, mesh.ne, sum(task.space.FreeDofs()), time.process_time() - start, change)
+
+
+def main() -> None:
+    """Solve one case and print its measures."""
+    from truth_cases import CASES
+
+    case = next(case for case in CASES if case.name == sys.argv[1])
+    size = float(sys.argv[2]) if len(sys.argv) > 2 else case.third_order_size
+    found = solve(case, size, int(sys.argv[3]) if len(sys.argv) > 3 else 3)
+    for each in case.measures:
+        print(f"{each.name} {found.values[each.name]:.6g} {each.unit}")
+    print(f"{found.cells} cells, {found.unknowns} unknowns, {found.seconds:.0f} CPU s; order 2 to 3: {found.change:+.3%}")
+
+
+if __name__ == "__main__":
+    main()
