@@ -159,12 +159,17 @@ def thread_energy(fibers: tg.Fibers, stretch: Any) -> Any:
     return 0.5 * stiffness * share * (stretch - 1) * (stretch - 1)
 
 
-def newton(task: Problem, solution: ng.GridFunction, tolerance: float = 1e-8) -> float | None:
-    """Newton's method at the present load; the last relative correction, None where it does not converge."""
+def newton(task: Problem, solution: ng.GridFunction, left: Any = None, tolerance: float = 1e-8) -> float | None:
+    """Newton's method at the present load; the last relative correction, None where it does not converge.
+
+    ``left`` is the imbalance that shall remain, none by default.
+    """
     residual, update = solution.vec.CreateVector(), solution.vec.CreateVector()
     moved = len(solution.components[0].vec)
     for _ in range(ITERATIONS):
         task.form.Apply(solution.vec, residual)
+        if left is not None:
+            residual -= left
         task.form.AssembleLinearization(solution.vec)
         update.data = task.form.mat.Inverse(task.space.FreeDofs(), inverse="sparsecholesky") * residual
         solution.vec.data -= update
@@ -206,10 +211,26 @@ def raised(task: Problem, start: ng.GridFunction) -> ng.GridFunction:
     regions = sorted(set(task.mesh.GetMaterials()))
     for number, name in enumerate(regions, 1):
         solution.components[number].Set(start.components[number], definedon=task.mesh.Materials(name))
-    if newton(task, solution) is None:
-        print(f"{task.case.name}: the higher order starts from zero load", file=sys.stderr)
-        return follow(task)
-    return solution
+    return balanced(task, solution)
+
+
+def balanced(task: Problem, start: ng.GridFunction) -> ng.GridFunction:
+    """Take the imbalance of a start away: at once, or in steps where Newton's method would not converge."""
+    imbalance, left = start.vec.CreateVector(), start.vec.CreateVector()
+    task.form.Apply(start.vec, imbalance)
+    now, at, step = start, 0.0, 1.0
+    while at < 1:
+        trial = ng.GridFunction(task.space)
+        trial.vec.data = now.vec
+        wanted = min(1.0, at + step)
+        left.data = (1 - wanted) * imbalance
+        if newton(task, trial, left) is None:
+            step /= 2
+            if step < 1e-3:
+                raise RuntimeError(f"third order, {task.case.name}: no balance from the second order's end")
+            continue
+        now, at = trial, wanted
+    return now
 
 
 def measures(task: Problem, solution: ng.GridFunction) -> dict[str, float]:
