@@ -6,9 +6,10 @@ stiff, ν = 0.499, follower pressure to 100 kPa, which bends it by more than 90�
 Reference: dolfinx 0.5.2 with Taylor–Hood elements on the same straight-edged mesh, `reference_S.csv`.
 Source: `data/reference_bender/SOURCE.md`.
 Tolerance: 1e-5 of the length of the tip displacement, and 1e-5 of the volume, at each of the 20 steps. The
-elements, the mesh and the exactness of the quadrature are the same, so only Newton tolerances and the digits of the
-table remain (1e-6 mm in a displacement of 0.56 mm at the first step). Codes that integrate otherwise differ more:
-NGSolve by 1e-4, and 2e-4 is asked for.
+elements, the mesh and the exactness of the quadrature are the same: the formulation is "continuous", as in the peers,
+which is 50 % off at the first step, because the mean stress jumps at the stiff bottom. So only Newton tolerances and
+the digits of the table remain (1e-6 mm in a displacement of 0.56 mm at the first step). Codes that integrate otherwise
+differ more: NGSolve by 1e-4, and 2e-4 is asked for.
 """
 
 import csv
@@ -61,7 +62,8 @@ def test_tip_and_volume_of_all_steps(record_verification):
         "soft": problems.rubber(soft, _bulk_modulus(soft)),
         "stiff": problems.rubber(stiff, _bulk_modulus(stiff)),
     }
-    model = tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", pressures[-1] * MPA)])
+    loads = [tg.Pressure("cavity", pressures[-1] * MPA)]
+    model = tg.Model(mesh, materials, [tg.Fixed("fixed")], loads, formulation="continuous")
     factors = tuple(pressures / pressures[-1])
     solution = problems.solve(model, tg.Static(first_step=0.05, max_step=0.1, at=factors, tolerance=1e-8))
     states = [problems.state_at(solution, factor) for factor in factors]

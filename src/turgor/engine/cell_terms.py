@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from turgor.engine import kernels
 from turgor.engine.cell_materials import CellMaterials, Isochoric
-from turgor.engine.element import element_of
+from turgor.engine.element import element_of, volume_stiffness
 from turgor.engine.pattern import Pattern, locate, scatter_add
 from turgor.errors import TurgorError
 from turgor.model.model import Model
@@ -38,6 +38,8 @@ class CellTerms:
     Jinv, dV : (c, q, 3, 3), (c, q) arrays
         Inverse Jacobians and volumes of the quadrature points.
     materials : CellMaterials
+    penalty : (c,) array
+        Scaled γ of the volume term of each cell.
     mean_stress_volumes : (m,) array
         Volume that belongs to each mean stress.
     unknowns : (c, s) int array
@@ -55,6 +57,7 @@ class CellTerms:
         shares = self.dV @ r.M[:, : len(e.modes)]
         self.mean_stress_volumes = np.bincount(e.mean.ravel(), shares.ravel(), minlength=e.mean_count)
         self.materials = CellMaterials(model, stress, len(r.weights))
+        self.penalty = volume_stiffness(model, e, self.materials.compliance, stress)
         chosen = self.materials.gradient_cells
         self._gradient_Jinv = self.Jinv if len(chosen) == len(self.cells) else self.Jinv[chosen]
         self.unknowns = _unknowns(self.cells, e.mean, len(points))
@@ -93,20 +96,21 @@ class CellTerms:
         return np.asarray(
             kernels.residual(
                 e.shape, e.modes, self.cells, e.mean, u, p, r.dN, r.M, self.Jinv, self.dV, W[0], W[1],
-                self.materials.rows, laws.stress, self.materials.compliance,
+                self.materials.rows, laws.stress, self.materials.compliance, self.penalty,
             )
         )  # fmt: skip
 
     def add_tangents(self, data: Array, u: Array, p: Array, laws: Isochoric, geometric: Array | None) -> None:
         """Add the Hessians of all cells to the tangent, with stresses (c, q, 6) of their own in its geometric part."""
         e, r = self.element, self.element.tables
-        compliance = np.maximum(self.materials.compliance, REGULARIZATION)
+        compliance, penalty = np.maximum(self.materials.compliance, REGULARIZATION), self.penalty
         nothing = np.zeros((1, 1, 6))
         for chunk in self._chunks():
             packed = kernels.tangent(
                 e.shape, e.modes, self.cells[chunk], e.mean[chunk], u, p, r.dN, r.M, self.Jinv[chunk], self.dV[chunk],
                 np.ascontiguousarray(laws.derivatives[:, chunk]), self.materials.rows[chunk], laws.stress, laws.tangent,
-                compliance[chunk], nothing if geometric is None else geometric[chunk], geometric is not None,
+                (compliance[chunk], penalty[chunk]),
+                nothing if geometric is None else geometric[chunk], geometric is not None,
             )  # fmt: skip
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
 
@@ -121,7 +125,7 @@ class CellTerms:
         return np.asarray(
             kernels.extrapolated_stress(
                 e.shape, e.modes, self.cells, e.mean, *at, *update, r.dN, r.M, self.Jinv, laws.derivatives,
-                self.materials.rows, laws.stress, laws.tangent, self.materials.compliance,
+                self.materials.rows, laws.stress, laws.tangent, self.materials.compliance, self.penalty,
             )
         )  # fmt: skip
 

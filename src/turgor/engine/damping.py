@@ -45,6 +45,7 @@ class StrainRateDamping:
         by_cell = kernels.residual(
             e.shape, e.modes, system.cells, e.mean, u, np.zeros(max(e.mean_count, 1)), r.dN, r.M, system.Jinv,
             system.dV, none, none, self._rows, self._stress(unknowns), self._no_bulk(),
+            np.zeros(len(self._rows)),
         )  # fmt: skip
         return system.gathered(by_cell[:, : 3 * len(e.shape)])
 
@@ -57,8 +58,8 @@ class StrainRateDamping:
         material[:] = (self._rate * self._viscosity)[:, None, None] * _deviator_moduli()
         packed = kernels.tangent(
             e.shape, e.modes, system.cells, e.mean, u, np.zeros(max(e.mean_count, 1)), r.dN, r.M, system.Jinv,
-            system.dV, np.zeros((5, count, points)), self._rows, self._stress(unknowns), material, self._no_bulk(),
-            np.zeros((1, 1, 6)), False,
+            system.dV, np.zeros((5, count, points)), self._rows, self._stress(unknowns), material,
+            (self._no_bulk(), np.zeros(len(self._rows))), np.zeros((1, 1, 6)), False,
         )  # fmt: skip
         rows, _ = np.tril_indices(system.cell_size)
         chosen = np.flatnonzero(rows < 3 * len(e.shape))

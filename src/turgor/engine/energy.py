@@ -22,7 +22,9 @@ def stored_energy(system: System, unknowns: Array) -> float:
     F = kernels.deformation_gradients(e.shape, system.cells[chosen], u, r.dN, system.Jinv[chosen])
     compliance = rubber.compliance[:, None]
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean]) if e.modes else (J - 1) / compliance
+    lost = J - 1 - mean * compliance
     density = rubber.energy(I1, I2, F) / system.stress + 0.5 * mean**2 * compliance
+    density += 0.5 * system.rubber.penalty[:, None] * lost**2
     position = system.points + u
     faces = system.faces.membrane_energy(position) + system.faces.fiber_energy(position)
     return (float((system.dV * density).sum()) + faces) * system.stress * system.length**3

@@ -1,9 +1,10 @@
 """Compiled loops over quadratic cells: kinematics, residual and tangent of the mixed formulation.
 
-The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) dV with quadratic displacement and linear mean stress p. A
-cell without mean stresses of its own, for comparison with codes that have no mixed element, takes p = κ (J − 1) at each
-point. The numbers of nodes and of mean stresses come as the lengths of two tuples, ``shape`` and ``modes``, so that the
-compiler knows them and unrolls: one compiled version for each kind of cell.
+The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) + γ/2 (J − 1 − p/κ)² dV with quadratic displacement and
+linear mean stress p; γ, ``penalty`` in the loops, is zero except in hexahedra (`turgor.engine.element`). A cell without
+mean stresses of its own, for comparison with codes that have no mixed element, takes p = κ (J − 1) at each point. The
+numbers of nodes and of mean stresses come as the lengths of two tuples, ``shape`` and ``modes``, so that the compiler
+knows them and unrolls: one compiled version for each kind of cell.
 
 Stress and tangent are formed once per point in the reference configuration (second Piola–Kirchhoff S and 4 ∂²W/∂C²),
 pushed to ∂P/∂F and contracted with the shape function gradients; node loops run over contiguous arrays so that the
@@ -140,11 +141,19 @@ def _mean_stress(modes, M, p, mean, J, compliance):
 
 
 @njit(cache=True, fastmath=_FAST)
-def _bulk_modulus(modes, compliance):
-    """κ where the mean stress is a function of the displacement, zero where it is an unknown."""
+def _lost_volume(modes, J, mean, compliance):
+    """J − 1 − p/κ: what the volume ratio misses of what the mean stress says; nothing where it follows from J."""
+    if len(modes) == 0:
+        return 0.0
+    return J - 1.0 - mean * compliance
+
+
+@njit(cache=True, fastmath=_FAST)
+def _bulk_modulus(modes, compliance, penalty):
+    """κ where the mean stress is a function of the displacement, γ where it is an unknown."""
     if len(modes) == 0:
         return 1.0 / compliance
-    return 0.0
+    return penalty
 
 
 @njit(cache=True, fastmath=_FAST)
@@ -257,7 +266,7 @@ def _push(F, D, S, A):
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, stress, compliance):
+def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, stress, compliance, penalty):
     """Gradient of the energy by cell: internal forces (node by node), then volume constraints."""
     count, q_count = len(cells), len(dN)
     out = np.empty((count, 3 * len(shape) + len(modes)))
@@ -282,7 +291,8 @@ def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, str
             pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
-            _stress(C, Ci, J, W1[c, q], W2[c, q], pq, s1, s2, T, S)
+            lost = _lost_volume(modes, J, pq, compliance[c])
+            _stress(C, Ci, J, W1[c, q], W2[c, q], pq + penalty[c] * lost, s1, s2, T, S)
             if rows[c] >= 0:
                 _add_stress(stress[rows[c], q], S)
             w = dV[c, q]
@@ -293,14 +303,16 @@ def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, str
             for a in range(len(shape)):
                 for i in range(3):
                     out[c, 3 * a + i] += P[i, 0] * G[0, a] + P[i, 1] * G[1, a] + P[i, 2] * G[2, a]
-            volume = w * (J - 1.0 - pq * compliance[c])
+            volume = w * lost * (1.0 - penalty[c] * compliance[c])
             for m in range(len(modes)):
                 out[c, 3 * len(shape) + m] += M[q, m] * volume
     return out
 
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
-def extrapolated_stress(shape, modes, cells, mean, u, p, du, dp, dN, M, Jinv, W, rows, stress, material, compliance):
+def extrapolated_stress(
+    shape, modes, cells, mean, u, p, du, dp, dN, M, Jinv, W, rows, stress, material, compliance, penalty
+):
     """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 6).
 
     It enters the geometric stiffness of the next iteration in place of the stress itself: the mixed integration
@@ -336,11 +348,13 @@ def extrapolated_stress(shape, modes, cells, mean, u, p, du, dp, dN, M, Jinv, W,
             dpq = 0.0
             for m in range(len(modes)):
                 dpq += M[q, m] * dp[mean[c, m]]
+            dpq *= 1.0 - penalty[c] * compliance[c]
+            pq += penalty[c] * _lost_volume(modes, J, pq, compliance[c])
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
-            bulk = _bulk_modulus(modes, compliance[c])
+            bulk = _bulk_modulus(modes, compliance[c], penalty[c])
             _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, bulk, D)
             if rows[c] >= 0:
                 _add_stress(stress[rows[c], q], S)
@@ -402,15 +416,17 @@ def _pack(shape, modes, K, Kup, Kpp, out):
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
 def tangent(
-    shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W, rows, stress, material, compliance, geometric, use_geometric
+    shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W, rows, stress, material, volume, geometric, use_geometric
 ):
     """Hessian of the energy by cell, lower triangles packed row by row.
 
-    ``stress`` (s, q, 6) and ``material`` (s, q, 21), lower triangles, are those of laws in stretches; ``geometric``
+    ``stress`` (s, q, 6) and ``material`` (s, q, 21), lower triangles, are those of laws in stretches; ``volume`` is
+    the pair of compliance and penalty, (c,) each; ``geometric``
     (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set.
     """
     count, q_count = len(cells), len(dN)
     unknowns = 3 * len(shape) + len(modes)
+    compliance, penalty = volume
     out = np.empty((count, unknowns * (unknowns + 1) // 2))
     for c in prange(count):
         ue = np.empty((3, len(shape)))
@@ -435,11 +451,12 @@ def tangent(
             _deformation_gradient(shape, ue, G, F)
             J = _cofactor(F, Cof)
             pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
+            pq += penalty[c] * _lost_volume(modes, J, pq, compliance[c])
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
-            bulk = _bulk_modulus(modes, compliance[c])
+            bulk = _bulk_modulus(modes, compliance[c], penalty[c])
             _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, bulk, D)
             if rows[c] >= 0:
                 _add_stress(stress[rows[c], q], S)
@@ -450,14 +467,15 @@ def tangent(
             _push(F, D, S, A)
             w = dV[c, q]
             _add_point(shape, G, A, w, T9, K)
+            coupled = w * (1.0 - penalty[c] * compliance[c])
             for i in range(3):
                 for a in range(len(shape)):
-                    T9[i, a] = w * (Cof[i, 0] * G[0, a] + Cof[i, 1] * G[1, a] + Cof[i, 2] * G[2, a])
+                    T9[i, a] = coupled * (Cof[i, 0] * G[0, a] + Cof[i, 1] * G[1, a] + Cof[i, 2] * G[2, a])
             for m in range(len(modes)):
                 for i in range(3):
                     for a in range(len(shape)):
                         Kup[m, i, a] += M[q, m] * T9[i, a]
                 for n in range(m + 1):
-                    Kpp[m, n] -= w * compliance[c] * M[q, m] * M[q, n]
+                    Kpp[m, n] -= coupled * compliance[c] * M[q, m] * M[q, n]
         _pack(shape, modes, K, Kup, Kpp, out[c])
     return out

@@ -17,7 +17,8 @@ from turgor.model.loads import Gravity, Load, Pressure, Traction
 from turgor.model.supports import Displacement, Support, Symmetry
 
 #: Formulations of the cells.
-MIXED, DISPLACEMENT = "mixed", "displacement"
+MIXED, CONTINUOUS, DISPLACEMENT = "mixed", "continuous", "displacement"
+FORMULATIONS = (MIXED, CONTINUOUS, DISPLACEMENT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +66,9 @@ class Model:
         What drives it; each reaches its stated value at load factor 1, or as its history says.
     formulation : str
         ``"mixed"``: a mean stress is an unknown beside the displacement, and cells do not lock, however incompressible
-        the rubber. ``"displacement"``: there is none, as in codes without mixed elements; for comparisons with these.
+        the rubber. It jumps where stiffness or traction jumps: between different rubbers, at membranes and windings.
+        ``"continuous"``: the mean stress is continuous everywhere, as in the usual Taylor–Hood element of other codes.
+        ``"displacement"``: there is none, as in codes without mixed elements. Both are for comparisons with these.
     reinforcements : sequence of Fibers
         Threads wound on faces.
     contact : Contact
@@ -152,8 +155,8 @@ class Model:
             raise TurgorError(f"obstacle '{obstacle}': face '{face}' lies inside the actuator; nothing can touch it.")
 
     def _check_formulation(self) -> None:
-        if self.formulation not in (MIXED, DISPLACEMENT):
-            raise unknown("formulation", self.formulation, (MIXED, DISPLACEMENT))
+        if self.formulation not in FORMULATIONS:
+            raise unknown("formulation", self.formulation, FORMULATIONS)
         for name, material in self.region_materials.items():
             if self.formulation == DISPLACEMENT and material.incompressible:
                 raise TurgorError(

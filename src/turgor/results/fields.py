@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.element import element_of
 from turgor.engine.fields import CellFields, cell_fields, nodal_average
 from turgor.engine.reference import reference_nodes, tables_at
 from turgor.engine.threads import Threads, discrete_threads
@@ -134,13 +135,11 @@ class StateFields:
 
     @cached_property
     def mean_stress(self) -> Array:
-        """Mean stress at every node, (n,) [Pa]: the multiplier at vertices, interpolated between them elsewhere."""
+        """Mean stress at every node, (n,) [Pa]: that of the cells around it, averaged where it jumps."""
         if self.model.formulation == DISPLACEMENT:
             return nodal_average(self.mesh, self.cells.mean_stress)
-        corners = self.mesh.cell_type.corners
-        out = np.empty(len(self.mesh.points))
-        out[: self.mesh.vertex_count] = self.state.mean_stress
         nodes = reference_nodes(self.mesh.cells.shape[1])
-        between = tables_at(self.mesh.cells.shape[1], nodes, np.ones(len(nodes))).M[corners:]
-        out[self.mesh.cells[:, corners:]] = self.state.mean_stress[self.mesh.cells[:, :corners]] @ between.T
-        return out
+        between = tables_at(self.mesh.cells.shape[1], nodes, np.ones(len(nodes))).M
+        values = self.state.mean_stress[element_of(self.model).mean] @ between.T
+        total = np.bincount(self.mesh.cells.ravel(), values.ravel(), minlength=len(self.mesh.points))
+        return np.asarray(total / np.bincount(self.mesh.cells.ravel(), minlength=len(self.mesh.points)))

@@ -72,7 +72,8 @@ class State:
     displacement : (n, 3) array [m]
         Displacement of every node.
     mean_stress : (m,) array [Pa]
-        Multipliers of the volume constraint at each vertex (tension positive); none in the displacement formulation.
+        Multipliers of the volume constraint (tension positive): at each vertex, then more where it jumps at a vertex
+        (`turgor.engine.element`); none in the displacement formulation.
     nodal_force : (n, 3) array [N]
         Internal minus external force at every node: zero where it is free, the support's reaction where it is held.
     unstable_modes : int or None

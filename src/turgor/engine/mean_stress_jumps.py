@@ -1,0 +1,143 @@
+"""Where the mean stress may jump, and the numbers of the mean stresses when it does.
+
+Equilibrium makes the traction continuous across a border between two rubbers, not the mean stress: where the stiffness
+jumps, the mean stress jumps too. A field that is continuous there cannot follow. It pollutes a whole layer of cells on
+both sides, and more cells of the same size do not show it. Every vertex on such a border therefore carries one mean
+stress for each side.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from turgor.materials.material import Material
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.surface import cell_sides, corner_keys
+from turgor.model.loads import Pressure, Traction
+from turgor.model.model import CONTINUOUS, Model
+from turgor.model.supports import Symmetry
+
+Ints = NDArray[np.int64]
+
+
+def mean_stress_numbers(model: Model) -> tuple[Ints, int]:
+    """Number the mean stresses of a model's cells.
+
+    Cells on the two sides of a border between different rubbers, or of an inner face with a membrane, fibers, a support
+    or a load, share no mean stress across it. They still share it around the rim of such a face. The formulation
+    ``"continuous"`` has one mean stress for each vertex everywhere.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    numbers : (c, m) int array
+        Number of the mean stress at each corner of each cell. The first numbers are those of the vertices.
+    count : int
+        How many mean stresses there are.
+    """
+    if model.formulation == CONTINUOUS:
+        return _at_vertices(model.mesh), model.mesh.vertex_count
+    return _numbers(model.mesh, _alike(model), _acting(model))
+
+
+def _at_vertices(mesh: Mesh) -> Ints:
+    return np.ascontiguousarray(mesh.cells[:, : mesh.cell_type.corners])
+
+
+def _alike(model: Model) -> tuple[tuple[str, ...], ...]:
+    """Groups of regions whose rubber responds alike."""
+    groups: list[tuple[Material, list[str]]] = []
+    for name, material in model.region_materials.items():
+        for known, names in groups:
+            if _response(known) == _response(material):
+                names.append(name)
+                break
+        else:
+            groups.append((material, [name]))
+    return tuple(tuple(names) for _, names in groups)
+
+
+def _response(material: Material) -> tuple[object, ...]:
+    return material.law, material.bulk_modulus, material.viscoelasticity, material.stress_softening
+
+
+def _acting(model: Model) -> tuple[str, ...]:
+    """Faces on which something acts, so that the traction may jump there; a mirror plane is never inside."""
+    faces = set(model.membranes)
+    for fibers in model.reinforcements:
+        faces.update(fibers.faces)
+    faces.update(s.face for s in model.supports if not isinstance(s, Symmetry))
+    faces.update(load.face for load in model.loads if isinstance(load, Pressure | Traction))
+    return tuple(sorted(faces & set(model.mesh.faces)))
+
+
+@lru_cache(maxsize=4)
+def _numbers(mesh: Mesh, alike: tuple[tuple[str, ...], ...], acting: tuple[str, ...]) -> tuple[Ints, int]:
+    at_vertices, count = _at_vertices(mesh), len(mesh.points)
+    sides = cell_sides(mesh.cells)
+    keys = corner_keys(sides, count)
+    first, second = _twins(keys)
+    per_cell = len(mesh.cell_type.sides)
+    rubber = _rubber_of(mesh, alike)
+    jumps = rubber[first // per_cell] != rubber[second // per_cell]
+    for name in acting:
+        jumps |= np.isin(keys[first], corner_keys(mesh.face(name), count))
+    if not jumps.any():
+        return at_vertices, mesh.vertex_count
+    corners = mesh.cell_type.side.corners
+    bordering = np.zeros(count, dtype=bool)
+    bordering[sides[first[jumps], :corners]] = True
+    smooth = ~jumps & bordering[sides[first, :corners]].any(axis=1)
+    links = _links(mesh, sides, (first[smooth], second[smooth]))
+    return _numbered(at_vertices, bordering, links, mesh.vertex_count)
+
+
+def _twins(keys: Ints) -> tuple[Ints, Ints]:
+    """Pairs of cell sides that are the same side of the mesh."""
+    order = np.argsort(keys, kind="stable")
+    same = keys[order[1:]] == keys[order[:-1]]
+    return order[:-1][same], order[1:][same]
+
+
+def _rubber_of(mesh: Mesh, alike: tuple[tuple[str, ...], ...]) -> Ints:
+    rubber = np.zeros(len(mesh.cells), dtype=np.int64)
+    for number, names in enumerate(alike):
+        for name in names:
+            rubber[mesh.regions[name]] = number
+    return rubber
+
+
+def _links(mesh: Mesh, sides: Ints, pairs: tuple[Ints, Ints]) -> tuple[Ints, Ints]:
+    """Places (cell and corner, as one number) that share a mean stress through a side without a jump."""
+    kind = mesh.cell_type
+    corners, per_cell = kind.side.corners, len(kind.sides)
+    place_in_cell = np.array([side[:corners] for side in kind.sides])
+    ends = []
+    for chosen in pairs:
+        nodes = sides[chosen, :corners]
+        places = (chosen // per_cell)[:, None] * kind.corners + place_in_cell[chosen % per_cell]
+        ends.append(np.take_along_axis(places, np.argsort(nodes, axis=1), axis=1).ravel())
+    return ends[0], ends[1]
+
+
+def _numbered(
+    at_vertices: Ints, bordering: NDArray[np.bool_], links: tuple[Ints, Ints], first: int
+) -> tuple[Ints, int]:
+    """One number for each connected group of places at a bordering vertex; the vertex's own number for one of them."""
+    places = at_vertices.size
+    graph = coo_matrix((np.ones(len(links[0]), dtype=np.int8), links), shape=(places, places))
+    _, group = connected_components(graph, directed=False)
+    vertex = at_vertices.ravel()
+    split = np.flatnonzero(bordering[vertex])
+    pairs, inverse = np.unique(np.stack([vertex[split], group[split]], axis=1), axis=0, return_inverse=True)
+    keeps = np.concatenate([[True], pairs[1:, 0] != pairs[:-1, 0]])
+    numbers = np.where(keeps, pairs[:, 0], first + np.cumsum(~keeps) - 1)
+    out = vertex.copy()
+    out[split] = numbers[inverse.ravel()]
+    return np.ascontiguousarray(out.reshape(at_vertices.shape)), first + int((~keeps).sum())
