@@ -34,8 +34,11 @@ class Case:
         Size of turgor's own fine tetrahedra.
     kinds : tuple of str
         Cells that the family can be filled with.
-    first_step : float
-        First load step.
+    jumps : bool
+        Whether the mean stress jumps inside the body, so that the element of the version before is compared at more
+        sizes than the default one.
+    face_sizes : mapping of str to float [mm]
+        Smaller sizes of the independent code for some faces.
     """
 
     name: str
@@ -50,12 +53,13 @@ class Case:
     reinforcements: tuple[tg.Fibers, ...] = ()
     contact: tg.Contact = NO_CONTACT
     kinds: tuple[str, ...] = ("tetrahedra", "hexahedra")
+    jumps: bool = False
     face_sizes: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def touches(self) -> bool:
         """Whether walls meet, which the independent code cannot model."""
-        return self.contact.self_contact
+        return self.contact.automatic
 
     def model(self, mesh: tg.Mesh, formulation: str = "mixed") -> tg.Model:
         """The question on a mesh."""

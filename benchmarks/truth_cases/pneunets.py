@@ -21,6 +21,7 @@ CASES = (
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=2.0,
         fine_size=0.8,
+        jumps=True,
     ),
     Case(
         name="fast_pneunet_stiff_base",
@@ -31,6 +32,7 @@ CASES = (
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=2.0,
         fine_size=0.8,
+        jumps=True,
     ),
     Case(
         name="slow_pneunet",
@@ -41,6 +43,7 @@ CASES = (
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=2.0,
         fine_size=1.0,
+        jumps=True,
     ),
     Case(
         name="semicircular_bender",
@@ -51,6 +54,7 @@ CASES = (
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
         fine_size=1.2,
+        jumps=True,
     ),
     Case(
         name="fast_pneunet_contact",

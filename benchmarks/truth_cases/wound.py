@@ -1,16 +1,20 @@
 """Bodies wound with fibers: hoops that hold a radius, hoops and helices that are smeared over a face."""
 
+from dataclasses import replace
+
 import turgor as tg
 from truth_cases.case import Case
 from turgor.units import MPa, deg, mm
 
 RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12 * MPa))
 KEVLAR = tg.from_library("kevlar-fiber")
-PAPER = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
 THREAD = 0.1778 * mm
 HOOPS = tg.Winding(angle_from_axis=90 * deg, spacing=2 * mm)
+LENGTHWISE = tg.Winding(angle_from_axis=0.0, spacing=2 * mm)
 HELIX = tg.Winding(angle_from_axis=60 * deg, spacing=2 * mm, hand="right")
 DOUBLE = tg.Winding(angle_from_axis=70 * deg, spacing=2 * mm, hand="both")
+#: Threads that also take compression: where hoops of a bender go slack, thousands of them change sides at every step.
+ROD = tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=HOOPS, compression=1.0)
 WALLED = {"body": RUBBER, "skin": RUBBER}
 SKINNED = tg.FiberReinforcedCylinder(length=40 * mm, skin=1 * mm)
 
@@ -25,6 +29,7 @@ CASES = (
         supports=(tg.Fixed("fixed", "x"), tg.Radial("winding")),
         third_order_size=2.0,
         fine_size=1.0,
+        jumps=True,
     ),
     Case(
         name="wound_cylinder",
@@ -36,19 +41,22 @@ CASES = (
         reinforcements=(tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=DOUBLE),),
         third_order_size=2.0,
         fine_size=1.0,
+        jumps=True,
     ),
     Case(
         name="wound_bender",
-        title="Half-round bender with a skin of 1 mm, Kevlar hoops, paper of 0.1 mm, 20 kPa",
+        title="Half-round bender with a skin of 1 mm, Kevlar hoops, Kevlar along the base, none slack, 20 kPa",
         actuator=tg.FiberReinforcedBender(length=50 * mm),
-        materials=WALLED | {"strain_limiting_layer": PAPER},
+        materials=WALLED,
         pressures={"cavity": 20.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         reinforcements=(
-            tg.Fibers(face=("winding", "strain_limiting_layer"), material=KEVLAR, diameter=THREAD, winding=HOOPS),
+            replace(ROD, face=("winding", "strain_limiting_layer"), winding=HOOPS),
+            replace(ROD, face="strain_limiting_layer", winding=LENGTHWISE),
         ),
-        third_order_size=3.0,
+        third_order_size=4.0,
         fine_size=1.2,
+        jumps=True,
     ),
     Case(
         name="twisting_tube",
@@ -58,7 +66,7 @@ CASES = (
         pressures={"cavity": 20.0},
         measures=(tg.twist_angle, tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="outside", material=KEVLAR, diameter=THREAD, winding=HELIX),),
-        third_order_size=4.0,
+        third_order_size=5.0,
         fine_size=1.5,
     ),
 )
