@@ -32,11 +32,6 @@ PAGE = HERE.parent / "docs" / "truth.md"
 #: Meshes with more unknowns than this are not solved.
 MOST = 200_000
 STEPS = ("double", "default", "half")
-#: Two discretizations that must agree, by whether walls touch: kind of cells and step.
-WITNESSES = {
-    False: (("third order", "fine"), ("tetrahedra", "fine")),
-    True: (("tetrahedra", "fine"), ("hexahedra", "half")),
-}
 
 
 def read(path: Path) -> dict[str, Any]:
@@ -74,26 +69,33 @@ def measured(case: Case, kind: str, step: str, formulation: str) -> dict[str, An
     return separate([str(HERE / "truth_run.py"), json.dumps(asked)])
 
 
+def witnesses(case: Case) -> tuple[tuple[str, str], tuple[str, str]]:
+    """Two discretizations that must agree: kind of cells and step of each."""
+    if case.touches:
+        return ("tetrahedra", "half"), ("hexahedra", "half")
+    return ("third order", "fine"), ("tetrahedra", "fine" if case.fine_size else "half")
+
+
 def wanted(case: Case, *, only_truth: bool, quick: bool) -> list[tuple[str, str, str]]:
     """Kinds, steps and formulations of a case."""
-    witnesses = [(kind, step, "mixed") for kind, step in WITNESSES[case.touches]]
+    proof = [(kind, step, "mixed") for kind, step in witnesses(case)]
     if only_truth:
-        return witnesses
+        return proof
     kinds = [(kind, "default", "mixed") for kind in case.kinds]
     if quick:
         return kinds
     before = [(kind, "default", "continuous") for kind in case.kinds]
     if case.jumps:
-        before += [("tetrahedra", step, "continuous") for step in ("half", "fine")]
+        before += [("tetrahedra", step, "continuous") for step in ("half", "fine") if step == "half" or case.fine_size]
     ladder = [(kind, step, "mixed") for kind in case.kinds for step in STEPS]
-    return list(dict.fromkeys([*kinds, *ladder, *before, ("tetrahedra", "matched", "mixed"), *witnesses]))
+    return list(dict.fromkeys([*kinds, *ladder, *before, ("tetrahedra", "matched", "mixed"), *proof]))
 
 
 def renew_values(cases: list[Case], runs: dict[str, Any]) -> None:
     """Store the reference values of cases from the runs of their two discretizations."""
     values = read(VALUES)
     for case in cases:
-        found = [(kind, runs.get(key(case, kind, step), {})) for kind, step in WITNESSES[case.touches]]
+        found = [(kind, runs.get(key(case, kind, step), {})) for kind, step in witnesses(case)]
         if not all("values" in row for _, row in found):
             continue
         values[case.name] = {

@@ -30,11 +30,13 @@ NEAR = 0.1
 
 
 def wanted_size(case: Case, geometry: Geometry, kind: str, step: str) -> float | None:
-    """Mesh size of a step [m]; None where no mesh of that size is allowed."""
+    """Mesh size of a step [m], whose name may be a size in mm; None where no mesh of that size is allowed."""
     if step == "fine":
         return case.fine_size * mm
     if step == "matched":
         return matched_size(geometry, kind)
+    if step not in STEPS:
+        return float(step) * mm
     default = default_size(geometry, kind)
     size = STEPS[step] * default
     largest = size_range(geometry)[1]

@@ -31,7 +31,7 @@ class Case:
     third_order_size : float [mm]
         Mesh size of the independent code.
     fine_size : float [mm]
-        Size of turgor's own fine tetrahedra.
+        Size of turgor's own fine tetrahedra; 0 where half the default size is as fine as affordable.
     kinds : tuple of str
         Cells that the family can be filled with.
     jumps : bool

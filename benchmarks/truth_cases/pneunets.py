@@ -53,7 +53,7 @@ CASES = (
         pressures={"cavity": 20.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
-        fine_size=1.2,
+        fine_size=0.9,
         jumps=True,
     ),
     Case(
@@ -64,7 +64,7 @@ CASES = (
         pressures={"cavity": 16.0},
         measures=(tg.bending_angle, tg.cavity_volume),
         third_order_size=0.0,
-        fine_size=1.0,
+        fine_size=0.0,
         contact=tg.Contact(),
     ),
 )

@@ -19,7 +19,7 @@ CASES = (
         pressures={"cavity": 30.0},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         third_order_size=3.0,
-        fine_size=1.2,
+        fine_size=0.8,
     ),
     Case(
         name="omnidirectional_circles",

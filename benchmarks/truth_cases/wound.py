@@ -28,7 +28,7 @@ CASES = (
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         supports=(tg.Fixed("fixed", "x"), tg.Radial("winding")),
         third_order_size=2.0,
-        fine_size=1.0,
+        fine_size=0.8,
         jumps=True,
     ),
     Case(
@@ -40,7 +40,7 @@ CASES = (
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=DOUBLE),),
         third_order_size=2.0,
-        fine_size=1.0,
+        fine_size=0.8,
         jumps=True,
     ),
     Case(
@@ -55,7 +55,7 @@ CASES = (
             replace(ROD, face="strain_limiting_layer", winding=LENGTHWISE),
         ),
         third_order_size=4.0,
-        fine_size=1.2,
+        fine_size=0.0,
         jumps=True,
     ),
     Case(
