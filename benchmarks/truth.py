@@ -19,14 +19,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
-HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE))
-
 from machine import machine
 from truth_cases import CASES
 from truth_cases.case import Case
 from truth_page import page
 
+HERE = Path(__file__).parent
 VALUES, RUNS = HERE / "truth_values.json", HERE / "truth_runs.json"
 PAGE = HERE.parent / "docs" / "truth.md"
 #: Meshes with more unknowns than this are not solved.
@@ -51,7 +49,7 @@ def key(case: Case, kind: str, step: str, formulation: str = "mixed") -> str:
 
 def separate(arguments: list[str]) -> dict[str, Any]:
     """Run a script in a process of its own on one thread; the JSON of its last line, or why there is none."""
-    threads = {name: "1" for name in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS")}
+    threads = dict.fromkeys(("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
     command = [sys.executable, *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False, env=os.environ | threads)
     lines = done.stdout.splitlines()

@@ -43,8 +43,8 @@ def page(cases: Sequence[Case], values: Store, runs: Store, machine: Mapping[str
     """The whole page."""
     known = [case for case in cases if case.name in values]
     about = "\n".join(f"- {name}: {value}" for name, value in machine.items())
-    parts = [HEAD, about, TRUTH, truths(known, values), SUMMARY, summary(known, values, runs), misses(known, values, runs)]
-    parts += [compared(known, values, runs), CASES]
+    parts = [HEAD, about, TRUTH, truths(known, values), SUMMARY, summary(known, values, runs)]
+    parts += [misses(known, values, runs), compared(known, values, runs), CASES]
     parts += [f"### {case.title}\n\n{rows(case, values[case.name], runs)}" for case in known]
     return "\n\n".join(parts) + "\n"
 
@@ -154,7 +154,8 @@ def line(case: Case, stored: Store, row: Store, name: str, step: str) -> tuple[s
     known = tuple(f"{row[each]:,.4g}" if each == "size" else f"{row[each]:,}" if each in row else "–"
                   for each in ("size", "cells", "unknowns") if each in row)  # fmt: skip
     if off is None:
-        return (name, step, *known, *("–",) * (3 - len(known)), row.get("note", "–"), *("–",) * (len(case.measures) + 1))
+        empty = ("–",) * (len(case.measures) + 1)
+        return (name, step, *known, *("–",) * (3 - len(known)), row.get("note", "–"), *empty)
     found = (f"{off[each.name]:+.2%}" for each in case.measures)
     return (name, step, *known, f"{seconds(row):.1f}", *found, estimate(case, stored, row, off))
 

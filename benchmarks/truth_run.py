@@ -7,16 +7,13 @@ the same case on its coarsest mesh comes first, so that no compilation is counte
 import json
 import sys
 import time
-from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).parent))
-
 import numpy as np
-from truth_cases import CASES
-from truth_cases.case import Case
 
 import turgor as tg
+from truth_cases import CASES
+from truth_cases.case import Case
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.sizes import default_size, size_range
 from turgor.units import mm

@@ -1,4 +1,4 @@
-"""What a case of the truth set is: an actuator, its materials, what holds and drives it, and the measures that count."""
+"""What a case of the truth set is: an actuator, its materials, what holds and drives it, and what is measured."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
