@@ -19,19 +19,14 @@ from turgor.meshing.sizes import default_size, size_range
 from turgor.units import mm
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
-#: Times the default size; ``fine`` is a size of the case and ``matched`` one that makes 60,000 unknowns.
+#: Times the default size; ``fine`` is a size of the case.
 STEPS = {"double": 2.0, "default": 1.0, "half": 0.5}
-MATCHED = 60_000
-#: How far from ``MATCHED`` the unknowns may be.
-NEAR = 0.1
 
 
 def wanted_size(case: Case, geometry: Geometry, kind: str, step: str) -> float | None:
     """Mesh size of a step [m], whose name may be a size in mm; None where no mesh of that size is allowed."""
     if step == "fine":
         return case.fine_size * mm
-    if step == "matched":
-        return matched_size(geometry, kind)
     if step not in STEPS:
         return float(step) * mm
     default = default_size(geometry, kind)
@@ -40,18 +35,6 @@ def wanted_size(case: Case, geometry: Geometry, kind: str, step: str) -> float |
     if step == "double" and size > largest:
         return largest if largest > 1.2 * default else None
     return size
-
-
-def matched_size(geometry: Geometry, kind: str) -> float:
-    """The size that makes about 60,000 unknowns [m], by trial; the number goes with its inverse to a power near 2.5."""
-    size = default_size(geometry, kind)
-    largest = size_range(geometry)[1]
-    for _ in range(6):
-        unknowns = tg.mesh(geometry, size=size, cells=kind).unknown_count
-        if abs(unknowns / MATCHED - 1) < NEAR or (size == largest and unknowns > MATCHED):
-            break
-        size = min(size * (unknowns / MATCHED) ** 0.4, largest)
-    return float(size)
 
 
 def warm(case: Case, geometry: Geometry, kind: str, formulation: str) -> None:

@@ -20,8 +20,7 @@ CASES = (
         pressures={"cavity": 6.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=2.0,
-        fine_size=0.8,
-        jumps=True,
+        fine_size=0.0,
     ),
     Case(
         name="fast_pneunet_stiff_base",
@@ -31,7 +30,7 @@ CASES = (
         pressures={"cavity": 4.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=2.0,
-        fine_size=0.8,
+        fine_size=0.0,
         jumps=True,
     ),
     Case(
@@ -42,7 +41,7 @@ CASES = (
         pressures={"cavity": 10.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=2.0,
-        fine_size=1.0,
+        fine_size=1.2,
         jumps=True,
     ),
     Case(
@@ -53,7 +52,7 @@ CASES = (
         pressures={"cavity": 20.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
-        fine_size=0.9,
+        fine_size=0.0,
         jumps=True,
     ),
     Case(
@@ -64,7 +63,7 @@ CASES = (
         pressures={"cavity": 16.0},
         measures=(tg.bending_angle, tg.cavity_volume),
         third_order_size=0.0,
-        fine_size=0.0,
+        fine_size=1.4,
         contact=tg.Contact(),
     ),
 )

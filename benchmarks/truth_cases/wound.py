@@ -56,7 +56,6 @@ CASES = (
         ),
         third_order_size=4.0,
         fine_size=0.0,
-        jumps=True,
     ),
     Case(
         name="twisting_tube",
