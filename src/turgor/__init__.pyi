@@ -4,6 +4,8 @@ Type checkers and editors read this file as what ``turgor`` holds, and ``__init_
 first use. A new public name is a new line here, in the order that `ruff` keeps.
 """
 
+from turgor.adaptivity.measure import measure as measure
+from turgor.adaptivity.mesh_to import mesh_to as mesh_to
 from turgor.engine.mass import total_mass as total_mass
 from turgor.engine.runtime import EngineOptions as EngineOptions
 from turgor.errors import TurgorError as TurgorError
@@ -151,15 +153,19 @@ from turgor.results.contact_measures import holding_force as holding_force
 from turgor.results.contact_measures import maximum_contact_pressure as maximum_contact_pressure
 from turgor.results.contact_measures import pull_distance as pull_distance
 from turgor.results.convergence import Convergence as Convergence
+from turgor.results.fiber_measures import maximum_fiber_tension as maximum_fiber_tension
+from turgor.results.fiber_measures import winding_force_per_length as winding_force_per_length
 from turgor.results.fibers import FiberResult as FiberResult
 from turgor.results.fibers import fiber_results as fiber_results
+from turgor.results.field_measures import maximum_principal_stretch as maximum_principal_stretch
+from turgor.results.field_measures import maximum_von_mises as maximum_von_mises
+from turgor.results.field_measures import principal_stretch_in as principal_stretch_in
+from turgor.results.field_measures import principal_stretch_p99 as principal_stretch_p99
+from turgor.results.field_measures import von_mises_in as von_mises_in
+from turgor.results.field_measures import von_mises_p99 as von_mises_p99
 from turgor.results.history_plots import history_figure as history_figure
 from turgor.results.measures import bending_angle as bending_angle
 from turgor.results.measures import cavity_volume as cavity_volume
-from turgor.results.measures import maximum_fiber_tension as maximum_fiber_tension
-from turgor.results.measures import maximum_principal_stretch as maximum_principal_stretch
-from turgor.results.measures import maximum_von_mises as maximum_von_mises
-from turgor.results.measures import measure as measure
 from turgor.results.measures import reaction as reaction
 from turgor.results.measures import smallest_gap as smallest_gap
 from turgor.results.measures import tip_displacement as tip_displacement

@@ -166,18 +166,21 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
 
 def _tell(outcome: "RunOutcome") -> None:
     """Say how it ended, the numbers at the end, and where everything is."""
-    from turgor.results.drive import with_each_cavity
-    from turgor.results.measures import find_measure
+    from turgor.results.headlines import in_regions, last_value, with_parts
     from turgor.solvers.pressures import pressure_text
 
     solution, response = outcome.solution, outcome.response
     if solution.complete:
         typer.echo(f"{solution.message} {solution.advice}".strip())
-    wanted = [name for each in outcome.job.output.measures for name in with_each_cavity(response, each)]
-    measures = [find_measure(name) for name in dict.fromkeys(wanted)]
-    numbers = [f"{m.name.replace('_', ' ')} {m.text(response.column(m.name)[-1])}" for m in measures]
+    numbers: dict[str, str] = {}
+    for each in outcome.job.output.measures:
+        regions = in_regions(response, each)
+        for name in [each] if regions else with_parts(response, each):
+            column = response.find(name)
+            said = f"{column.label.split(' [')[0]} {last_value(column)}"
+            numbers[name] = f"{said} ({regions})" if regions else said
     drive = pressure_text(solution.states[-1]) or "the end"
-    typer.echo(f"At {drive}: {', '.join(numbers)}.")
+    typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
 
 

@@ -19,9 +19,12 @@ COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
         "": 1.0, "m": units.m, "mm": units.mm, "um": units.um, "1/m": 1.0, "rad": units.rad, "deg": units.deg,
         "Pa": units.Pa, "kPa": units.kPa, "MPa": units.MPa, "m2": 1.0, "mm2": 1e-6, "m3": 1.0,
         "L": units.L, "mL": units.mL, "N": units.N, "mN": units.mN, "Nm": 1.0, "J": 1.0, "mJ": 1e-3,
-        "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms,
+        "N/m": 1.0, "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms,
     }
 )  # fmt: skip
+
+#: End of the name of the column that holds the estimated mesh error of another one.
+MESH_ERROR = "_mesh_error"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,8 +73,11 @@ class Column:
 
     @property
     def label(self) -> str:
-        """Name and unit as they stand beside an axis, such as ``"bending angle [deg]"``."""
-        words = self.name.replace("_", " ").replace("von mises", "von Mises stress")
+        """Name and unit as they stand beside an axis, such as ``"bending angle [deg]"``.
+
+        The ending ``_p99`` says what 99 % of the volume stay below: ``"von Mises stress, 99 % of volume [kPa]"``.
+        """
+        words = self.name.replace("_", " ").replace("von mises", "von Mises stress").replace(" p99", ", 99 % of volume")
         return f"{words} [{self.unit}]" if self.unit else words
 
     @property
@@ -151,6 +157,29 @@ class Response:
             if column.name == name:
                 return column
         raise unknown("column", name, self.names)
+
+    def mesh_error(self, name: str) -> NDArray[np.float64] | None:
+        """Return the estimated mesh error of a column in SI units, (n,); None where none was estimated.
+
+        It stands in a column of its own, ``bending_angle_mesh_error`` beside ``bending_angle``: how far the value is
+        from what finer cells would give, not negative. An unknown name fails with the near match.
+
+        Examples
+        --------
+        >>> angle = Column("bending_angle", "deg", [0.0, 1.5])
+        >>> error = Column("bending_angle_mesh_error", "deg", [0.0, 0.01])
+        >>> print(Response(columns=(angle, error), source=Source(text="cells")).mesh_error("bending_angle"))
+        [0.   0.01]
+        """
+        self.find(name)
+        known = name + MESH_ERROR in self.names
+        errors = self.column(name + MESH_ERROR) if known else np.full(1, np.nan)
+        return errors if np.isfinite(errors).any() else None
+
+    @property
+    def quantities(self) -> tuple[Column, ...]:
+        """The columns without those of mesh errors."""
+        return tuple(column for column in self.columns if not column.name.endswith(MESH_ERROR))
 
     def column(self, name: str) -> NDArray[np.float64]:
         """Return the values of a column in SI units, (n,); an unknown name fails with the near match."""

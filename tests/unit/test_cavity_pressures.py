@@ -217,7 +217,7 @@ def test_plot_draws_the_pressures_in_a_panel_of_their_own(driven: Solution) -> N
     first, second = figure.axes
     assert (first.get_xlabel(), first.get_ylabel()) == ("load factor", "pressure [kPa]")
     assert [text.get_text() for text in first.get_legend().get_texts()] == ["cavity 1", "cavity 2"]
-    assert (second.get_xlabel(), second.get_ylabel()) == ("load factor", "volume [mL]")
+    assert (second.get_xlabel(), second.get_ylabel()) == ("load factor", "cavity volume [mL]")
     assert [text.get_text() for text in second.get_legend().get_texts()] == ["all", "cavity 1", "cavity 2"]
 
 

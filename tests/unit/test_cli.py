@@ -243,7 +243,7 @@ def test_a_job_runs_and_its_lock_file_repeats_it(folder: Path, capsys: pytest.Ca
     assert lock["engine"]["threads"] == 1
     assert lock["written_by"]["numpy"]
     assert lock["written_by"]["linear_solver"]
-    assert "converged: Reached 2 kPa" in (results / "run.log").read_text()
+    assert "solved to the end: Reached 2 kPa" in (results / "run.log").read_text()
     assert len((results / "steps.csv").read_text().splitlines()) == 3
 
     text = (results / "job.lock.toml").read_text().replace("pictures = true", "pictures = false")  # to save seconds

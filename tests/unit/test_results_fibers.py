@@ -23,6 +23,9 @@ from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 
 KEVLAR = tg.Material(name="kevlar", law=Hooke(E=31067e6, nu=0.36))
+RADIUS = 8.35 * mm
+#: Distance between threads; six whole ones of each hand begin at the start of the tube.
+SPACING = {"smeared": 4 * mm, "discrete": 2 * np.pi * RADIUS * np.cos(60 * deg) / 6}
 RUBBER = tg.Material(name="rubber", law=NeoHooke(C10=0.12e6))
 
 
@@ -63,7 +66,7 @@ def test_vtk_reads_the_threads_and_their_tension(body, tmp_path):
     points = numpy_support.vtk_to_numpy(grid.GetPoints().GetData()).reshape(-1, 2, 3)
     line = result.threads.polylines(body.points + state.displacement)[0]
     assert points[: len(line) - 1, 0] == pytest.approx(line[:-1])
-    assert np.linalg.norm(line[:, 1:], axis=1) == pytest.approx(1.1 * 8.35 * mm, rel=1e-3)
+    assert np.linalg.norm(line[:, 1:], axis=1) == pytest.approx(1.1 * RADIUS, rel=1e-3)
 
 
 def test_smeared_fibers_have_a_tension_but_no_file(body):
@@ -75,6 +78,50 @@ def test_smeared_fibers_have_a_tension_but_no_file(body):
     assert [smeared, discrete] == pytest.approx([exact, exact], rel=0.01)
     with pytest.raises(TurgorError, match="the model has no fibers"):
         find_measure("maximum_fiber_tension")(state_of(body, wound=False))
+
+
+@pytest.mark.parametrize("form", ["smeared", "discrete"])
+def test_pieces_have_a_place_and_a_weight(body, form):
+    state = state_of(body, form)
+    result = fiber_results(state)[0]
+    assert np.linalg.norm(result.positions[:, 1:], axis=1) == pytest.approx(1.1 * RADIUS, rel=2e-3)
+    assert result.positions[:, 0].min() > 0
+    assert result.positions[:, 0].max() < 1.01 * 30 * mm
+    quarter, hands = 2 * np.pi * RADIUS * 30 * mm / 4, 2
+    expected = quarter if form == "smeared" else quarter / SPACING[form]
+    assert result.weights.sum() == pytest.approx(hands * expected, rel=2e-3)
+
+
+@pytest.mark.parametrize("form", ["smeared", "discrete"])
+def test_winding_force_is_the_part_around_the_axis(body, form):
+    """Both hands: 2 T / s for each width, seen on the current surface, of which the part around the axis counts."""
+    state = state_of(body, form)
+    fibers = state.model.reinforcements[0]
+    stretch = np.hypot(1.01 * np.cos(60 * deg), 1.1 * np.cos(30 * deg))
+    around = 1.1 * np.cos(30 * deg) / stretch
+    tension = fibers.stretching_stiffness * (stretch - 1)
+    exact = 2 * tension / SPACING[form] * stretch * around**2 / (1.1 * 1.01)
+    assert find_measure("winding_force_per_length")(state) == pytest.approx(exact, rel=0.01)
+    with pytest.raises(TurgorError, match="the model has no fibers"):
+        find_measure("winding_force_per_length")(state_of(body, wound=False))
+
+
+def test_axial_threads_hold_nothing_around_and_windings_of_one_face_add_up(body):
+    state = state_of(body)
+    hoops, straight = (
+        Fibers(face="outside", material=KEVLAR, diameter=0.2 * mm,
+               winding=Winding(angle_from_axis=angle * deg, spacing=4 * mm))
+        for angle in (90, 0)
+    )  # fmt: skip
+
+    def force(*fibers):
+        model = replace(state.model, reinforcements=fibers)
+        return find_measure("winding_force_per_length")(replace(state, model=model))
+
+    exact = hoops.stretching_stiffness * 0.1 / (4 * mm * 1.01)
+    assert force(hoops) == pytest.approx(exact, rel=0.01)
+    assert force(straight) == pytest.approx(0, abs=1e-3 * exact)
+    assert force(hoops, straight, hoops) == pytest.approx(2 * force(hoops), rel=1e-3)
 
 
 @pytest.mark.parametrize("form", ["smeared", "discrete"])

@@ -18,7 +18,7 @@ from turgor.geometry import FiberReinforcedCylinder, SemicircularBender
 from turgor.materials.laws import Hooke, NeoHooke
 from turgor.meshing.generate import mesh
 from turgor.model.fibers import Fibers, Winding
-from turgor.results.fibers import along_thread, drawn_threads, fiber_results
+from turgor.results.fibers import drawn_threads, fiber_results, smooth_tension
 from turgor.results.fields import StateFields
 from turgor.results.measures import find_measure
 from turgor.solvers.solution import State
@@ -264,10 +264,14 @@ def test_tension_of_a_stretched_tube_is_exact():
     assert max(line[:, 0].max() for line in lines) == pytest.approx(1.05 * LENGTH, rel=1e-4)
 
 
-def test_averages_along_threads_keep_to_their_thread():
-    threads = discrete_threads(tube(), wound())
-    values = threads.thread.astype(float)
-    assert along_thread(threads, values) == pytest.approx(values)
+def test_tensions_are_averaged_around_each_piece_and_by_hand():
+    pieces = discrete_threads(tube(), wound(hand="both")).pieces
+    assert set(pieces.hand) == {0, 1}
+    by_hand = 1.0 + pieces.hand
+    assert smooth_tension(pieces, by_hand) == pytest.approx(by_hand)
+    noise = np.random.default_rng(2).normal(1.0, 0.5, len(pieces.weights))
+    assert smooth_tension(pieces, noise).std() < 0.5 * noise.std()
+    assert np.average(smooth_tension(pieces, noise), weights=pieces.weights) == pytest.approx(1.0, abs=0.05)
 
 
 @pytest.mark.parametrize(

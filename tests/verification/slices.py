@@ -52,6 +52,12 @@ def quarter(inner: float, outer: float, counts: tuple[int, int, int] = (2, 3, 1)
 
 def follow(model: tg.Model, path: Sequence[tuple[float, float]], **steps) -> list[Slice]:
     """Take a slice through points (pressure [Pa], stretch along the axis) and say what it does at each."""
+    states = states_at(model, path, **steps)
+    return [_slice(state, p, s) for state, (p, s) in zip(states, path, strict=True)]
+
+
+def states_at(model: tg.Model, path: Sequence[tuple[float, float]], **steps) -> list[tg.State]:
+    """Take a slice through points (pressure [Pa], stretch along the axis) and return its state at each."""
     factors = np.arange(len(path) + 1) / len(path)
     pressure, stretch = np.array([(0.0, 1.0), *path]).T
     largest = pressure.max()
@@ -63,8 +69,7 @@ def follow(model: tg.Model, path: Sequence[tuple[float, float]], **steps) -> lis
     supports = [tg.Fixed("z0", "z"), tg.Displacement("z1", moved, "z"), *model.supports]
     model = tg.Model(model.mesh, model.materials, supports, [load], reinforcements=model.reinforcements)
     solution = problems.solve(model, tg.Static(tolerance=1e-8, first_step=0.25 / len(path), **steps))
-    states = [problems.state_at(solution, factor) for factor in factors[1:]]
-    return [_slice(state, p, s) for state, (p, s) in zip(states, path, strict=True)]
+    return [problems.state_at(solution, factor) for factor in factors[1:]]
 
 
 def free(model: tg.Model, near: Sequence[tuple[float, float]], within: float = 0.004, **steps) -> list[Slice]:

@@ -36,6 +36,10 @@ class Pieces:
         E A, or E A over the distance between fibers.
     pushed : (k,) array
         Share of the stiffness that is left in compression, 0 to 1.
+    middle : (k, n) array
+        Shape values of the nodes at the middle of each piece.
+    hand : (k,) int array
+        Family that each piece belongs to: threads of one hand are 0, those of the other 1.
     """
 
     sides: Ints
@@ -43,6 +47,8 @@ class Pieces:
     weights: Array
     stiffness: Array
     pushed: Array
+    middle: Array
+    hand: Ints
 
 
 @njit(cache=True, parallel=True)

@@ -11,9 +11,10 @@ from turgor.engine.cell_materials import CellMaterials
 from turgor.engine.element import Element, element_of, tables_with, volume_stiffness
 from turgor.engine.faces import FaceTerms
 from turgor.engine.memory import Memory
-from turgor.engine.reference import reference_nodes
+from turgor.engine.reference import reference_nodes, tables_at
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.region_nodes import RegionNodes
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -125,27 +126,42 @@ def _largest_eigenvalue(B: Array, trace: Array) -> Array:
     return np.asarray(mean + 2 * size * np.cos(np.arccos(half_det) / 3))
 
 
-def nodal_average(mesh: Mesh, values: Array) -> Array:
-    """Carry values (c, q, ...) from quadrature points to nodes (n, ...).
+def nodal_average(mesh: Mesh, values: Array, nodes: RegionNodes) -> Array:
+    """Carry values (c, q, ...) from quadrature points to the nodes of the regions (d, ...).
 
     In each cell a linear field (a trilinear one in hexahedra) is fitted to the points and evaluated at the nodes; at a
-    node the cells' values are averaged, weighted by volume.
+    node the values of the cells of one region are averaged, weighted by volume. Across a border between regions
+    nothing is averaged: stresses jump there.
     """
     nodes_of_cell = mesh.cell_type.nodes
     r = tables_with(nodes_of_cell, values.shape[1])
     root = np.sqrt(r.weights)[:, None]
     fit = np.linalg.pinv(root * _smooth(nodes_of_cell, r.points)) * root.T
     at_nodes = _smooth(nodes_of_cell, reference_nodes(nodes_of_cell)) @ fit
-    flat = values.reshape(*values.shape[:2], -1)
-    local = np.einsum("aq,cqk->cak", at_nodes, flat)
+    local = np.einsum("aq,cqk->cak", at_nodes, values.reshape(*values.shape[:2], -1))
     volume = _geometry(mesh, values.shape[1])[1].sum(axis=1)
-    nodes = mesh.cells.ravel()
-    total = np.bincount(nodes, np.repeat(volume, nodes_of_cell), minlength=len(mesh.points))
-    weighted = (local * volume[:, None, None]).reshape(len(nodes), -1)
-    out = np.stack(
-        [np.bincount(nodes, weighted[:, k], minlength=len(mesh.points)) / total for k in range(flat.shape[2])], axis=1
-    )
-    return out.reshape(len(mesh.points), *values.shape[2:])
+    return _averaged(local, volume, nodes).reshape(len(nodes.node), *values.shape[2:])
+
+
+def nodal_mean_stress(model: Model, mean_stress: Array, nodes: RegionNodes) -> Array:
+    """Mean stress (d,) at the nodes of the regions [Pa] from the mean stresses (m,) of a `State`.
+
+    In each cell it is interpolated between the values of the cell; where cells of one region have different ones at a
+    node, they are averaged.
+    """
+    mesh, element = model.mesh, element_of(model)
+    at_nodes = tables_at(mesh.cell_type.nodes, reference_nodes(mesh.cell_type.nodes), np.ones(mesh.cell_type.nodes)).M
+    local = np.einsum("am,cm->ca", at_nodes, mean_stress[element.mean])
+    volume = _geometry(mesh, len(element.tables.weights))[1].sum(axis=1)
+    return _averaged(local[..., None], volume, nodes)[:, 0]
+
+
+def _averaged(local: Array, volume: Array, nodes: RegionNodes) -> Array:
+    """Average (d, k) of what each cell has at its nodes (c, a, k), weighted by volume (c,)."""
+    at, count = nodes.cells.ravel(), len(nodes.node)
+    total = np.bincount(at, np.repeat(volume, nodes.cells.shape[1]), minlength=count)
+    weighted = (local * volume[:, None, None]).reshape(len(at), -1)
+    return np.stack([np.bincount(at, column, minlength=count) / total for column in weighted.T], axis=1)
 
 
 def _smooth(nodes: int, points: Array) -> Array:

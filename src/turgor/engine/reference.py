@@ -115,6 +115,13 @@ def tables_at(nodes: int, points: Array, weights: Array) -> ReferenceCell:
     return ReferenceCell(points, weights, N, dN, M)
 
 
+def smooth_basis(nodes: int, points: Array) -> Array:
+    """Basis of the fields fitted in a cell, at reference points: linear in tetrahedra, trilinear in hexahedra."""
+    x, y, z = points.T
+    linear = [np.ones(len(points)), x, y, z]
+    return np.column_stack(linear if nodes == TETRAHEDRON.nodes else [*linear, x * y, y * z, z * x, x * y * z])
+
+
 @cache
 def reference_cell(nodes: int, degree: int) -> ReferenceCell:
     """Tables of a cell or side with that many nodes and a quadrature exact to ``degree``."""

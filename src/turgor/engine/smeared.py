@@ -152,6 +152,7 @@ def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
         along.append(np.einsum("fqad,fqd->fqa", frames.gradients, local).reshape(-1, sides.shape[1]))
     points = frames.areas.shape[1]
     count = len(along)
+    N = reference_cell(sides.shape[1], MEMBRANE_QUADRATURE_DEGREE[side_type(sides.shape[1]).corners]).N
     kept = np.flatnonzero(np.tile(_held(mesh, fibers, sides).ravel(), count))
     if not len(kept):
         raise TurgorError(f"fibers on '{fibers.name}': nothing of this face lies within the given box.")
@@ -161,6 +162,8 @@ def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:
         weights=np.tile(frames.areas.ravel(), count)[kept],
         stiffness=np.full(len(kept), fibers.stretching_stiffness / course.spacing),
         pushed=np.full(len(kept), fibers.compression),
+        middle=np.tile(N, (len(sides) * count, 1))[kept],
+        hand=np.repeat(np.arange(count), len(sides) * points)[kept],
     )
 
 

@@ -190,5 +190,7 @@ def _trusses(mesh: Mesh, face: Development, fibers: Fibers, lines: Lines, cuts: 
         weights=cuts.end - cuts.begin,
         stiffness=np.full(len(sides), fibers.stretching_stiffness),
         pushed=np.full(len(sides), fibers.compression),
+        middle=shape_values(sides.shape[1], face.place(cuts.side, middle))[0],
+        hand=(lines.direction[cuts.line].prod(axis=1) < 0).astype(np.int64),
     )
     return Threads(pieces, values[0], values[1], np.concatenate([[0], np.cumsum(apart)]))

@@ -127,12 +127,15 @@ class Output:
         Whether to draw the actuator, undeformed and deformed.
     report : bool
         Whether to write the HTML report.
+    mesh_error : bool
+        Whether to estimate the mesh error of every measure, which takes up to half the time of the solve.
     """
 
     measures: tuple[str, ...] = field(default_factory=standard_measures)
     fields: bool = True
     pictures: bool = True
     report: bool = True
+    mesh_error: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

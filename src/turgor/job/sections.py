@@ -84,4 +84,5 @@ def read_output(values: Any, problems: Problems) -> Output | None:
         fields=table.fields,
         pictures=table.pictures,
         report=table.report,
+        mesh_error=table.mesh_error,
     )

@@ -176,6 +176,7 @@ class OutputTable(Table):
     fields: bool = True
     pictures: bool = True
     report: bool = True
+    mesh_error: bool = True
 
 
 @cache

@@ -10,6 +10,7 @@ from turgor.job.lock import dimensions, lock_text
 from turgor.job.outcome import RunOutcome
 from turgor.meshing.quality import quality
 from turgor.results.colors import CONTACT_PRESSURE
+from turgor.results.describe_procedure import ending
 from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.pictures import picture_title, shared_view, write_picture
 from turgor.results.plots import write_plot
@@ -139,7 +140,7 @@ def log_text(outcome: RunOutcome) -> str:
             f"job {outcome.job.name}",
             f"with {made}",
             *outcome.notices,
-            f"{solution.status}: {solution.message} {solution.advice}".rstrip(),
+            f"{ending(solution.status)}: {solution.message} {solution.advice}".rstrip(),
             f"{accepted} steps accepted, {cut} cut back, {solution.iterations} iterations",
             f"wall time: {', '.join(f'{name} {seconds:.2f} s' for name, seconds in spent.items())}",
             *map(str, outcome.findings),

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
+from turgor.meshing.refinement import Refinement
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -83,32 +84,66 @@ def split_edges(mesh: Mesh, edges: Ints) -> Mesh:
     >>> len(fine.cells) > len(coarse.cells), fine.vertex_count - coarse.vertex_count
     (True, 1)
     """
+    return refine_tetrahedra(mesh, edges).mesh
+
+
+def refine_tetrahedra(mesh: Mesh, edges: Ints) -> Refinement:
+    """Cut the cells at these edges as `split_edges` does, and say which part of which cell each new cell is."""
+    parts = _Parts.whole(mesh)
     if not len(edges):
-        return mesh
+        return Refinement(mesh, parts.parent, parts.corners)
     ranks = _ranks(mesh, edges)
     nodes = _Nodes(points=mesh.points, keys=np.zeros(0, dtype=np.int64), mids=np.zeros(0, dtype=np.int64))
-    cells, parent = mesh.cells, np.arange(len(mesh.cells))
     while True:
-        cut = _first_marked(cells, TETRAHEDRON_EDGES, ranks)
+        cut = _first_marked(parts.cells, TETRAHEDRON_EDGES, ranks)
         if (cut < 0).all():
             break
-        marked = np.flatnonzero(cut >= 0)
-        halves = _halved_cells(cells[marked][np.arange(len(marked))[:, None], _turns()[cut[marked]]], nodes)
-        cells = np.concatenate([cells[cut < 0], *halves])
-        parent = np.concatenate([parent[cut < 0], parent[marked], parent[marked]])
-    order = np.argsort(parent, kind="stable")
-    cells, parent = cells[order], parent[order]
+        parts = parts.halved(cut, nodes)
+    parts = parts.chosen(np.argsort(parts.parent, kind="stable"))
     faces = {name: _cut_triangles(triangles, ranks, nodes) for name, triangles in mesh.faces.items()}
-    used = np.concatenate([np.unique(cells[:, :4]), np.unique(cells[:, 4:])])
+    used = np.concatenate([np.unique(parts.cells[:, :4]), np.unique(parts.cells[:, 4:])])
     number = np.full(len(nodes.points), -1, dtype=np.int64)
     number[used] = np.arange(len(used))
-    return replace(
+    fine = replace(
         mesh,
         points=nodes.points[used],
-        cells=number[cells],
-        regions={name: np.flatnonzero(np.isin(parent, region)) for name, region in mesh.regions.items()},
+        cells=number[parts.cells],
+        regions={name: np.flatnonzero(np.isin(parts.parent, region)) for name, region in mesh.regions.items()},
         faces={name: number[triangles] for name, triangles in faces.items()},
     )
+    return Refinement(fine, parts.parent, parts.corners)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Parts:
+    """Cells while they are cut: nodes (c, 10), the cell each is a part of, and where its corners lie in that one."""
+
+    cells: Ints
+    parent: Ints
+    corners: Array
+
+    @staticmethod
+    def whole(mesh: Mesh) -> "_Parts":
+        count = len(mesh.cells)
+        unit = np.vstack([np.zeros(3), np.eye(3)])
+        return _Parts(mesh.cells, np.arange(count), np.broadcast_to(unit, (count, 4, 3)))
+
+    def chosen(self, rows: Ints) -> "_Parts":
+        return _Parts(self.cells[rows], self.parent[rows], self.corners[rows])
+
+    def halved(self, cut: Ints, nodes: _Nodes) -> "_Parts":
+        """Cut the parts that have an edge to be cut, by its place in the cell."""
+        marked, turn = np.flatnonzero(cut >= 0), _turns()[cut[cut >= 0]]
+        row = np.arange(len(marked))[:, None]
+        first, second = _halved_cells(self.cells[marked][row, turn], nodes)
+        near, far = self.corners[marked][row, turn[:, :4]].copy(), self.corners[marked][row, turn[:, :4]].copy()
+        near[:, 1] = far[:, 0] = 0.5 * (near[:, 0] + near[:, 1])
+        rest = self.chosen(np.flatnonzero(cut < 0))
+        return _Parts(
+            np.concatenate([rest.cells, first, second]),
+            np.concatenate([rest.parent, self.parent[marked], self.parent[marked]]),
+            np.concatenate([rest.corners, near, far]),
+        )
 
 
 def _ranks(mesh: Mesh, edges: Ints) -> tuple[Ints, Ints]:

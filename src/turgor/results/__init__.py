@@ -1,5 +1,13 @@
 """Results: measures, files, pictures, plots and the report of a solution."""
 
+from turgor.results.field_measures import (
+    maximum_principal_stretch,
+    maximum_von_mises,
+    principal_stretch_in,
+    principal_stretch_p99,
+    von_mises_in,
+    von_mises_p99,
+)
 from turgor.results.fields import StateFields
 from turgor.results.measures import (
     MEASURES,
@@ -9,8 +17,6 @@ from turgor.results.measures import (
     cavity_volume,
     check_measures,
     find_measure,
-    maximum_principal_stretch,
-    maximum_von_mises,
     measure,
     reaction,
     smallest_gap,
@@ -44,6 +50,8 @@ __all__ = [
     "measure",
     "picture_title",
     "plot_response",
+    "principal_stretch_in",
+    "principal_stretch_p99",
     "reaction",
     "response_figure",
     "shared_view",
@@ -54,6 +62,8 @@ __all__ = [
     "tip_displacement_z",
     "twist_angle",
     "volume_of",
+    "von_mises_in",
+    "von_mises_p99",
     "write_picture",
     "write_plot",
     "write_report",

@@ -17,8 +17,8 @@ VON_MISES, CONTACT_PRESSURE = "von_mises", "contact_pressure"
 #: What stands above the bar of colors, by the name of the field.
 FIELDS: Mapping[str, str] = MappingProxyType(
     {
-        VON_MISES: "von Mises stress [kPa]; {share} of the surface lie within the bar",
-        CONTACT_PRESSURE: "contact pressure [kPa]; {share} of the surface that touches lie within the bar",
+        VON_MISES: "von Mises stress [kPa]; {share} of the volume lie within the bar, the arrow is more",
+        CONTACT_PRESSURE: "contact pressure [kPa]; {share} of what touches lie within the bar, the arrow is more",
     }
 )
 

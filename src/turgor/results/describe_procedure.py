@@ -7,7 +7,7 @@ from typing import Any
 from turgor.model.loads import RAMP, Load
 from turgor.model.supports import Displacement, Shift
 from turgor.results.describe import Rows, history_text, in_mm, load_text
-from turgor.solvers.solution import Procedure
+from turgor.solvers.solution import Procedure, Status
 from turgor.solvers.stages import OneProcedure, Stages
 from turgor.units import kPa, mL, mm
 
@@ -23,6 +23,17 @@ def procedure(of: Procedure) -> Rows:
         said += [f"{name} moves to {in_mm(place)} from where it was at first" for name, place in stage.moves.items()]
         rows.append((stage.name, "; ".join(said)))
     return rows
+
+
+def ending(status: Status) -> str:
+    """Say how a solve ended. "Converged" would read as converged in the mesh, which a single solve cannot tell.
+
+    Examples
+    --------
+    >>> ending(Status.CONVERGED), ending(Status.LIMIT_POINT)
+    ('solved to the end', 'limit point')
+    """
+    return "solved to the end" if status is Status.CONVERGED else str(status).replace("_", " ")
 
 
 def _with_settings(of: OneProcedure) -> str:

@@ -86,20 +86,3 @@ def face_of(column: Column) -> str:
     'cavity_1'
     """
     return column.name.rpartition("_")[0]
-
-
-def with_each_cavity(response: Response, name: str) -> list[str]:
-    """Return a column's name and, where it is the volume of all cavities, those of each cavity.
-
-    Parameters
-    ----------
-    response : Response
-    name : str
-
-    Returns
-    -------
-    list of str
-    """
-    if name != "cavity_volume":
-        return [name]
-    return [name, *(n for n in response.names if n != name and n.startswith("cavity_") and n.endswith("_volume"))]

@@ -9,6 +9,7 @@ from turgor.engine.fibers import Pieces
 from turgor.engine.smeared import smeared_pieces
 from turgor.engine.threads import Threads
 from turgor.errors import TurgorError
+from turgor.meshing.cells import side_type
 from turgor.model.fibers import DISCRETE, Fibers
 from turgor.results.fields import StateFields
 from turgor.solvers.solution import State
@@ -25,10 +26,14 @@ class FiberResult:
     fibers : Fibers
         The winding.
     stretch : (k,) array
-        Current over initial length of each piece: of each truss of a discrete thread, or at each integration point
-        of the face for smeared fibers.
+        Current over initial length of each piece by itself: of each truss of a discrete thread, or at each integration
+        point of the face for smeared fibers.
     tension : (k,) array [N]
-        Tension of one thread there.
+        Tension of one thread there, averaged over the sides of cells around it, see `smooth_tension`.
+    positions : (k, 3) array [m]
+        Where the middle of each piece is now.
+    weights : (k,) array
+        Reference length of each truss [m]; for smeared fibers the reference area of each point [m²].
     threads : Threads or None
         The trusses in order along their threads; None for smeared fibers.
     """
@@ -36,18 +41,14 @@ class FiberResult:
     fibers: Fibers
     stretch: Array
     tension: Array
+    positions: Array
+    weights: Array
     threads: Threads | None
 
     @property
     def maximum_tension(self) -> float:
-        """Largest tension of any thread [N]; of discrete threads that of a whole crossing of a side.
-
-        Trusses that cut off corners of sides take up what the shapes of the sides do not follow, so that tensions of
-        neighbors jump; their average over a crossing does not.
-        """
-        if self.threads is None:
-            return float(self.tension.max())
-        return float(along_thread(self.threads, self.tension).max())
+        """Largest tension of any thread [N]."""
+        return float(self.tension.max())
 
 
 def fiber_results(state: State | StateFields) -> tuple[FiberResult, ...]:
@@ -67,9 +68,17 @@ def fiber_results(state: State | StateFields) -> tuple[FiberResult, ...]:
     for fibers in at.model.reinforcements:
         threads = at.facts.threads(fibers) if fibers.form == DISCRETE else None
         pieces = threads.pieces if threads else smeared_pieces(at.mesh, fibers)
-        stretch = _stretch(pieces, at.points)
-        share = np.where(stretch >= 1, 1.0, fibers.compression)
-        out.append(FiberResult(fibers, stretch, share * fibers.stretching_stiffness * (stretch - 1), threads))
+        stretch = np.linalg.norm(tangents(pieces, at.points), axis=1)
+        out.append(
+            FiberResult(
+                fibers=fibers,
+                stretch=stretch,
+                tension=smooth_tension(pieces, piece_tension(fibers, stretch)),
+                positions=np.einsum("ka,kai->ki", pieces.middle, at.points[pieces.sides]),
+                weights=pieces.weights,
+                threads=threads,
+            )
+        )
     return tuple(out)
 
 
@@ -80,18 +89,42 @@ def maximum_tension(at: StateFields) -> float:
     return max(each.maximum_tension for each in fiber_results(at))
 
 
-def along_thread(threads: Threads, values: Array) -> Array:
-    """Averages (k,) of values of trusses over as much of their thread as one crossing of a side, weighted by length."""
-    weights = threads.pieces.weights
-    reach = float(np.percentile(weights, 90))  # half a crossing
-    middle = np.cumsum(weights) - weights / 2
-    gap = 10 * (middle[-1] + reach) * threads.thread  # no average reaches from one thread to the next
-    place = middle + gap
-    first = np.searchsorted(place, place - reach)
-    last = np.searchsorted(place, place + reach, side="right")
-    total = np.concatenate([[0.0], np.cumsum(weights * values)])
-    length = np.concatenate([[0.0], np.cumsum(weights)])
-    return np.asarray((total[last] - total[first]) / (length[last] - length[first]))
+def tangents(pieces: Pieces, points: Array) -> Array:
+    """Current tangent of each piece per reference length, (k, 3), from current positions of the nodes (n, 3) [m]."""
+    return np.asarray(np.einsum("ka,kai->ki", pieces.along, points[pieces.sides]))
+
+
+def piece_tension(fibers: Fibers, stretch: Array) -> Array:
+    """Tension of one thread at each piece by itself, (k,) [N], from its stretch."""
+    share = np.where(stretch >= 1, 1.0, fibers.compression)
+    return np.asarray(share * fibers.stretching_stiffness * (stretch - 1))
+
+
+def smooth_tension(pieces: Pieces, tension: Array) -> Array:
+    """Average tensions over the sides of cells around each piece, weighted by length or area.
+
+    Threads hardly stretch, and the strains of a quadratic side are not that exact: along a thread tensions jump from
+    truss to truss, and one that crosses the middle of a side holds twice what its neighbor near the edge does. Their
+    average is right. Each node of the mesh gets the average of the sides around it, by hand of the winding, and each
+    side the average of its corners, which spreads over two sides in every direction.
+
+    Parameters
+    ----------
+    pieces : Pieces
+    tension : (k,) array [N]
+        Tension at each piece by itself.
+
+    Returns
+    -------
+    (k,) array [N]
+    """
+    corners = side_type(pieces.sides.shape[1]).corners
+    nodes = pieces.sides[:, :corners]
+    places = nodes + (nodes.max() + 1) * pieces.hand[:, None]
+    weights = np.repeat(pieces.weights, corners)
+    total = np.bincount(places.ravel(), weights)
+    held = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
+    return np.asarray((held / np.where(total > 0, total, 1.0))[places].mean(axis=1))
 
 
 def drawn_threads(at: StateFields) -> list[Array]:
@@ -109,8 +142,3 @@ def drawn_threads(at: StateFields) -> list[Array]:
             line[:, plane.axis] = 2 * plane.position - line[:, plane.axis]
         lines += images
     return lines
-
-
-def _stretch(pieces: Pieces, points: Array) -> Array:
-    tangent = np.einsum("ka,kai->ki", pieces.along, points[pieces.sides])
-    return np.asarray(np.linalg.norm(tangent, axis=1))

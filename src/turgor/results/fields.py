@@ -6,12 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.element import element_of
-from turgor.engine.fields import CellFields, cell_fields, nodal_average
-from turgor.engine.reference import reference_nodes, tables_at
+from turgor.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
 from turgor.engine.threads import Threads, discrete_threads
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.proximity import FacingWalls, find_facing_walls
+from turgor.meshing.region_nodes import RegionNodes, region_nodes
 from turgor.meshing.surface import outer_triangles
 from turgor.model.fibers import Fibers
 from turgor.model.model import DISPLACEMENT, Model
@@ -49,6 +48,11 @@ class MeshFacts:
         """Pairs of outer walls that may meet."""
         return find_facing_walls(self.mesh)
 
+    @cached_property
+    def region_nodes(self) -> RegionNodes:
+        """The nodes of the mesh, doubled where regions meet."""
+        return region_nodes(self.mesh)
+
     def threads(self, fibers: Fibers) -> Threads:
         """Threads of a winding where they lie at rest; found once."""
         for known, threads in self._threads:
@@ -72,6 +76,10 @@ class MeshFacts:
 
 class StateFields:
     """A state with its fields.
+
+    Stresses and stretches at the nodes are averaged over the cells of one region. A node where regions meet has a value
+    for each of them: the first n values belong to the n nodes of the mesh, and ``facts.region_nodes`` says to which
+    node and region each of the d values belongs. With one region d equals n.
 
     Parameters
     ----------
@@ -112,13 +120,13 @@ class StateFields:
 
     @cached_property
     def von_mises(self) -> Array:
-        """Von Mises stress averaged at the nodes, (n,) [Pa]."""
-        return np.maximum(nodal_average(self.mesh, self.cells.von_mises), 0.0)
+        """Von Mises stress averaged at the nodes of each region, (d,) [Pa]."""
+        return np.maximum(self._averaged(self.cells.von_mises), 0.0)
 
     @cached_property
     def stretch(self) -> Array:
-        """Largest principal stretch averaged at the nodes, (n,)."""
-        return nodal_average(self.mesh, self.cells.stretch)
+        """Largest principal stretch averaged at the nodes of each region, (d,)."""
+        return self._averaged(self.cells.stretch)
 
     @cached_property
     def contact_pressure(self) -> Array:
@@ -130,16 +138,15 @@ class StateFields:
 
     @cached_property
     def cauchy_stress(self) -> Array:
-        """Cauchy stress averaged at the nodes, (n, 3, 3) [Pa]."""
-        return nodal_average(self.mesh, self.cells.cauchy)
+        """Cauchy stress averaged at the nodes of each region, (d, 3, 3) [Pa]."""
+        return self._averaged(self.cells.cauchy)
 
     @cached_property
     def mean_stress(self) -> Array:
-        """Mean stress at every node, (n,) [Pa]: that of the cells around it, averaged where it jumps."""
+        """Mean stress at the nodes of each region, (d,) [Pa]: the multiplier, interpolated between its values."""
         if self.model.formulation == DISPLACEMENT:
-            return nodal_average(self.mesh, self.cells.mean_stress)
-        nodes = reference_nodes(self.mesh.cells.shape[1])
-        between = tables_at(self.mesh.cells.shape[1], nodes, np.ones(len(nodes))).M
-        values = self.state.mean_stress[element_of(self.model).mean] @ between.T
-        total = np.bincount(self.mesh.cells.ravel(), values.ravel(), minlength=len(self.mesh.points))
-        return np.asarray(total / np.bincount(self.mesh.cells.ravel(), minlength=len(self.mesh.points)))
+            return self._averaged(self.cells.mean_stress)
+        return nodal_mean_stress(self.model, self.state.mean_stress, self.facts.region_nodes)
+
+    def _averaged(self, values: Array) -> Array:
+        return nodal_average(self.mesh, values, self.facts.region_nodes)

@@ -1,6 +1,5 @@
 """Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
 
-import re
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
@@ -25,7 +24,16 @@ from turgor.results.contact_measures import (
 )
 from turgor.results.drive import stage_column
 from turgor.results.energies import energy_columns, time_column
-from turgor.results.fibers import maximum_tension
+from turgor.results.fiber_measures import FIBER_MEASURES
+from turgor.results.field_measures import (
+    as_column,
+    in_each_region,
+    in_region,
+    maximum_principal_stretch,
+    maximum_von_mises,
+    principal_stretch_p99,
+    von_mises_p99,
+)
 from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.reading import Measure as Measure
 from turgor.results.rotations import face_rotation, twist
@@ -54,7 +62,8 @@ def measure(solution: Solution, *measures: Measure) -> Response:
         where faces have different ones, and what the procedure prescribed, ``injected_volume`` or
         ``gas_mass_ratio``, and in a sequence ``stage``, the number of finished stages and the load factor of this one;
         then the measures. With several cavities, ``cavity_volume`` of all is
-        followed by ``cavity_1_volume`` and so on. The standard measures are followed by those of the procedure
+        followed by ``cavity_1_volume`` and so on; with several regions ``von_mises_p99`` is followed by
+        ``body_von_mises_p99`` and so on. The standard measures are followed by those of the procedure
         and of contact, where there is any. A moving actuator also has its ``time`` and, last, its energies.
 
     Raises
@@ -62,9 +71,7 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     TurgorError
         If a measure needs a face that the mesh does not have.
     """
-    standard = measures in ((), STANDARD_MEASURES)
-    asked = (*STANDARD_MEASURES, *contact_measures_of(solution)) if standard else measures
-    chosen = _with_each_cavity(asked, solution.model.mesh)
+    chosen = chosen_measures(solution, measures)
     facts = MeshFacts(solution.model.mesh)
     rows = []
     for state in solution.states:
@@ -82,6 +89,13 @@ def measure(solution: Solution, *measures: Measure) -> Response:
         message=solution.message,
         stages=tuple(state.stage for state in solution.states) if isinstance(solution.procedure, Stages) else (),
     )
+
+
+def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:
+    """Choose what `measure` reads: what is asked for with its parts, or the standard measures."""
+    standard = tuple(measures) in ((), STANDARD_MEASURES)
+    asked = (*STANDARD_MEASURES, *contact_measures_of(solution)) if standard else measures
+    return _with_parts(asked, solution.model.mesh)
 
 
 def check_measures(model: Model, measures: Sequence[Measure]) -> None:
@@ -106,6 +120,9 @@ def find_measure(name: str) -> Measure:
     """
     if name in MEASURES:
         return MEASURES[name]
+    regional = in_region(name)
+    if regional is not None:
+        return regional
     if name.startswith("cavity_") and name.endswith("_volume"):
         return volume_of(name.removesuffix("_volume"))
     if name.endswith("_contact_area"):
@@ -124,24 +141,20 @@ def volume_of(cavity: str) -> Measure:
     'cavity_1_volume'
     """
     return Measure(
-        name=f"{_as_column(cavity)}_volume", unit="mL", function=lambda at: enclosed_volume(at, [cavity]),
+        name=f"{as_column(cavity)}_volume", unit="mL", function=lambda at: enclosed_volume(at, [cavity]),
         definition=f"current volume enclosed by the face {cavity}, whole actuator",
     )  # fmt: skip
 
 
-def _with_each_cavity(chosen: Sequence[Measure], mesh: Mesh) -> tuple[Measure, ...]:
-    """Add the volume of each cavity to that of all, where there are several."""
+def _with_parts(chosen: Sequence[Measure], mesh: Mesh) -> tuple[Measure, ...]:
+    """Add the volume of each cavity to that of all, and stress and stretch of each region, where there are several."""
     out, given = [], {each.name for each in chosen}
     for each in chosen:
-        out.append(each)
+        parts = in_each_region(each, mesh)
         if each is cavity_volume and len(mesh.cavities) > 1:
-            out += [one for one in map(volume_of, mesh.cavities) if one.name not in given]
+            parts = [volume_of(cavity) for cavity in mesh.cavities]
+        out += [each, *(part for part in parts if part.name not in given)]
     return tuple(out)
-
-
-def _as_column(face: str) -> str:
-    """Name of a face as a part of the name of a column, which holds letters, digits and underscores only."""
-    return re.sub(r"\W", "_", face)
 
 
 def _drive(solution: Solution) -> tuple[Column, ...]:
@@ -151,19 +164,19 @@ def _drive(solution: Solution) -> tuple[Column, ...]:
     if any(state.pressures for state in solution.states):
         found = [pressures_of(state) for state in solution.states]
         for face in found[0]:
-            name = "pressure" if len(found[0]) == 1 else f"{_as_column(face)}_pressure"
+            name = "pressure" if len(found[0]) == 1 else f"{as_column(face)}_pressure"
             columns.append(Column(name, "kPa", np.array([at[face] for at in found])))
     elif common is not None:
         columns.append(Column("pressure", "kPa", np.array([common.at(factor) for factor in factors])))
     elif solution.model.pressures:
         acting = [pressures_at(solution.model, factor) for factor in factors]
         for face in acting[0]:
-            columns.append(Column(f"{_as_column(face)}_pressure", "kPa", np.array([at[face] for at in acting])))
+            columns.append(Column(f"{as_column(face)}_pressure", "kPa", np.array([at[face] for at in acting])))
     for name in solution.states[0].driven:
         if any(name not in state.driven for state in solution.states):
             continue  # another stage prescribed something else
         unit = "mL" if name.startswith("injected_volume") else ""
-        columns.append(Column(_as_column(name), unit, np.array([state.driven[name] for state in solution.states])))
+        columns.append(Column(as_column(name), unit, np.array([state.driven[name] for state in solution.states])))
     return tuple(columns)
 
 
@@ -247,15 +260,6 @@ cavity_volume = Measure(
     name="cavity_volume", unit="mL", function=_cavity_volume,
     definition="current volume enclosed by the faces cavity*, whole actuator",
 )  # fmt: skip
-maximum_principal_stretch = Measure(
-    name="maximum_principal_stretch", unit="", function=lambda at: float(at.cells.stretch.max()),
-    definition="largest principal stretch at any quadrature point of the solid",
-)  # fmt: skip
-maximum_von_mises = Measure(
-    name="maximum_von_mises", unit="kPa", function=lambda at: float(at.cells.von_mises.max()),
-    definition="largest von Mises stress at any quadrature point of the solid, membranes left out; at sharp inner "
-    "corners it depends on the mesh",
-)  # fmt: skip
 reaction = Measure(
     name="reaction", unit="N", function=_reaction,
     definition="magnitude of the force at the supports Fixed, whole actuator; zero where only the pressure "
@@ -266,14 +270,10 @@ smallest_gap = Measure(
     function=lambda at: float(smallest_gap_between(at.facts.walls, at.displacement)),
     definition="smallest distance between outer walls that face each other; negative once they have passed through",
 )  # fmt: skip
-maximum_fiber_tension = Measure(
-    name="maximum_fiber_tension", unit="N", function=maximum_tension,
-    definition="largest tension of any thread, averaged over a crossing of a side where threads are discrete",
-)  # fmt: skip
-
 #: What a run writes unless it is told otherwise.
 STANDARD_MEASURES: tuple[Measure, ...] = (
-    bending_angle, tip_displacement, cavity_volume, maximum_principal_stretch, maximum_von_mises, reaction,
+    bending_angle, tip_displacement, cavity_volume, principal_stretch_p99, maximum_principal_stretch, von_mises_p99,
+    maximum_von_mises, reaction,
 )  # fmt: skip
 
 #: Every ready-made measure by name.
@@ -287,7 +287,7 @@ MEASURES: Mapping[str, Measure] = MappingProxyType(
             tip_displacement_z,
             twist_angle,
             smallest_gap,
-            maximum_fiber_tension,
+            *FIBER_MEASURES,
             *CONTACT_MEASURES,
         )
     }

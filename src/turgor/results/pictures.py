@@ -21,6 +21,7 @@ from turgor.results.drive import face_of, pressures_in
 from turgor.results.fibers import drawn_threads
 from turgor.results.fields import StateFields
 from turgor.results.obstacle_skin import obstacle_skin
+from turgor.results.percentiles import PERCENTILE, volume_percentile, weighted_percentile
 from turgor.results.rendering import ASIDE, FRONT, MARGIN, Beside, View, frame, render
 from turgor.results.shading import INK
 from turgor.results.skin import Skin, visible_skin
@@ -32,12 +33,12 @@ Array = NDArray[np.float64]
 #: Pixels above the actuator for the title, and below it for the colors.
 HEAD, FOOT = 90, 140
 
-#: This share of the surface is colored within the bar; stress at corners grows with every refinement.
-PERCENTILE = 99.0
-
 
 def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_by: str = VON_MISES) -> View:
     """Choose a view that shows all states whole, at the same scale and with the same colors.
+
+    The bar of colors ends at the largest `von_mises_p99` of the states, the stress below which 99 % of the volume lie,
+    or at the contact pressure below which 99 % of the area that touches lie. Beyond it the last color is used.
 
     Parameters
     ----------
@@ -56,14 +57,15 @@ def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_
         raise TurgorError("a view needs at least one state to show.")
     shown = [_fields(state) for state in states]
     extents = extents_of(shown)
-    azimuth = ASIDE if color_by == CONTACT_PRESSURE else FRONT
+    touching = color_by == CONTACT_PRESSURE
+    azimuth = ASIDE if touching else FRONT
     plain = View(azimuth=azimuth, left=0.0, right=1.0, limit=1.0)
     low, high, limit = np.full(2, np.inf), np.full(2, -np.inf), 0.0
     for at in shown:
         skin = visible_skin(at, getattr(at, color_by))
         least, greatest = frame([skin], obstacle_skin(at, extents), plain.eye)
         low, high = np.minimum(low, least), np.maximum(high, greatest)
-        limit = max(limit, _surface_percentile(skin, PERCENTILE, color_by == CONTACT_PRESSURE))
+        limit = max(limit, _pressed(skin) if touching else volume_percentile(at.cells, at.cells.von_mises))
     left, right = float(low[0]), float(max(high[0], low[0] + high[1] - low[1]))  # no picture is taller than it is wide
     return View(
         azimuth=azimuth, left=left, right=right, limit=limit if limit > 0 else 1 * kPa, width=width, color_by=color_by,
@@ -141,16 +143,11 @@ def _fields(state: State | StateFields) -> StateFields:
     return state if isinstance(state, StateFields) else StateFields(state)
 
 
-def _surface_percentile(skin: Skin, percent: float, touching: bool) -> float:
-    """Value below which this share of the surface lies, or of the part of it that touches something."""
-    values, areas = skin.values[skin.triangles].mean(axis=1), skin.areas
-    if touching:
-        values, areas = values[values > 0], areas[values > 0]
-        if not len(values):
-            return 0.0
-    order = np.argsort(values)
-    share = np.cumsum(areas[order])
-    return float(values[order][np.searchsorted(share, share[-1] * percent / 100)])
+def _pressed(skin: Skin) -> float:
+    """Pressure that 99 % of the area that touches stay below; zero where nothing touches."""
+    values = skin.values[skin.triangles].mean(axis=1)
+    on = values > 0
+    return weighted_percentile(values[on], skin.areas[on]) if on.any() else 0.0
 
 
 def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
@@ -165,7 +162,7 @@ def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
     colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
     colorbar.outline.set_visible(False)
     bar.tick_params(labelsize=16, colors=_hex(INK), length=5)
-    note = FIELDS[view.color_by].format(share=f"{PERCENTILE:g} %")
+    note = FIELDS[view.color_by].format(share=f"{PERCENTILE} %")
     figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=_hex(INK))
     draw_axes(figure, view)
     return figure

@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 from turgor.errors import TurgorError
 from turgor.model.contact import SELF
 from turgor.response import Response
-from turgor.results.drive import drive_of, face_of, pressures_in, with_each_cavity
+from turgor.results.drive import drive_of, face_of, pressures_in
+from turgor.results.headlines import HEADLINE, headlines, with_parts
 
 BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
 
@@ -22,11 +23,8 @@ COLORS = (BLUE, "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 #: Names of stages with more letters than this in all are turned, so that they do not meet below a panel.
 MOST_LETTERS = 36
 
-#: Columns that the plot of a response shows where it has them, a panel each.
-PANELS = (
-    "blocked_force", "holding_force", "bending_angle", "cavity_volume", "maximum_principal_stretch",
-    "maximum_von_mises",
-)  # fmt: skip
+#: Headlines without a panel of their own: the angle says more than the way of the tip.
+LEFT_OUT = ("tip_displacement",)
 
 
 def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str = BLUE, label: str = "") -> Axes:
@@ -84,7 +82,7 @@ def _name_stages(axes: Axes, names: list[str]) -> None:
 
 
 def response_figure(response: Response, title: str = "") -> Figure:
-    """Draw the response against its drive: bending angle, cavity volume, largest stretch and von Mises stress.
+    """Draw the response against its drive: bending angle, cavity volume, stretch and von Mises stress (99 % of volume).
 
     Panels whose column is missing are left out; if none is there, every measured column gets one. Several pressures
     share a panel of their own, which comes first; the others are drawn against the load factor then.
@@ -99,8 +97,8 @@ def response_figure(response: Response, title: str = "") -> Figure:
     drive = drive_of(response)
     pressures = [column.name for column in pressures_in(response)]
     measured = [name for name in response.names if name not in ("load_factor", drive, *pressures)]
-    chosen = [name for name in PANELS if name in measured] or measured
-    panels = [with_each_cavity(response, name) for name in chosen]
+    chosen = [name for name in headlines(measured) if name not in LEFT_OUT] or measured
+    panels = [with_parts(response, name) for name in chosen]
     if not panels:
         raise TurgorError(f"the response holds {', '.join(response.names)} only; there is nothing to plot against it.")
     if pressures and drive not in pressures:
@@ -155,11 +153,13 @@ def _plot_lines(axes: Axes, response: Response, drive: str, names: list[str]) ->
     """Plot columns of one kind into one panel, with a legend where there are several."""
     if len(names) == 1:
         return plot_response(axes, response, drive, names[0])
+    whole = names[0] if names[0] in HEADLINE else None
     for name, color in zip(names, cycle(COLORS), strict=False):
-        label = "all" if name == "cavity_volume" else face_of(response.find(name)).replace("_", " ")
+        part = name.removesuffix(f"_{whole.removeprefix('cavity_')}") if whole else face_of(response.find(name))
+        label = "all" if name == whole else part.replace("_", " ")
         plot_response(axes, response, drive, name, color=color, label=label)
     column = response.find(names[0])
-    axes.set_ylabel(f"{column.name.rpartition('_')[2]} [{column.unit}]", color=INK)
+    axes.set_ylabel(column.label if whole else f"{column.name.rpartition('_')[2]} [{column.unit}]", color=INK)
     axes.legend(frameon=False, labelcolor=INK)
     return axes
 

@@ -15,8 +15,11 @@ from turgor.meshing.quality import MeshQuality
 from turgor.response import Column, Response
 from turgor.results import describe, describe_procedure
 from turgor.results.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
-from turgor.results.drive import drive_of, pressures_in, with_each_cavity
+from turgor.results.drive import drive_of, pressures_in
+from turgor.results.field_measures import BY_REGION
+from turgor.results.headlines import headlines, in_regions, last_value, with_parts
 from turgor.results.measures import MEASURES, find_measure
+from turgor.results.percentiles import PERCENTILE
 from turgor.results.plots import response_svg
 from turgor.solvers.solution import Solution, Timing
 from turgor.solvers.stages import Stages
@@ -27,12 +30,6 @@ PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 #: Rows of the response that the page shows; the file has all.
 ROWS = 13
-
-#: Columns whose last value is shown large at the top, with the drive before them.
-HEADLINE = (
-    "blocked_force", "holding_force", "bending_angle", "tip_displacement", "cavity_volume", "maximum_principal_stretch",
-    "maximum_von_mises",
-)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -109,12 +106,13 @@ def _context(report: Report) -> dict[str, object]:
     staged = isinstance(solution.procedure, Stages)
     return {
         "title": report.title,
-        "status": str(solution.status).replace("_", " "),
+        "status": describe_procedure.ending(solution.status),
         "good": solution.complete and all(finding.severity is not Severity.ERROR for finding in report.findings),
         "message": solution.message,
         "advice": solution.advice,
         "findings": list(report.findings),
         "numbers": _numbers(response),
+        "percentile": PERCENTILE if {each.name for each in BY_REGION} & set(response.names) else 0,
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
         "picture_width": _picture_width(report.pictures),
         "plot": response_svg(response) if len(response) > 1 else "",
@@ -156,25 +154,26 @@ def _picture_width(pictures: tuple[Picture, ...]) -> int:
 def _numbers(response: Response) -> list[tuple[str, str]]:
     """Values of the last state with their names: the drive, then what a reader looks for first."""
     drives = [column.name for column in pressures_in(response)] or [drive_of(response)]
-    shown = [*drives]
-    for name in HEADLINE:
-        if name in response.names and name not in drives:
-            shown += with_each_cavity(response, name)
     numbers = []
-    for name in shown:
-        column = response.find(name)
-        value = f"{column.in_unit[-1]:.4g} {column.unit}".strip().replace(" deg", "°")
-        numbers.append((value, _words(column)))
+    for name in [*drives, *(name for name in headlines(response.names) if name not in drives)]:
+        column, regions = response.find(name), in_regions(response, name)
+        cavities = [] if regions else with_parts(response, name)[1:]
+        numbers.append((_last(column), f"{_words(column)} ({regions})" if regions else _words(column)))
+        numbers += [(_last(each), _words(each)) for each in map(response.find, cavities)]
     return numbers
+
+
+def _last(column: Column) -> str:
+    """Value of the last state with its unit; degrees have their sign."""
+    return last_value(column).replace(" deg", "°")
 
 
 def _definitions(response: Response, contacts: set[str]) -> list[tuple[str, str]]:
     """Names and definitions of the columns that ready-made measures filled."""
-    volumes = with_each_cavity(response, "cavity_volume") if "cavity_volume" in response.names else []
+    parts = {part for name in headlines(response.names) for part in with_parts(response, name)}
+    known = {*MEASURES, *parts, *contacts}
     return [
-        (_words(column), find_measure(column.name).definition)
-        for column in response.columns
-        if column.name in MEASURES or column.name in volumes or column.name in contacts
+        (_words(column), find_measure(column.name).definition) for column in response.columns if column.name in known
     ]
 
 

@@ -84,19 +84,21 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
     ----------
     at : Drawn
         The state.
-    values : (n,) array
-        Values at the nodes of the mesh.
+    values : (n,) or (d,) array
+        Values at the nodes of the mesh, or at those of its regions: each triangle has those of the region behind it.
     """
     mesh = at.mesh
     triangles, region = drawn_triangles(mesh)
+    shared = len(values) == len(mesh.points)
+    corners = values[triangles if shared else at.facts.region_nodes.of(triangles, np.tile(region[:, None], 6))]
     smooth = _smooth_patches(mesh.points, triangles)
     normals = _nodal_normals(at, triangles, smooth)
     patch = np.unique(np.stack([smooth, region], axis=1), axis=0, return_inverse=True)[1].ravel()
     parts = PARTS if len(triangles) * PARTS**2 * mesh.symmetry_factor <= MANY else 2
     N, pieces = _subdivision(parts)
     count = len(N)
-    fine_values = np.einsum("qa,fa->fq", N, values[triangles])
-    low, high = values[triangles].min(axis=1, keepdims=True), values[triangles].max(axis=1, keepdims=True)
+    fine_values = np.einsum("qa,fa->fq", N, corners)
+    low, high = corners.min(axis=1, keepdims=True), corners.max(axis=1, keepdims=True)
     fine_normals = np.einsum("qa,fai->fqi", N, normals).reshape(-1, 3)
     fine_normals /= np.maximum(np.linalg.norm(fine_normals, axis=1, keepdims=True), 1e-30)
     skin = Skin(

@@ -12,10 +12,12 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.region_nodes import RegionNodes
 from turgor.model.drive import common_pressure, rises
 from turgor.results.contact import extents_of
 from turgor.results.drive import stage_column
 from turgor.results.fields import MeshFacts, StateFields
+from turgor.results.percentiles import volume_percentile
 from turgor.results.vtu_beside import obstacles_text, threads_text
 from turgor.results.vtu_xml import VtuArray, names_array, opening, section
 from turgor.solvers.solution import Solution, State
@@ -30,9 +32,11 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
     """Write one state as a VTU file with its quadratic cells intact.
 
     Point data: ``displacement`` [m], ``mean_stress`` [Pa], ``cauchy_stress`` [Pa] (XX, YY, ZZ, XY, YZ, XZ),
-    ``von_mises`` [Pa], ``stretch`` (largest principal), and ``contact_pressure`` [Pa] where anything may touch. Cell
-    data: ``region``, counted in the order of the field data ``region_names``. Stresses and stretch are averaged at the
-    nodes over the cells that share them.
+    ``von_mises`` [Pa], ``stretch`` (largest principal), ``node``, and ``contact_pressure`` [Pa] where anything may
+    touch. Cell data: ``region``, counted in the order of the field data ``region_names``. Stresses and stretch are
+    averaged at the nodes over the cells of one region. Where regions meet the points are doubled, one for each region,
+    so that fields jump there as they should; ``node`` says which node of the mesh a point is. Field data:
+    ``von_mises_p99`` [Pa] and ``principal_stretch_p99``, below which 99 % of the volume lie, and the load.
 
     Parameters
     ----------
@@ -42,24 +46,29 @@ def write_vtu(path: str | Path, state: State | StateFields) -> None:
         What to write; the modeled part, not mirrored.
     """
     at = state if isinstance(state, StateFields) else StateFields(state)
-    mesh = at.mesh
+    nodes = at.facts.region_nodes
     cauchy = np.stack([at.cauchy_stress[:, i, j] for i, j in SYMMETRIC], axis=1)
     point_data = [
-        VtuArray("displacement", at.displacement.astype("f8"), "m", ("X", "Y", "Z")),
+        VtuArray("displacement", at.displacement[nodes.node].astype("f8"), "m", ("X", "Y", "Z")),
         VtuArray("mean_stress", at.mean_stress.astype("f4"), "Pa"),
         VtuArray("cauchy_stress", cauchy.astype("f4"), "Pa", SYMMETRIC_NAMES),
         VtuArray("von_mises", at.von_mises.astype("f4"), "Pa"),
         VtuArray("stretch", at.stretch.astype("f4")),
+        VtuArray("node", nodes.node.astype("i4")),
     ]
     if at.state.touches:
-        point_data.append(VtuArray("contact_pressure", at.contact_pressure.astype("f4"), "Pa"))
-    of_state = [VtuArray("load_factor", np.array([at.state.load_factor], dtype="f8"))]
+        point_data.append(VtuArray("contact_pressure", at.contact_pressure[nodes.node].astype("f4"), "Pa"))
+    of_state = [
+        VtuArray("load_factor", np.array([at.state.load_factor], dtype="f8")),
+        VtuArray("von_mises_p99", np.array([volume_percentile(at.cells, at.cells.von_mises)]), "Pa"),
+        VtuArray("principal_stretch_p99", np.array([volume_percentile(at.cells, at.cells.stretch)])),
+    ]
     for face, pressure in at.state.pressures.items():
         of_state.append(VtuArray(f"{face}_pressure", np.array([pressure], dtype="f8"), "Pa"))
     if at.state.velocity is not None:
-        point_data.append(VtuArray("velocity", at.state.velocity.astype("f4"), "m/s", ("X", "Y", "Z")))
+        point_data.append(VtuArray("velocity", at.state.velocity[nodes.node].astype("f4"), "m/s", ("X", "Y", "Z")))
     stage = names_array("stage", [at.state.stage]) if at.state.stage else ""
-    Path(path).write_text(grid_text(mesh, point_data, [], of_state, stage), encoding="utf-8")
+    Path(path).write_text(grid_text(at.mesh, point_data, [], of_state, stage, nodes), encoding="utf-8")
 
 
 def grid_text(
@@ -68,6 +77,7 @@ def grid_text(
     cell_data: Sequence[VtuArray],
     field_data: Sequence[VtuArray],
     names: str = "",
+    nodes: RegionNodes | None = None,
 ) -> str:
     """Write a mesh with its curved cells, the region of each, and fields, as the text of a VTU file.
 
@@ -79,28 +89,31 @@ def grid_text(
         Fields at the nodes, in the cells, and of the whole.
     names : str
         Texts of the whole, see `names_array`.
+    nodes : RegionNodes, optional
+        What the fields at the nodes belong to; by default the nodes of the mesh, which regions share.
 
     Returns
     -------
     str
     """
     region = np.empty(len(mesh.cells), dtype="i4")
-    for number, cells in enumerate(mesh.regions.values()):
-        region[cells] = number
-    count = len(mesh.cells)
+    for number, chosen in enumerate(mesh.regions.values()):
+        region[chosen] = number
+    points, cells = (mesh.points, mesh.cells) if nodes is None else (mesh.points[nodes.node], nodes.cells)
+    count = len(cells)
     connectivity = [
-        VtuArray("connectivity", mesh.cells.astype("i4")),
-        VtuArray("offsets", (np.arange(count, dtype="i4") + 1) * mesh.cells.shape[1]),
+        VtuArray("connectivity", cells.astype("i4")),
+        VtuArray("offsets", (np.arange(count, dtype="i4") + 1) * cells.shape[1]),
         VtuArray("types", np.full(count, mesh.cell_type.vtk, dtype="u1")),
     ]
     lines = [
         *opening("UnstructuredGrid"),
         "<UnstructuredGrid>",
         *section("FieldData", field_data, names_array("region_names", list(mesh.regions)) + names),
-        f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfCells="{count}">',
+        f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{count}">',
         *section("PointData", point_data),
         *section("CellData", [VtuArray("region", region), *cell_data]),
-        *section("Points", [VtuArray("points", mesh.points.astype("f8"), "m", ("X", "Y", "Z"))]),
+        *section("Points", [VtuArray("points", points.astype("f8"), "m", ("X", "Y", "Z"))]),
         *section("Cells", connectivity),
         "</Piece>",
         "</UnstructuredGrid>",

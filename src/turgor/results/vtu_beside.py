@@ -15,8 +15,8 @@ from turgor.results.vtu_xml import VtuArray, names_array, simple_grid
 def threads_text(at: StateFields) -> str:
     """Write the discrete threads of a state as the text of a VTU file; empty where there are none.
 
-    Every truss is a line between current positions, thread after thread. Cell data: ``tension`` [N], ``stretch``,
-    ``winding`` and ``thread``, counted from 0.
+    Every truss is a line between current positions, thread after thread. Cell data: ``tension`` [N], averaged over the
+    sides of cells around it, ``stretch`` of each truss by itself, ``winding`` and ``thread``, counted from 0.
 
     Parameters
     ----------

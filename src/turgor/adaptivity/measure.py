@@ -1,0 +1,119 @@
+"""measure: read measures off every state of a path, each with its estimated mesh error."""
+
+from functools import partial
+
+from turgor.adaptivity.mesh_error import MeshError, estimate_mesh_error
+from turgor.engine.runtime import EngineOptions
+from turgor.response import MESH_ERROR, Column, Response
+from turgor.results.fields import StateFields
+from turgor.results.measures import chosen_measures
+from turgor.results.measures import measure as read
+from turgor.results.reading import Measure
+from turgor.solvers.pressures import pressures_of
+from turgor.solvers.solution import Solution
+
+
+def measure(
+    solution: Solution, *measures: Measure, mesh_error: bool = True, options: EngineOptions | None = None
+) -> Response:
+    """Read measures off every state of a path, each with an estimate of its mesh error.
+
+    Parameters
+    ----------
+    solution : Solution
+        The path, complete or not.
+    *measures : Measure
+        What to read; `STANDARD_MEASURES` if none is given.
+    mesh_error : bool
+        Whether the mesh error is estimated. It takes up to half the time of the solve, once for a solution: a few
+        states are found again on a second, finer mesh.
+    options : EngineOptions, optional
+        How the engine runs on the second mesh.
+
+    Returns
+    -------
+    Response
+        First the drive: ``load_factor`` and, where a pressure acts, ``pressure``, or ``cavity_1_pressure`` and the like
+        where faces have different ones, and what the procedure prescribed, ``injected_volume`` or
+        ``gas_mass_ratio``, and in a sequence ``stage``, the number of finished stages and the load factor of this one;
+        then the measures, each followed by its mesh error, such as ``bending_angle_mesh_error``. With several cavities,
+        ``cavity_volume`` of all is followed by ``cavity_1_volume`` and so on; with several regions ``von_mises_p99`` by
+        ``body_von_mises_p99`` and so on. The standard measures are followed by those of the procedure and of contact,
+        where there is any. A moving actuator also has its ``time`` and, last, its energies.
+
+    Raises
+    ------
+    TurgorError
+        If a measure needs a face that the mesh does not have.
+    """
+    response = read(solution, *measures)
+    if not mesh_error:
+        return response
+    return with_mesh_error(response, mesh_error_of(solution, response, measures, options))
+
+
+def mesh_error_of(
+    solution: Solution, response: Response, measures: tuple[Measure, ...] = (), options: EngineOptions | None = None
+) -> MeshError:
+    """Estimate the mesh error of all that a response holds, the pressures that a procedure found among it.
+
+    Parameters
+    ----------
+    solution : Solution
+    response : Response
+        What `measure` read off it.
+    measures : tuple of Measure
+        What it was asked to read.
+    options : EngineOptions, optional
+
+    Returns
+    -------
+    MeshError
+    """
+    return estimate_mesh_error(solution, (*_found_pressures(solution), *chosen_measures(solution, measures)), options)
+
+
+def with_mesh_error(response: Response, estimate: MeshError) -> Response:
+    """Put the column of each mesh error behind that of its measure.
+
+    Parameters
+    ----------
+    response : Response
+    estimate : MeshError
+
+    Returns
+    -------
+    Response
+    """
+    columns: list[Column] = []
+    for column in response.columns:
+        columns.append(column)
+        if column.name in estimate.errors:
+            columns.append(Column(column.name + MESH_ERROR, column.unit, estimate.errors[column.name]))
+    return Response(
+        columns=tuple(columns),
+        source=response.source,
+        status=response.status,
+        message=response.message,
+        stages=response.stages,
+    )
+
+
+def _found_pressures(solution: Solution) -> tuple[Measure, ...]:
+    """Measures of the pressures that the procedure found, by the names of their columns."""
+    stated = {load.face for load in solution.model.pressures}
+    found = [name for name in solution.states[-1].pressures if name not in stated]
+    acting = pressures_of(solution.states[-1])
+    return tuple(
+        Measure(
+            name="pressure" if len(acting) == 1 else f"{face}_pressure",
+            unit="kPa",
+            function=partial(_pressure, face),
+            definition=f"gauge pressure on {face}",
+        )
+        for face in found
+    )
+
+
+def _pressure(face: str, at: StateFields) -> float:
+    return pressures_of(at.state).get(face, 0.0)

@@ -1,0 +1,184 @@
+"""Second mesh: states of a path found again on a refined mesh, each from its interpolated start."""
+
+from dataclasses import dataclass, field, replace
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.chambers import Chambers
+from turgor.engine.linear import SingularTangentError
+from turgor.engine.runtime import EngineOptions
+from turgor.engine.system import Evaluation, System
+from turgor.engine.tangent import Tangent
+from turgor.engine.transfer import Transfer
+from turgor.meshing.refinement import Refinement
+from turgor.model.model import Model
+from turgor.solvers.bordered import BorderedStart, bordered_newton
+from turgor.solvers.controls import CavityPressures, Control, LoadFactor, VolumeTarget, WorkTarget, acting_pressures
+from turgor.solvers.newton import NewtonSettings, relative_residual
+from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
+from turgor.solvers.solution import State
+from turgor.solvers.stages import OneProcedure
+from turgor.solvers.touching import touches
+
+Array = NDArray[np.float64]
+
+#: How closely equilibrium is met on the second mesh where pressures are sought.
+SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
+
+#: Relative residual of a state that takes the place of the first one, as `Static` has it.
+TOLERANCE = 1e-6
+
+#: Updates at most; the last one is this small a share of the whole correction, which is the mesh error that is looked
+#: for. New factors are made where an update is not this much smaller than the one before.
+UPDATES, SMALL, CONTRACTION = 12, 0.02, 0.35
+
+
+@dataclass(slots=True, eq=False)
+class SecondMesh:
+    """A refined mesh and the equations on it, for every model that the states of one path belong to.
+
+    Parameters
+    ----------
+    refinement : Refinement
+    transfer : Transfer
+        From the mesh of the path to it.
+    options : EngineOptions
+    """
+
+    refinement: Refinement
+    transfer: Transfer
+    options: EngineOptions
+    _known: list[tuple[Model, tuple[str, ...], System, Tangent]] = field(default_factory=list)
+
+    def found_again(self, state: State, procedure: OneProcedure, exact: bool = False) -> State | None:
+        """Find a state on the refined mesh, driven as its procedure does; None where Newton's method does not.
+
+        ``exact`` asks for equilibrium as a solve has it, not only for a good estimate of the mesh error.
+        """
+        controlled = _controlled(state, procedure)
+        system, tangent = self._equations(state.model, controlled)
+        system.materials.memory = self.transfer.memory(state.memory)
+        system.materials.begin_step(0.0 if state.memory is not None else inf)
+        start = self._start(system, state)
+        try:
+            if controlled or isinstance(procedure, ArcLength | Auto):
+                return _at_volume(system, tangent, start, state, controlled)
+            return _at_load(system, tangent, start, state, exact)
+        except (SingularTangentError, np.linalg.LinAlgError):
+            return None
+
+    def at_rest(self, state: State) -> State:
+        """Carry the undeformed state to the refined mesh."""
+        return replace(
+            state,
+            model=replace(state.model, mesh=self.refinement.mesh),
+            displacement=self.transfer.nodal(state.displacement),
+            mean_stress=self.transfer.mean_stress(
+                state.model, replace(state.model, mesh=self.refinement.mesh), state.mean_stress
+            ),
+            nodal_force=np.zeros_like(self.refinement.mesh.points),
+            touches={},
+        )
+
+    def _equations(self, model: Model, controlled: tuple[str, ...]) -> tuple[System, Tangent]:
+        for known, faces, system, tangent in self._known:
+            if known is model and faces == controlled:
+                return system, tangent
+        system = System(replace(model, mesh=self.refinement.mesh), controlled)
+        tangent = Tangent(system, self.options.linear_solver, self.options.threads, self.options.iteration)
+        self._known = [(model, controlled, system, tangent)]  # one at a time: factors are large
+        return system, tangent
+
+    def _start(self, system: System, state: State) -> Array:
+        """Scaled unknowns of a state, interpolated."""
+        moved = self.transfer.nodal(state.displacement)
+        mean = self.transfer.mean_stress(state.model, system.model, state.mean_stress)
+        obstacles = {obstacle.name: obstacle for obstacle in system.model.contact.obstacles}
+        springs = [
+            (state.touches[name].place - obstacles[name].displacement(0.0)) / system.length
+            for name in system.contact.bodies.names
+        ]
+        return np.concatenate([system.unknowns(moved, mean), *springs])
+
+
+def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
+    """Cavities whose pressure the procedure sought."""
+    if not isinstance(procedure, VolumeControl | GasMass):
+        return ()
+    stated = {load.face for load in state.model.pressures}
+    return tuple(name for name in state.pressures if name not in stated)
+
+
+def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, exact: bool) -> State | None:
+    """Equilibrium at the load factor of the state, or as near to it as the correction is to be known."""
+    at = system.evaluate(unknowns, state.load_factor)
+    whole, before, fresh = np.zeros(3 * system.node_count), np.inf, True
+    for _ in range(UPDATES):
+        if at is None:
+            return None
+        jump = system.prescribed(state.load_factor) - at.unknowns[system.held]
+        coupling = tangent.factor(at, None, jump) if fresh or jump.any() else np.zeros(system.size)
+        right = -at.residual - coupling
+        right[system.held] = jump
+        update = tangent.solve(right)
+        at = system.evaluate(at.unknowns + update, state.load_factor)
+        whole += update[: len(whole)]
+        size, total = float(np.linalg.norm(update[: len(whole)])), float(np.linalg.norm(whole))
+        if at is not None and size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
+            return _state(system, at, state, {}, tangent.unstable_modes())
+        fresh, before = size > CONTRACTION * before, size
+    return None
+
+
+def _at_volume(
+    system: System, tangent: Tangent, unknowns: Array, state: State, controlled: tuple[str, ...]
+) -> State | None:
+    """Equilibrium with the volumes of the state: pressures, or the load factor, are sought."""
+    if controlled:
+        chambers = Chambers(system, controlled)
+        volumes = chambers.volumes(unknowns)
+        control = Control(CavityPressures(system), VolumeTarget(chambers, volumes, np.zeros_like(volumes)))
+        scalars = np.array([state.pressures[name] for name in controlled]) / system.stress
+        parameter = state.load_factor
+    else:
+        weights = {load.face: load.pressure for load in state.model.pressures}
+        if not weights:
+            return _at_load(system, tangent, unknowns, state, exact=True)
+        chambers = Chambers(system, tuple(weights))
+        shares = np.array(list(weights.values())) / max(map(abs, weights.values()))
+        now, rest = (float(shares @ chambers.volumes(x)) for x in (unknowns, np.zeros(system.size)))
+        control = Control(LoadFactor(system), WorkTarget(chambers, shares, rest, now))
+        scalars, parameter = np.array([state.load_factor]), 1.0
+    start = BorderedStart(unknowns, scalars, None)
+    result = bordered_newton(control, tangent, start, parameter, SETTINGS, _unheard)
+    if not result.converged or result.evaluation is None:
+        return None
+    found = acting_pressures(system, result.scalars) if controlled else {}
+    return _state(system, result.evaluation, state, dict(found))
+
+
+def _state(
+    system: System, at: Evaluation, state: State, pressures: dict[str, float], modes: int | None = None
+) -> State:
+    displacement, mean_stress = system.physical(at.unknowns)
+    if not pressures and state.pressures:
+        share = at.load_factor / state.load_factor if state.load_factor else 1.0
+        pressures = {name: value * share for name, value in state.pressures.items()}
+    return replace(
+        state,
+        model=system.model,
+        load_factor=at.load_factor,
+        displacement=displacement,
+        mean_stress=mean_stress,
+        nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
+        unstable_modes=modes,
+        touches=touches(system, at),
+        pressures=pressures,
+        memory=system.materials.memory,
+    )
+
+
+def _unheard(iteration: int, residual: float, correction: float, step_length: float) -> None:
+    """Report nothing: the progress of a run is that of its path."""

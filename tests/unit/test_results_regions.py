@@ -1,0 +1,105 @@
+"""Stress and stretch by region: percentiles, and nodal values that jump where regions meet."""
+
+import numpy as np
+import pytest
+import results_cases as cases
+
+from turgor.errors import TurgorError
+from turgor.materials.laws import NeoHooke
+from turgor.materials.material import Material
+from turgor.meshing.exchange.read import read_mesh
+from turgor.model.model import Model
+from turgor.model.supports import Fixed
+from turgor.results.field_measures import (
+    maximum_von_mises,
+    principal_stretch_in,
+    von_mises_in,
+    von_mises_p99,
+)
+from turgor.results.fields import StateFields
+from turgor.results.measures import check_measures, find_measure, measure
+from turgor.results.percentiles import weighted_percentile
+from turgor.results.pictures import shared_view
+from turgor.results.plots import response_figure
+from turgor.results.skin import visible_skin
+from turgor.results.vtu import write_vtu
+
+STRETCH = 1.3
+STIFF = Material(name="stiff", law=NeoHooke(C10=10 * cases.RUBBER.law.C10))
+#: Von Mises stress of the body in uniaxial tension, and of the base, ten times as stiff.
+BODY = cases.RUBBER.law.shear_modulus * (STRETCH**2 - 1 / STRETCH)
+BASE = 10 * BODY
+
+
+@pytest.fixture(scope="module")
+def at():
+    """Uniform stretch of a body on a stiff base: the stress jumps by a factor of ten."""
+    model = Model(cases.body(half=True), {"body": cases.RUBBER, "base": STIFF}, [Fixed("fixed")], [])
+    return StateFields(cases.state(model, cases.stretched(STRETCH)))
+
+
+def test_percentile_counts_volume_and_not_points():
+    values, weights = np.array([5.0, 1.0, 9.0, 2.0]), np.array([0.3, 0.3, 0.009, 0.391])
+    assert weighted_percentile(values, weights) == 5.0
+    assert weighted_percentile(values, np.array([0.3, 0.3, 0.011, 0.389])) == 9.0
+
+
+def test_one_spoiled_cell_is_a_maximum_and_no_headline():
+    model = cases.model(cases.body(hollow=False))
+    spoiled = StateFields(cases.state(model, lambda X: X * 1.0 + 2e-3 * (np.arange(len(X)) == 0)[:, None]))
+    assert maximum_von_mises(spoiled) > 2 * von_mises_p99(spoiled)
+
+
+def test_percentiles_of_the_regions(at):
+    assert von_mises_in("body")(at) == pytest.approx(BODY)
+    assert von_mises_in("base")(at) == pytest.approx(BASE)
+    assert von_mises_p99(at) == pytest.approx(BASE)  # a third of the volume
+    assert principal_stretch_in("base")(at) == pytest.approx(STRETCH)
+    assert find_measure("base_von_mises_p99")(at) == von_mises_in("base")(at)
+    assert find_measure("body_principal_stretch_p99").unit == ""
+
+
+def test_unknown_regions_and_measures_are_answered_with_the_near_match(at):
+    with pytest.raises(TurgorError, match=r"measure 'bdy_von_mises_p99': unknown region 'bdy'; did you mean 'body'"):
+        check_measures(at.model, [find_measure("bdy_von_mises_p99")])
+    with pytest.raises(TurgorError, match=r"unknown measure 'von_mises_p9'; did you mean 'von_mises_p99'"):
+        find_measure("von_mises_p9")
+
+
+def test_a_response_has_the_regions_beside_the_solid(at):
+    path = cases.solution([cases.state(at.model, None, 0.0), at.state])
+    response = measure(path, von_mises_p99, find_measure("base_von_mises_p99"))
+    assert response.names == ("load_factor", "von_mises_p99", "body_von_mises_p99", "base_von_mises_p99")
+    assert response.find("body_von_mises_p99").label == "body von Mises stress, 99 % of volume [kPa]"
+    axes = response_figure(response).axes
+    assert len(axes) == 1
+    assert [text.get_text() for text in axes[0].get_legend().get_texts()] == ["all", "body", "base"]
+
+
+def test_nodal_values_jump_between_regions(at):
+    """An average over both sides would be 5.5 times the body's stress at the border."""
+    region, names = at.facts.region_nodes.region, list(at.mesh.regions)
+    np.testing.assert_allclose(at.von_mises[region == names.index("body")], BODY)
+    np.testing.assert_allclose(at.von_mises[region == names.index("base")], BASE)
+
+
+def test_each_side_of_the_skin_has_the_color_of_its_region(at):
+    skin = visible_skin(at, at.von_mises)
+    values = skin.values[skin.triangles]
+    low = at.points[at.mesh.cells[at.mesh.region("base")]][..., 2].max()
+    middle = skin.points[skin.triangles].mean(axis=1)[:, 2]
+    np.testing.assert_allclose(values[middle < low - 1e-6], BASE)
+    np.testing.assert_allclose(values[middle > low + 1e-6], BODY)
+
+
+def test_colors_end_at_the_headline():
+    bent = cases.state(cases.model(cases.body(half=True)), cases.bent(1.2))
+    rest = cases.state(bent.model, None, 0.0)
+    assert shared_view([rest, bent]).limit == von_mises_p99(bent)
+
+
+def test_doubled_points_are_joined_when_a_file_is_read(at, tmp_path):
+    write_vtu(tmp_path / "state.vtu", at)
+    again = read_mesh(tmp_path / "state.vtu", unit="m", regions={"base": "region 0", "body": "region 1"})
+    assert len(again.points) == len(at.mesh.points)
+    np.testing.assert_array_equal(again.region("base"), at.mesh.region("base"))
