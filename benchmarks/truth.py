@@ -69,9 +69,8 @@ def measured(case: Case, kind: str, step: str, formulation: str) -> dict[str, An
 
 def witnesses(case: Case) -> tuple[tuple[str, str], tuple[str, str]]:
     """Two discretizations that must agree: kind of cells and step of each."""
-    if case.touches:
-        return ("tetrahedra", "fine"), ("hexahedra", "half")
-    return ("third order", "fine"), ("tetrahedra", "fine" if case.fine_size else "half")
+    fine = ("tetrahedra", "fine" if case.fine_size else "half")
+    return (fine, ("hexahedra", "half")) if case.touches else (("third order", "fine"), fine)
 
 
 def wanted(case: Case, *, only_truth: bool, quick: bool) -> list[tuple[str, str, str]]:

@@ -28,7 +28,7 @@ CASES = (
         materials={"body": ECOFLEX},
         pressures={"cavity_1": 12.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=3.0,
+        third_order_size=3.5,
         fine_size=1.5,
     ),
     Case(
@@ -40,7 +40,7 @@ CASES = (
         materials={"body": ECOFLEX},
         pressures={"cavity_1": 7.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=3.0,
+        third_order_size=3.5,
         fine_size=1.5,
     ),
     Case(
@@ -50,7 +50,7 @@ CASES = (
         materials={"body": DRAGON},
         pressures={"cavity": 5.0},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
-        third_order_size=2.5,
+        third_order_size=3.0,
         fine_size=1.0,
     ),
     Case(

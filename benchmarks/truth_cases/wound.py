@@ -65,7 +65,7 @@ CASES = (
         pressures={"cavity": 20.0},
         measures=(tg.twist_angle, tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="outside", material=KEVLAR, diameter=THREAD, winding=HELIX),),
-        third_order_size=5.0,
+        third_order_size=6.0,
         fine_size=1.5,
     ),
 )
