@@ -19,8 +19,8 @@ CASES = (
         materials=ON_PAPER,
         pressures={"cavity": 6.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=1.5,
-        fine_size=0.8,
+        third_order_size=2.0,
+        fine_size=0.0,
     ),
     Case(
         name="fast_pneunet_stiff_base",

@@ -40,7 +40,7 @@ CASES = (
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=DOUBLE),),
         third_order_size=2.0,
-        fine_size=0.8,
+        fine_size=0.0,
         jumps=True,
     ),
     Case(
@@ -54,8 +54,8 @@ CASES = (
             replace(ROD, face=("winding", "strain_limiting_layer"), winding=HOOPS),
             replace(ROD, face="strain_limiting_layer", winding=LENGTHWISE),
         ),
-        third_order_size=4.0,
-        fine_size=0.0,
+        third_order_size=5.0,
+        fine_size=1.3,
     ),
     Case(
         name="twisting_tube",
