@@ -41,7 +41,7 @@ CASES = (
         pressures={"cavity": 10.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=1.5,
-        fine_size=0.9,
+        fine_size=1.2,
         jumps=True,
     ),
     Case(
@@ -51,7 +51,7 @@ CASES = (
         materials=ON_STIFF,
         pressures={"cavity": 20.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=2.5,
+        third_order_size=3.0,
         fine_size=0.0,
         jumps=True,
     ),
@@ -63,7 +63,7 @@ CASES = (
         pressures={"cavity": 16.0},
         measures=(tg.bending_angle, tg.cavity_volume),
         third_order_size=0.0,
-        fine_size=0.0,
+        fine_size=1.4,
         contact=tg.Contact(),
     ),
 )
