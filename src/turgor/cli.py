@@ -103,6 +103,7 @@ def _run(
 def _check(job: JobFile, debug: Debug = False) -> None:
     """Read, build, mesh and check a job without solving it."""
     with _errors_as_sentences(debug):
+        from turgor.adaptivity.findings import ONLY_WITH_ERROR
         from turgor.finding import Severity
         from turgor.job.read import read_job
         from turgor.job.run import prepare
@@ -119,7 +120,7 @@ def _check(job: JobFile, debug: Debug = False) -> None:
         if isinstance(asked.procedure, Stages):
             for name, changes in procedure(asked.procedure):
                 typer.echo(f"Stage '{name}': {changes}.")
-        _warn(findings)
+        _warn([found for found in findings if found.code != ONLY_WITH_ERROR])
         raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
 
 
@@ -166,7 +167,8 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
 
 def _tell(outcome: "RunOutcome") -> None:
     """Say how it ended, the numbers at the end, and where everything is."""
-    from turgor.results.headlines import in_regions, last_value, with_parts
+    from turgor.results.error_text import last_with_error
+    from turgor.results.headlines import in_regions, with_parts
     from turgor.solvers.pressures import pressure_text
 
     solution, response = outcome.solution, outcome.response
@@ -177,8 +179,8 @@ def _tell(outcome: "RunOutcome") -> None:
         regions = in_regions(response, each)
         for name in [each] if regions else with_parts(response, each):
             column = response.find(name)
-            said = f"{column.label.split(' [')[0]} {last_value(column)}"
-            numbers[name] = f"{said} ({regions})" if regions else said
+            said = f"{column.label.split(' [')[0]} {last_with_error(response, column)}"
+            numbers[name] = f"{said} [{regions}]" if regions else said
     drive = pressure_text(solution.states[-1]) or "the end"
     typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")

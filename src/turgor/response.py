@@ -75,9 +75,11 @@ class Column:
     def label(self) -> str:
         """Name and unit as they stand beside an axis, such as ``"bending angle [deg]"``.
 
-        The ending ``_p99`` says what 99 % of the volume stay below: ``"von Mises stress, 99 % of volume [kPa]"``.
+        The ending ``_p99`` says what 99 % of the volume stay below: ``"von Mises stress (99 % of volume) [kPa]"``.
         """
-        words = self.name.replace("_", " ").replace("von mises", "von Mises stress").replace(" p99", ", 99 % of volume")
+        words = (
+            self.name.replace("_", " ").replace("von mises", "von Mises stress").replace(" p99", " (99 % of volume)")
+        )
         return f"{words} [{self.unit}]" if self.unit else words
 
     @property

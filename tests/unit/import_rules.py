@@ -7,7 +7,10 @@ import ast
 from collections.abc import Iterator
 
 #: Rooms in the order of import: a room may import from itself and from those before it.
-ROOMS = ("foundation", "materials", "geometry", "meshing", "model", "engine", "solvers", "results", "adaptivity", "job", "cli")
+ROOMS = (
+    "foundation", "materials", "geometry", "meshing", "model", "engine", "solvers", "results", "adaptivity", "job",
+    "cli",
+)  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
 FOUNDATION = ("units", "errors", "source", "finding", "response")

@@ -6,6 +6,7 @@ from itertools import pairwise, permutations, product
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.element import element_of
 from turgor.materials.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
@@ -85,7 +86,7 @@ def state(question: Model, place: Callable[[Array], Array] | None = None, load_f
     moved = points if place is None else np.asarray(place(points))
     return State(
         model=question, load_factor=load_factor, displacement=moved - points,
-        mean_stress=np.zeros(question.mesh.vertex_count), nodal_force=np.zeros_like(points),
+        mean_stress=np.zeros(element_of(question).mean_count), nodal_force=np.zeros_like(points),
     )  # fmt: skip
 
 

@@ -265,7 +265,7 @@ def test_a_run_that_stops_early_writes_the_path_so_far(folder: Path, capsys: pyt
     err = capsys.readouterr().err
     assert "Stopped at 1 kPa (load factor 0.5) after 1 steps. Raise procedure.max_steps to go on." in err
     assert [row["load_factor"] for row in rows(results / "response.csv")] == [0, 0.5]
-    assert "step_limit" in (results / "run.log").read_text()
+    assert "step limit: Stopped" in (results / "run.log").read_text()
     assert (results / "notes.txt").read_text() == "old"
     assert not list((results / "vtu").iterdir())
 

@@ -5,24 +5,28 @@ import pytest
 import results_cases as cases
 
 from turgor.errors import TurgorError
+from turgor.job.material_findings import laws_beyond_their_tests
 from turgor.materials.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.exchange.read import read_mesh
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
 from turgor.results.field_measures import (
+    maximum_principal_stretch,
     maximum_von_mises,
     principal_stretch_in,
     von_mises_in,
     von_mises_p99,
 )
 from turgor.results.fields import StateFields
+from turgor.results.headlines import in_regions
 from turgor.results.measures import check_measures, find_measure, measure
 from turgor.results.percentiles import weighted_percentile
 from turgor.results.pictures import shared_view
 from turgor.results.plots import response_figure
 from turgor.results.skin import visible_skin
 from turgor.results.vtu import write_vtu
+from turgor.units import kPa
 
 STRETCH = 1.3
 STIFF = Material(name="stiff", law=NeoHooke(C10=10 * cases.RUBBER.law.C10))
@@ -50,6 +54,18 @@ def test_one_spoiled_cell_is_a_maximum_and_no_headline():
     assert maximum_von_mises(spoiled) > 2 * von_mises_p99(spoiled)
 
 
+def test_one_spoiled_cell_does_not_put_a_law_beyond_its_tests():
+    mesh = cases.body(hollow=False)
+    narrow = Material(name="narrow", law=cases.RUBBER.law, stretch_range=(0.5, 1.2))
+    model = Model(mesh, dict.fromkeys(mesh.regions, narrow), [Fixed("fixed")], [])
+    lonely = mesh.vertex_count + int(np.bincount(mesh.cells.ravel())[mesh.vertex_count :].argmin())  # of one cell
+    spoiled = cases.state(model, lambda X: X + 1e-3 * (np.arange(len(X)) == lonely)[:, None])
+    assert maximum_principal_stretch(spoiled) > 1.3
+    assert laws_beyond_their_tests(cases.solution([cases.state(model, None, 0.0), spoiled])) == ()
+    (found,) = laws_beyond_their_tests(cases.solution([spoiled, cases.state(model, cases.stretched(STRETCH))]))
+    assert found.message.startswith("The law of 'narrow' is used up to stretch 1.3,")
+
+
 def test_percentiles_of_the_regions(at):
     assert von_mises_in("body")(at) == pytest.approx(BODY)
     assert von_mises_in("base")(at) == pytest.approx(BASE)
@@ -70,7 +86,8 @@ def test_a_response_has_the_regions_beside_the_solid(at):
     path = cases.solution([cases.state(at.model, None, 0.0), at.state])
     response = measure(path, von_mises_p99, find_measure("base_von_mises_p99"))
     assert response.names == ("load_factor", "von_mises_p99", "body_von_mises_p99", "base_von_mises_p99")
-    assert response.find("body_von_mises_p99").label == "body von Mises stress, 99 % of volume [kPa]"
+    assert in_regions(response, "von_mises_p99") == f"body {BODY / kPa:.4g} kPa, base {BASE / kPa:.4g} kPa"
+    assert response.find("body_von_mises_p99").label == "body von Mises stress (99 % of volume) [kPa]"
     axes = response_figure(response).axes
     assert len(axes) == 1
     assert [text.get_text() for text in axes[0].get_legend().get_texts()] == ["all", "body", "base"]

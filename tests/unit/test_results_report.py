@@ -17,7 +17,7 @@ from turgor.model.model import Membrane, Model
 from turgor.model.supports import Displacement, Fixed
 from turgor.response import Column, Response
 from turgor.results import describe
-from turgor.results.measures import measure
+from turgor.results.measures import bending_angle, find_measure, measure
 from turgor.results.plots import write_plot
 from turgor.results.report import Picture, Report, write_report
 from turgor.solvers.solution import Status
@@ -103,6 +103,32 @@ def test_page_holds_every_fact_and_no_request(tmp_path, solution, png):
     raw = (tmp_path / "r.html").read_text()
     assert not re.search(r"url\((?!#)|@import|<script", raw)
     assert (shown.open, shown.unbalanced) == ([], [])
+
+
+def test_headlines_are_percentiles_and_say_so(tmp_path, solution):
+    """The maximum at a point stands in the table, with its definition; the headline has the regions beside it."""
+    response = measure(solution)
+    shown = page(tmp_path, title="T", solution=solution, response=response)
+    whole, body, base = (
+        f"{response.find(name).in_unit[-1]:.4g} kPa"
+        for name in ("von_mises_p99", "body_von_mises_p99", "base_von_mises_p99")
+    )
+    assert f"{whole} von Mises stress (99 % of volume); base {base}, body {body}" in shown.text
+    assert f"{response.find('maximum_von_mises').in_unit[-1]:.4g} kPa maximum" not in shown.text
+    assert "Stress and stretch are what 99 % of the volume stay below" in shown.text
+    assert "body von Mises stress (99 % of volume) von Mises stress that 99 % of the volume of the region" in shown.text
+    assert "grows without limit at sharp edges" in shown.text
+    pointwise = measure(solution, bending_angle, find_measure("maximum_von_mises"))
+    shown = page(tmp_path, title="T", solution=solution, response=pointwise)
+    assert "kPa maximum von Mises stress" in shown.text
+    assert "Stress and stretch are what" not in shown.text
+
+
+def test_no_page_says_converged(tmp_path, solution):
+    ended = cases.solution(list(solution.states), Status.CONVERGED)
+    shown = page(tmp_path, title="T", solution=ended, response=measure(ended))
+    assert "solved to the end Reached 50 kPa." in shown.text
+    assert "converged" not in shown.text
 
 
 def test_page_without_extras(tmp_path, solution):

@@ -49,21 +49,19 @@ def measure(
     response = read(solution, *measures)
     if not mesh_error:
         return response
-    return with_mesh_error(response, mesh_error_of(solution, response, measures, options))
+    return with_mesh_error(response, mesh_error_of(solution, measures, options))
 
 
 def mesh_error_of(
-    solution: Solution, response: Response, measures: tuple[Measure, ...] = (), options: EngineOptions | None = None
+    solution: Solution, measures: tuple[Measure, ...] = (), options: EngineOptions | None = None
 ) -> MeshError:
-    """Estimate the mesh error of all that a response holds, the pressures that a procedure found among it.
+    """Estimate the mesh error of all that `measure` reads, the pressures that a procedure found among it.
 
     Parameters
     ----------
     solution : Solution
-    response : Response
-        What `measure` read off it.
     measures : tuple of Measure
-        What it was asked to read.
+        What it is asked to read.
     options : EngineOptions, optional
 
     Returns

@@ -17,6 +17,7 @@ from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.refinement import Refinement
+from turgor.meshing.sizes import check_target
 from turgor.model.model import Model
 from turgor.results.error_text import with_error
 from turgor.results.reading import Measure
@@ -28,9 +29,6 @@ Array = NDArray[np.float64]
 
 #: Unknowns at which refinement stops, unless another limit is given, and rounds of refinement at most.
 MOST_UNKNOWNS, MOST_ROUNDS = 200_000, 6
-
-#: Relative errors that can be asked for.
-LEAST_TARGET, MOST_TARGET = 1e-4, 0.5
 
 #: The error falls about like this power of the number of unknowns where cells are added where it comes from.
 EXPONENT = 1.0
@@ -158,10 +156,7 @@ def refine_to(
 
     ``notify(text)`` is called with what is being done.
     """
-    if not LEAST_TARGET <= target <= MOST_TARGET:
-        raise TurgorError(
-            f"mesh target is {target:g}; allowed is {LEAST_TARGET:g} to {MOST_TARGET:g} (0.01 % to 50 %)."
-        )
+    check_target(target)
     if why_not(solution):
         raise TurgorError(f"the mesh cannot be refined to a target: {why_not(solution)}.")
     rounds, say = [_round(solution, measure, options)], notify or (lambda _: None)

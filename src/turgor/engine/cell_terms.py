@@ -5,8 +5,9 @@ from numpy.typing import NDArray
 
 from turgor.engine import kernels
 from turgor.engine.cell_materials import CellMaterials, Isochoric
-from turgor.engine.element import element_of, volume_stiffness
+from turgor.engine.element import element_of
 from turgor.engine.pattern import Pattern, locate, scatter_add
+from turgor.engine.stabilization import volume_penalty
 from turgor.errors import TurgorError
 from turgor.model.model import Model
 
@@ -38,8 +39,8 @@ class CellTerms:
     Jinv, dV : (c, q, 3, 3), (c, q) arrays
         Inverse Jacobians and volumes of the quadrature points.
     materials : CellMaterials
-    penalty : (c,) array
-        Scaled γ of the volume term of each cell.
+    penalty : (c, q, k) array
+        Scaled functions of the moments of volume that are penalized.
     mean_stress_volumes : (m,) array
         Volume that belongs to each mean stress.
     unknowns : (c, s) int array
@@ -57,7 +58,7 @@ class CellTerms:
         shares = self.dV @ r.M[:, : len(e.modes)]
         self.mean_stress_volumes = np.bincount(e.mean.ravel(), shares.ravel(), minlength=e.mean_count)
         self.materials = CellMaterials(model, stress, len(r.weights))
-        self.penalty = volume_stiffness(model, e, self.materials.compliance, stress)
+        self.penalty = volume_penalty(model, r, self.dV, self.materials.compliance, stress)
         chosen = self.materials.gradient_cells
         self._gradient_Jinv = self.Jinv if len(chosen) == len(self.cells) else self.Jinv[chosen]
         self.unknowns = _unknowns(self.cells, e.mean, len(points))
@@ -124,7 +125,7 @@ class CellTerms:
         e, r = self.element, self.element.tables
         return np.asarray(
             kernels.extrapolated_stress(
-                e.shape, e.modes, self.cells, e.mean, *at, *update, r.dN, r.M, self.Jinv, laws.derivatives,
+                e.shape, e.modes, self.cells, e.mean, *at, *update, r.dN, r.M, self.Jinv, self.dV, laws.derivatives,
                 self.materials.rows, laws.stress, laws.tangent, self.materials.compliance, self.penalty,
             )
         )  # fmt: skip

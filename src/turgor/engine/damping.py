@@ -45,7 +45,7 @@ class StrainRateDamping:
         by_cell = kernels.residual(
             e.shape, e.modes, system.cells, e.mean, u, np.zeros(max(e.mean_count, 1)), r.dN, r.M, system.Jinv,
             system.dV, none, none, self._rows, self._stress(unknowns), self._no_bulk(),
-            np.zeros(len(self._rows)),
+            self._no_penalty(),
         )  # fmt: skip
         return system.gathered(by_cell[:, : 3 * len(e.shape)])
 
@@ -59,7 +59,7 @@ class StrainRateDamping:
         packed = kernels.tangent(
             e.shape, e.modes, system.cells, e.mean, u, np.zeros(max(e.mean_count, 1)), r.dN, r.M, system.Jinv,
             system.dV, np.zeros((5, count, points)), self._rows, self._stress(unknowns), material,
-            (self._no_bulk(), np.zeros(len(self._rows))), np.zeros((1, 1, 6)), False,
+            (self._no_bulk(), self._no_penalty()), np.zeros((1, 1, 6)), False,
         )  # fmt: skip
         rows, _ = np.tril_indices(system.cell_size)
         chosen = np.flatnonzero(rows < 3 * len(e.shape))
@@ -80,6 +80,10 @@ class StrainRateDamping:
     def _no_bulk(self) -> Array:
         """Compliance (c,) with which the kernels add no mean stress of their own."""
         return np.full(len(self._viscosity), 0.0 if self._system.element.modes else np.inf)
+
+    def _no_penalty(self) -> Array:
+        """Functions (c, q, 0) of a penalty that there is none of."""
+        return np.zeros((*self._system.dV.shape, 0))
 
 
 def _deviator_moduli() -> Array:

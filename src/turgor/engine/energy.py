@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from turgor.engine import kernels
 from turgor.engine.evaluation import Evaluation
+from turgor.engine.stabilization import penalty_energy
 from turgor.engine.system import System
 
 Array = NDArray[np.float64]
@@ -24,10 +25,10 @@ def stored_energy(system: System, unknowns: Array) -> float:
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean]) if e.modes else (J - 1) / compliance
     lost = J - 1 - mean * compliance
     density = rubber.energy(I1, I2, F) / system.stress + 0.5 * mean**2 * compliance
-    density += 0.5 * system.rubber.penalty[:, None] * lost**2
     position = system.points + u
     faces = system.faces.membrane_energy(position) + system.faces.fiber_energy(position)
-    return (float((system.dV * density).sum()) + faces) * system.stress * system.length**3
+    penalty = float(penalty_energy(system.rubber.penalty, system.dV, lost).sum())
+    return (float((system.dV * density).sum()) + penalty + faces) * system.stress * system.length**3
 
 
 def contact_energy(system: System, at: Evaluation) -> float:

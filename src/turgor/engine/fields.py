@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from turgor.engine import kernels
 from turgor.engine.cell_materials import CellMaterials
-from turgor.engine.element import Element, element_of, tables_with, volume_stiffness
+from turgor.engine.element import Element, element_of, tables_with
 from turgor.engine.faces import FaceTerms
 from turgor.engine.memory import Memory
 from turgor.engine.reference import reference_nodes, tables_at
+from turgor.engine.stabilization import penalty_energy, volume_penalty
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.region_nodes import RegionNodes
@@ -186,9 +187,11 @@ def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory:
     chosen = materials.gradient_cells
     F = kernels.deformation_gradients(element.shape, mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
     density = materials.energy(I1, I2, F) + 0.5 * mean**2 * materials.compliance[:, None]
-    penalty = volume_stiffness(model, element, materials.compliance, 1.0)
-    density += 0.5 * penalty[:, None] * (J - 1 - mean * materials.compliance[:, None]) ** 2
+    penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
+    lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])
     held = np.zeros((len(mesh.points), 3), dtype=bool)
     sheets = FaceTerms(model, mesh.points, held, 1.0, 1.0)
     position = mesh.points + displacement
-    return float((weight * density).sum()) + sheets.membrane_energy(position) + sheets.fiber_energy(position)
+    return (
+        float((weight * density).sum() + lost.sum()) + sheets.membrane_energy(position) + sheets.fiber_energy(position)
+    )

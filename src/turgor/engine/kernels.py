@@ -1,7 +1,8 @@
 """Compiled loops over quadratic cells: kinematics, residual and tangent of the mixed formulation.
 
-The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) + γ/2 (J − 1 − p/κ)² dV with quadratic displacement and
-linear mean stress p; γ, ``penalty`` in the loops, is zero except in hexahedra (`turgor.engine.element`). A cell without
+The energy of a cell is ∫ W(Ī₁, Ī₂) + p (J − 1) − p² / (2κ) dV with quadratic displacement and linear mean stress p. In
+hexahedra a few moments of J − 1 − p/κ over the cell are penalized, ½ Σ (∫ φₖ (J − 1 − p/κ) dV)², with the functions φ,
+``penalty`` (c, q, k) in the loops, of `turgor.engine.stabilization`; in tetrahedra k is zero. A cell without
 mean stresses of its own, for comparison with codes that have no mixed element, takes p = κ (J − 1) at each point. The
 numbers of nodes and of mean stresses come as the lengths of two tuples, ``shape`` and ``modes``, so that the compiler
 knows them and unrolls: one compiled version for each kind of cell.
@@ -149,11 +150,39 @@ def _lost_volume(modes, J, mean, compliance):
 
 
 @njit(cache=True, fastmath=_FAST)
-def _bulk_modulus(modes, compliance, penalty):
-    """κ where the mean stress is a function of the displacement, γ where it is an unknown."""
+def _bulk_modulus(modes, compliance):
+    """κ where the mean stress is a function of the displacement, zero where it is an unknown."""
     if len(modes) == 0:
         return 1.0 / compliance
-    return penalty
+    return 0.0
+
+
+@njit(cache=True, fastmath=_FAST)
+def _lost_moments(shape, modes, ue, p, mean, dN, M, Jinv, dV, compliance, penalty):
+    """Moments ∫ φₖ (J − 1 − p/κ) dV of a cell, (k,)."""
+    moments = np.zeros(penalty.shape[1])
+    if len(moments) == 0:
+        return moments
+    G = np.empty((3, len(shape)))
+    F = np.empty((3, 3))
+    Cof = np.empty((3, 3))
+    for q in range(len(dN)):
+        _gradient(shape, dN[q], Jinv[q], G)
+        _deformation_gradient(shape, ue, G, F)
+        J = _cofactor(F, Cof)
+        lost = _lost_volume(modes, J, _mean_stress(modes, M[q], p, mean, J, compliance), compliance)
+        for k in range(len(moments)):
+            moments[k] += dV[q] * penalty[q, k] * lost
+    return moments
+
+
+@njit(cache=True, fastmath=_FAST)
+def _penalty_stress(penalty, moments):
+    """Mean stress of the penalty at one point: Σ φₖ mₖ."""
+    total = 0.0
+    for k in range(len(moments)):
+        total += penalty[k] * moments[k]
+    return total
 
 
 @njit(cache=True, fastmath=_FAST)
@@ -284,6 +313,7 @@ def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, str
         S = np.empty(6)
         _load_cell(shape, cells[c], u, ue)
         out[c, :] = 0.0
+        moments = _lost_moments(shape, modes, ue, p, mean[c], dN, M, Jinv[c], dV[c], compliance[c], penalty[c])
         for q in range(q_count):
             _gradient(shape, dN[q], Jinv[c, q], G)
             _deformation_gradient(shape, ue, G, F)
@@ -292,7 +322,8 @@ def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, str
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             lost = _lost_volume(modes, J, pq, compliance[c])
-            _stress(C, Ci, J, W1[c, q], W2[c, q], pq + penalty[c] * lost, s1, s2, T, S)
+            extra = _penalty_stress(penalty[c, q], moments)
+            _stress(C, Ci, J, W1[c, q], W2[c, q], pq + extra, s1, s2, T, S)
             if rows[c] >= 0:
                 _add_stress(stress[rows[c], q], S)
             w = dV[c, q]
@@ -303,7 +334,7 @@ def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, str
             for a in range(len(shape)):
                 for i in range(3):
                     out[c, 3 * a + i] += P[i, 0] * G[0, a] + P[i, 1] * G[1, a] + P[i, 2] * G[2, a]
-            volume = w * lost * (1.0 - penalty[c] * compliance[c])
+            volume = w * (lost - extra * compliance[c])
             for m in range(len(modes)):
                 out[c, 3 * len(shape) + m] += M[q, m] * volume
     return out
@@ -311,7 +342,7 @@ def residual(shape, modes, cells, mean, u, p, dN, M, Jinv, dV, W1, W2, rows, str
 
 @njit(cache=True, parallel=True, fastmath=_FAST)
 def extrapolated_stress(
-    shape, modes, cells, mean, u, p, du, dp, dN, M, Jinv, W, rows, stress, material, compliance, penalty
+    shape, modes, cells, mean, u, p, du, dp, dN, M, Jinv, dV, W, rows, stress, material, compliance, penalty
 ):
     """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 6).
 
@@ -337,6 +368,7 @@ def extrapolated_stress(
         E = np.empty(6)
         _load_cell(shape, cells[c], u, ue)
         _load_cell(shape, cells[c], du, de)
+        moments = _lost_moments(shape, modes, ue, p, mean[c], dN, M, Jinv[c], dV[c], compliance[c], penalty[c])
         for q in range(q_count):
             _gradient(shape, dN[q], Jinv[c, q], G)
             _deformation_gradient(shape, ue, G, F)
@@ -348,13 +380,12 @@ def extrapolated_stress(
             dpq = 0.0
             for m in range(len(modes)):
                 dpq += M[q, m] * dp[mean[c, m]]
-            dpq *= 1.0 - penalty[c] * compliance[c]
-            pq += penalty[c] * _lost_volume(modes, J, pq, compliance[c])
+            pq += _penalty_stress(penalty[c, q], moments)
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
-            bulk = _bulk_modulus(modes, compliance[c], penalty[c])
+            bulk = _bulk_modulus(modes, compliance[c])
             _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, bulk, D)
             if rows[c] >= 0:
                 _add_stress(stress[rows[c], q], S)
@@ -394,6 +425,24 @@ def _add_point(shape, G, A, w, T9, K):
 
 
 @njit(cache=True, fastmath=_FAST)
+def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
+    """Add Σ gₖ gₖᵀ with the gradients gₖ of the moments by displacements (k, 3, nodes) and mean stresses (k, m)."""
+    for k in range(len(u_part)):
+        for i in range(3):
+            for j in range(i, 3):
+                for a in range(len(shape)):
+                    g = u_part[k, i, a]
+                    for b in range(len(shape)):
+                        K[i, j, a, b] += g * u_part[k, j, b]
+        for m in range(len(modes)):
+            for i in range(3):
+                for a in range(len(shape)):
+                    Kup[m, i, a] += p_part[k, m] * u_part[k, i, a]
+            for n in range(m + 1):
+                Kpp[m, n] += p_part[k, m] * p_part[k, n]
+
+
+@njit(cache=True, fastmath=_FAST)
 def _pack(shape, modes, K, Kup, Kpp, out):
     """Lower triangle of the cell matrix, row by row: displacement unknowns node by node, then mean stresses."""
     at = 0
@@ -421,7 +470,7 @@ def tangent(
     """Hessian of the energy by cell, lower triangles packed row by row.
 
     ``stress`` (s, q, 6) and ``material`` (s, q, 21), lower triangles, are those of laws in stretches; ``volume`` is
-    the pair of compliance and penalty, (c,) each; ``geometric``
+    the pair of compliance (c,) and penalty (c, q, k); ``geometric``
     (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set.
     """
     count, q_count = len(cells), len(dN)
@@ -446,17 +495,20 @@ def tangent(
         Kup = np.zeros((len(modes), 3, len(shape)))
         Kpp = np.zeros((len(modes), len(modes)))
         _load_cell(shape, cells[c], u, ue)
+        moments = _lost_moments(shape, modes, ue, p, mean[c], dN, M, Jinv[c], dV[c], compliance[c], penalty[c])
+        u_part = np.zeros((len(moments), 3, len(shape)))
+        p_part = np.zeros((len(moments), len(modes)))
         for q in range(q_count):
             _gradient(shape, dN[q], Jinv[c, q], G)
             _deformation_gradient(shape, ue, G, F)
             J = _cofactor(F, Cof)
             pq = _mean_stress(modes, M[q], p, mean[c], J, compliance[c])
-            pq += penalty[c] * _lost_volume(modes, J, pq, compliance[c])
+            pq += _penalty_stress(penalty[c, q], moments)
             _right_cauchy_green(F, C)
             _symmetric_inverse_times(J, Cof, Ci)
             j, k, I1, I2 = _stress(C, Ci, J, W[0, c, q], W[1, c, q], pq, s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
-            bulk = _bulk_modulus(modes, compliance[c], penalty[c])
+            bulk = _bulk_modulus(modes, compliance[c])
             _material_tangent(Ci, T, s1, s2, derivatives, (J, j, k, I1, I2), pq, bulk, D)
             if rows[c] >= 0:
                 _add_stress(stress[rows[c], q], S)
@@ -467,15 +519,22 @@ def tangent(
             _push(F, D, S, A)
             w = dV[c, q]
             _add_point(shape, G, A, w, T9, K)
-            coupled = w * (1.0 - penalty[c] * compliance[c])
             for i in range(3):
                 for a in range(len(shape)):
-                    T9[i, a] = coupled * (Cof[i, 0] * G[0, a] + Cof[i, 1] * G[1, a] + Cof[i, 2] * G[2, a])
+                    T9[i, a] = w * (Cof[i, 0] * G[0, a] + Cof[i, 1] * G[1, a] + Cof[i, 2] * G[2, a])
+            for k in range(len(moments)):
+                phi = penalty[c, q, k]
+                for i in range(3):
+                    for a in range(len(shape)):
+                        u_part[k, i, a] += phi * T9[i, a]
+                for m in range(len(modes)):
+                    p_part[k, m] -= phi * w * compliance[c] * M[q, m]
             for m in range(len(modes)):
                 for i in range(3):
                     for a in range(len(shape)):
                         Kup[m, i, a] += M[q, m] * T9[i, a]
                 for n in range(m + 1):
-                    Kpp[m, n] -= coupled * compliance[c] * M[q, m] * M[q, n]
+                    Kpp[m, n] -= w * compliance[c] * M[q, m] * M[q, n]
+        _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp)
         _pack(shape, modes, K, Kup, Kpp, out[c])
     return out

@@ -26,10 +26,10 @@ def touch_kernels(nodes: int, mixed: bool = True) -> None:
     more, material = spectral.spectral_response(bar, directions, scale, one[:3].copy(), one)
     rows = np.zeros(1, dtype=np.int64)
     W = np.ones((5, *dV.shape))
-    compliance, penalty = np.ones(1), np.zeros(1)
+    compliance, penalty = np.ones(1), np.zeros((*dV.shape, 0))
     cell = (shape, modes, cells, mean)
     kernels.residual(*cell, u, p, r.dN, r.M, Jinv, dV, W[0], W[1], rows, more, compliance, penalty)
-    kernels.extrapolated_stress(*cell, u, p, u, p, r.dN, r.M, Jinv, W, rows, more, material, compliance, penalty)
+    kernels.extrapolated_stress(*cell, u, p, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, compliance, penalty)
     packed = kernels.tangent(
         *cell, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, (compliance, penalty), np.zeros((1, 1, 6)), False
     )

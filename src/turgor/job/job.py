@@ -158,6 +158,12 @@ class Job:
         Cells at least through every wall: 1 or 2.
     mesh_cells : str
         ``"tetrahedra"`` or ``"hexahedra"``.
+    mesh_target : float or None [-]
+        Relative mesh error of one measure at the last state that the mesh is refined to; None leaves the mesh alone.
+    mesh_target_measure : str or None
+        Name of this measure; the first one of the output if it is not given.
+    mesh_most_unknowns : int
+        Refinement stops before the mesh has more.
     materials : mapping of str to Material or Membrane
         A material for every region and a membrane for every face that is reinforced.
     supports : tuple of Fixed or Radial
@@ -185,6 +191,9 @@ class Job:
     mesh_face_sizes: Mapping[str, float] = field(default_factory=dict)
     mesh_wall_cells: int = 1
     mesh_cells: str = "tetrahedra"
+    mesh_target: float | None = None
+    mesh_target_measure: str | None = None
+    mesh_most_unknowns: int = 200_000
     materials: Mapping[str, Material | Membrane]
     supports: tuple[Fixed | Radial, ...] = (Fixed("fixed"),)
     loads: tuple[Pressure | Gravity, ...]

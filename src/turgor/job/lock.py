@@ -98,7 +98,16 @@ def _mesh(job: Job) -> dict[str, Any]:
         "face_sizes": faces,
         "wall_cells": job.mesh_wall_cells,
         "cells": job.mesh_cells,
+        **_target(job),
     }
+
+
+def _target(job: Job) -> dict[str, Any]:
+    """What the mesh is refined to, where it is."""
+    if job.mesh_target is None:
+        return {}
+    measure = {"target_measure": job.mesh_target_measure} if job.mesh_target_measure else {}
+    return {"target": f"{100 * job.mesh_target:.6g} %", **measure, "most_unknowns": job.mesh_most_unknowns}
 
 
 def _material(entry: Material | Membrane) -> dict[str, Any]:

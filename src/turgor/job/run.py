@@ -4,6 +4,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from turgor.adaptivity.findings import mesh_error_findings
+from turgor.adaptivity.measure import mesh_error_of, with_mesh_error
+from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding
 from turgor.job.folder import claimed, default_folder
@@ -15,6 +18,7 @@ from turgor.job.versions import versions
 from turgor.job.write import write_results
 from turgor.meshing.checks import check_mesh
 from turgor.model.model import Model
+from turgor.response import Response
 from turgor.results.measures import check_measures, find_measure, measure
 from turgor.solvers.checks import check_supports, may_be_free, unloaded_cavities
 from turgor.solvers.contact_checks import check_contact
@@ -24,7 +28,7 @@ from turgor.solvers.in_turn import questions
 from turgor.solvers.obstacle_checks import overlapping_obstacles
 from turgor.solvers.paths import controlled_faces
 from turgor.solvers.procedures import question_of
-from turgor.solvers.solution import Procedure
+from turgor.solvers.solution import Procedure, Solution
 from turgor.solvers.stages import Stages
 
 Notify = Callable[[str], None]
@@ -143,18 +147,53 @@ def run_job(
         model, findings = prepare(job, say)
         say("solving")
         solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
+        solution, refined = _refined(job, solution, options)
         say("measuring")
-        response = measure(solution, *(find_measure(name) for name in job.output.measures))
+        response, unknown = _measured(job, solution, options)
+        findings_of_all = (*mesh_error_findings(response, findings), *refined, *unknown)
         outcome = RunOutcome(
             job=replace(job, threads=options.threads),
             solution=solution,
             response=response,
-            findings=(*findings, *laws_beyond_their_tests(solution), *solution.findings),
+            findings=(*findings_of_all, *laws_beyond_their_tests(solution), *solution.findings),
             written_by=versions() | {"linear_solver": solution.timing.linear_solver},
             notices=tuple(notices),
             folder=folder,
         )
         return replace(outcome, files=write_results(outcome, say))
+
+
+def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:
+    """Refine the mesh to the target of a job, if it has one and the path is complete."""
+    if job.mesh_target is None or not solution.complete:
+        return solution, ()
+    wanted = find_measure(job.mesh_target_measure or job.output.measures[0])
+    found = refine_to(
+        solution,
+        wanted,
+        job.mesh_target,
+        most_unknowns=job.mesh_most_unknowns,
+        options=options,
+        notify=options.notify,
+    )
+    return found.solution, (found.finding,)
+
+
+def _measured(job: Job, solution: Solution, options: EngineOptions) -> tuple[Response, tuple[Finding, ...]]:
+    """Read the measures of a job, with their mesh errors unless it wants none; say where these are not known."""
+    measures = tuple(find_measure(name) for name in job.output.measures)
+    response = measure(solution, *measures)
+    if not job.output.mesh_error or len(solution.states) < 2:
+        return response, ()
+    if options.notify is not None:
+        options.notify("estimating the mesh error")
+    estimate = mesh_error_of(solution, measures, options)
+    if options.notify is not None and estimate.states:
+        options.notify(
+            f"mesh error: {len(estimate.states)} states found again on {estimate.unknowns} unknowns, "
+            f"{estimate.seconds:.1f} s"
+        )
+    return with_mesh_error(response, estimate), () if estimate.finding is None else (estimate.finding,)
 
 
 def _silent(_: str) -> None:

@@ -17,6 +17,7 @@ from turgor.job.problems import Problems
 from turgor.materials.laws import Hooke
 from turgor.materials.record_history import read_stress_softening, read_viscoelasticity
 from turgor.materials.records import DIMENSIONLESS
+from turgor.meshing.sizes import check_target
 from turgor.model.loads import STANDARD_GRAVITY
 from turgor.units import parse_quantity
 
@@ -75,6 +76,22 @@ def _measure(name: str) -> str:
     return find_measure(name).name
 
 
+def _share(value: object) -> float:
+    """Read a share, such as ``"2 %"``."""
+    text = value.strip() if isinstance(value, str) else ""
+    try:
+        share = float(text.removesuffix("%")) / 100 if text.endswith("%") else None
+    except ValueError:
+        share = None
+    if share is None:
+        raise TurgorError(f"{value!r} is no share in percent; write it as '2 %'.")
+    check_target(share)
+    return share
+
+
+Share = Annotated[float, BeforeValidator(_share)]
+
+
 class Table(BaseModel):
     """A table whose keys are all known."""
 
@@ -89,6 +106,9 @@ class MeshTable(Table):
     face_sizes: dict[str, Length] = {}
     wall_cells: int = 1
     cells: str = "tetrahedra"
+    target: Share | None = None
+    target_measure: Annotated[str, AfterValidator(_measure)] | None = None
+    most_unknowns: int = 200_000
 
 
 class LibraryTable(Table):

@@ -33,6 +33,9 @@ UNKNOWNS_PER_SIZE_SQUARED = 20.0
 #: (a slot of 1 mm radius at 1 mm size: 3 cells); with 2, none did on slots, tubes, half tubes and spheres.
 CELLS_PER_RADIUS = 2.0
 
+#: Relative mesh errors that can be asked for.
+LEAST_TARGET, MOST_TARGET = 1e-4, 0.5
+
 #: Cells through a wall that can be asked for.
 MOST_WALL_CELLS = 2
 
@@ -95,6 +98,21 @@ def check_settings(geometry: Geometry, size: object, grading: object, wall_cells
     _check_size(geometry, size, size_range(geometry)[1] if wall_cells == 1 else _extent(geometry))
     if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
         raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
+
+
+def check_target(target: float) -> None:
+    """Refuse a relative mesh error that no mesh can be refined to.
+
+    Examples
+    --------
+    >>> check_target(2.0)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: mesh target is 200 %; allowed is 0.01 % to 50 %.
+    """
+    if not LEAST_TARGET <= target <= MOST_TARGET:
+        raise TurgorError(
+            f"mesh target is {100 * target:g} %; allowed is {100 * LEAST_TARGET:g} % to {100 * MOST_TARGET:g} %."
+        )
 
 
 def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: float) -> None:

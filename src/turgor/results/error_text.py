@@ -6,6 +6,9 @@ import numpy as np
 
 from turgor.response import COLUMN_UNITS, Column, Response
 
+#: Errors smaller than this, in the unit that is shown, are next to nothing, and so is what they belong to.
+NOT_SHOWN = 1e-6
+
 
 def with_error(value: float, error: float, unit: str) -> str:
     """Write a value with its mesh error, both in ``unit``, with as many digits as the error allows to tell apart.
@@ -23,7 +26,7 @@ def with_error(value: float, error: float, unit: str) -> str:
     ('92.8 ± 0.9 deg', '12.34 mm')
     """
     scale = COLUMN_UNITS[unit]
-    if not isfinite(error) or error <= 0:
+    if not isfinite(error) or error <= 0 or error / scale < NOT_SHOWN:
         return f"{value / scale:.4g} {unit}".rstrip()
     decimals = _decimals(error / scale)
     return f"{value / scale:.{decimals}f} ± {error / scale:.{decimals}f} {unit}".rstrip()

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
 from turgor.model.contact import SELF
-from turgor.response import Response
+from turgor.response import Column, Response
 from turgor.results.drive import drive_of, face_of, pressures_in
 from turgor.results.headlines import HEADLINE, headlines, with_parts
 
@@ -29,6 +29,8 @@ LEFT_OUT = ("tip_displacement",)
 
 def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str = BLUE, label: str = "") -> Axes:
     """Plot one column of a response against another, in their units, with a dot for every state.
+
+    Where the mesh error of ``y`` is known, a band shows it.
 
     Parameters
     ----------
@@ -59,6 +61,10 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
     'pressure [kPa]'
     """
     across, upward = response.find(x), response.find(y)
+    errors = response.mesh_error(y)
+    if errors is not None:
+        low, high = (Column(y, upward.unit, upward.values + sign * errors).in_unit for sign in (-1, 1))
+        axes.fill_between(across.in_unit, low, high, color=color, alpha=0.2, lw=0)
     axes.plot(across.in_unit, upward.in_unit, "-o", color=color, lw=1.8, ms=3.5, label=label or None, clip_on=False)
     axes.set_xlabel(across.label, color=INK)
     axes.set_ylabel(upward.label, color=INK)
@@ -96,7 +102,7 @@ def response_figure(response: Response, title: str = "") -> Figure:
     """
     drive = drive_of(response)
     pressures = [column.name for column in pressures_in(response)]
-    measured = [name for name in response.names if name not in ("load_factor", drive, *pressures)]
+    measured = [column.name for column in response.quantities if column.name not in ("load_factor", drive, *pressures)]
     chosen = [name for name in headlines(measured) if name not in LEFT_OUT] or measured
     panels = [with_parts(response, name) for name in chosen]
     if not panels:

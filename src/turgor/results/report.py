@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
 
+import numpy as np
 from jinja2 import Environment, StrictUndefined
 
 from turgor.errors import TurgorError
@@ -16,8 +17,9 @@ from turgor.response import Column, Response
 from turgor.results import describe, describe_procedure
 from turgor.results.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
 from turgor.results.drive import drive_of, pressures_in
+from turgor.results.error_text import last_with_error, with_error
 from turgor.results.field_measures import BY_REGION
-from turgor.results.headlines import headlines, in_regions, last_value, with_parts
+from turgor.results.headlines import headlines, in_regions, with_parts
 from turgor.results.measures import MEASURES, find_measure
 from turgor.results.percentiles import PERCENTILE
 from turgor.results.plots import response_svg
@@ -117,6 +119,7 @@ def _context(report: Report) -> dict[str, object]:
         "picture_width": _picture_width(report.pictures),
         "plot": response_svg(response) if len(response) > 1 else "",
         "response": _table(response),
+        "errors_known": any(response.mesh_error(column.name) is not None for column in response.quantities),
         "definitions": _definitions(response, contact_columns(model)),
         "contact_heads": CONTACT_HEADS,
         "contact_rows": contact_rows(solution),
@@ -158,14 +161,14 @@ def _numbers(response: Response) -> list[tuple[str, str]]:
     for name in [*drives, *(name for name in headlines(response.names) if name not in drives)]:
         column, regions = response.find(name), in_regions(response, name)
         cavities = [] if regions else with_parts(response, name)[1:]
-        numbers.append((_last(column), f"{_words(column)} ({regions})" if regions else _words(column)))
-        numbers += [(_last(each), _words(each)) for each in map(response.find, cavities)]
+        numbers.append((_last(response, column), f"{_words(column)}; {regions}" if regions else _words(column)))
+        numbers += [(_last(response, each), _words(each)) for each in map(response.find, cavities)]
     return numbers
 
 
-def _last(column: Column) -> str:
-    """Value of the last state with its unit; degrees have their sign."""
-    return last_value(column).replace(" deg", "°")
+def _last(response: Response, column: Column) -> str:
+    """Value of the last state with its mesh error and unit; degrees have their sign."""
+    return last_with_error(response, column).replace(" deg", "°")
 
 
 def _definitions(response: Response, contacts: set[str]) -> list[tuple[str, str]]:
@@ -188,23 +191,33 @@ def _table(response: Response) -> dict[str, object]:
     step = max(1, -(-(count - 1) // (ROWS - 1)))
     rows = [*range(0, count - 1, step), count - 1]
     columns = [
-        list(response.stages) if column.name == "stage" and response.stages else _written(column)
-        for column in response.columns
+        list(response.stages) if column.name == "stage" and response.stages else _written(response, column)
+        for column in response.quantities
     ]
     return {
-        "labels": [column.label for column in response.columns],
+        "labels": [column.label for column in response.quantities],
         "rows": [[column[row] for column in columns] for row in rows],
         "left_out": count - len(rows),
         "count": count,
     }
 
 
-def _written(column: Column) -> list[str]:
-    """Values of a column in its unit, with as many decimals as give the largest five digits, four at most."""
+def _written(response: Response, column: Column) -> list[str]:
+    """Values of a column in its unit, with mesh errors where they are known.
+
+    A value without one has as many decimals as give the largest five digits, four at most.
+    """
     largest = max((abs(v) for v in column.in_unit.tolist() if abs(v) < float("inf")), default=0.0)
     before = len(str(int(largest)))
     decimals = min(4, max(0, 5 - before))
-    return [f"{value:.{decimals}f}" for value in column.in_unit.tolist()]
+    errors = response.mesh_error(column.name)
+    known = errors if errors is not None else np.full(len(response), np.nan)
+    return [
+        with_error(value, error, column.unit).removesuffix(column.unit).rstrip()
+        if error > 0
+        else f"{shown:.{decimals}f}"
+        for value, shown, error in zip(column.values.tolist(), column.in_unit.tolist(), known.tolist(), strict=True)
+    ]
 
 
 def _path_summary(solution: Solution) -> str:

@@ -1,0 +1,72 @@
+"""What the estimated mesh error says about a response, in words."""
+
+from collections.abc import Sequence
+
+from turgor.finding import Finding, Severity
+from turgor.response import Column, Response
+from turgor.results.error_text import last_with_error
+
+#: Relative mesh errors of the last state above which a measure is noted, and doubted.
+NOTED, DOUBTED = 0.02, 0.05
+
+#: A value this small a share of the largest one of its column has no relative error.
+SMALL = 1e-6
+
+#: Measures without a limit, or whose value may be next to nothing.
+LEFT_OUT = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area")
+
+#: Finding that speaks only where the mesh error is noted.
+ONLY_WITH_ERROR = "G01"
+
+
+def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Doubt measures with a large mesh error (N02), and choose what was noticed of the mesh before.
+
+    Parameters
+    ----------
+    response : Response
+        With mesh errors, as far as they are known.
+    before : sequence of Finding
+        What was noticed of the mesh before the solve.
+
+    Returns
+    -------
+    tuple of Finding
+        ``before``, without a wall that one cell reaches through (G01) where the estimate says that it does not matter,
+        and N02 where a measure has an error of more than 2 %.
+    """
+    errors = {column.name: _relative(response, column) for column in response.quantities}
+    known = {name: error for name, error in errors.items() if error is not None}
+    large = {name: error for name, error in known.items() if error > NOTED and not _left_out(name)}
+    kept = tuple(found for found in before if found.code != ONLY_WITH_ERROR or large or not known)
+    if not large:
+        return kept
+    worst = sorted(large, key=lambda name: -large[name])
+    listed = ", ".join(
+        f"{response.find(name).label.split(' [')[0]} {last_with_error(response, response.find(name))} "
+        f"({100 * large[name]:.2g} %)"
+        for name in worst
+    )
+    doubted = large[worst[0]] > DOUBTED
+    return (
+        *kept,
+        Finding(
+            code="N02",
+            severity=Severity.WARNING if doubted else Severity.NOTE,
+            message=f"The estimated mesh error at the last state is larger than {100 * NOTED:g} %: {listed}.",
+            advice='Use a smaller mesh size, or let the mesh be refined where the error comes from: target = "2 %" in '
+            "[mesh], or mesh_to in Python.",
+        ),
+    )
+
+
+def _relative(response: Response, column: Column) -> float | None:
+    errors = response.mesh_error(column.name)
+    if errors is None:
+        return None
+    last, largest = abs(float(column.values[-1])), float(abs(column.values).max())
+    return float(errors[-1]) / last if last > SMALL * largest else None
+
+
+def _left_out(name: str) -> bool:
+    return name.startswith(LEFT_OUT) or name.endswith(LEFT_OUT)
