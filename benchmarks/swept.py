@@ -17,12 +17,12 @@ from truth_cases import CASES
 #: Case: cells and size [mm] of each run.
 RUNS = {
     "fast_pneunet_stiff_base": [
-        ("hexahedra", 4.0), ("hexahedra", 2.0), ("hexahedra", 1.0),
+        ("hexahedra", 4.0), ("hexahedra", 2.0),
         ("tetrahedra", 4.0), ("tetrahedra", 3.0), ("tetrahedra", 2.0), ("tetrahedra", 1.4), ("tetrahedra", 1.0),
     ],
     "closed_tube": [
-        ("hexahedra", 5.0), ("hexahedra", 4.0), ("hexahedra", 2.0), ("hexahedra", 1.0),
-        ("tetrahedra", 5.0), ("tetrahedra", 4.0), ("tetrahedra", 3.0), ("tetrahedra", 2.0), ("tetrahedra", 1.5),
+        ("hexahedra", 8.0), ("hexahedra", 4.0), ("hexahedra", 2.0),
+        ("tetrahedra", 6.0), ("tetrahedra", 3.0), ("tetrahedra", 1.5),
     ],
 }  # fmt: skip
 HEAD = ("cells", "size [mm]", "number", "unknowns", "value", "error", "iterations", "mesh [CPU s]", "solve [CPU s]")
