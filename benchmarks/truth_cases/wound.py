@@ -40,7 +40,7 @@ CASES = (
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=DOUBLE),),
         third_order_size=2.0,
-        fine_size=0.0,
+        fine_size=1.4,
         jumps=True,
     ),
     Case(
@@ -66,6 +66,6 @@ CASES = (
         measures=(tg.twist_angle, tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="outside", material=KEVLAR, diameter=THREAD, winding=HELIX),),
         third_order_size=6.0,
-        fine_size=1.5,
+        fine_size=2.5,
     ),
 )
