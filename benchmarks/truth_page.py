@@ -28,7 +28,8 @@ errors are small by nature; angles, displacements and twists are changes from re
 TRUTH = """## Reference values
 
 The difference is that of the second discretization from the first one. It bounds the error of the reference loosely:
-the third order converges faster. A star marks a difference above 0.3 %: that reference is less certain than asked."""
+the third order converges faster. A star marks a difference above 0.3 %: that reference is less certain than asked, and
+errors near that difference mean little."""
 SUMMARY = """## Errors of the mesh that comes by default
 
 Asked are 2 % at the default size and 1 % at 60,000 unknowns, for the largest error of the measures of a case. The last
