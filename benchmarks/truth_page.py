@@ -24,7 +24,8 @@ where walls touch, fine tetrahedra and fine hexahedra are the two discretization
 Times are CPU seconds of one thread, meshing and solving included, compilation not. Other work ran on the machine:
 compare times within a row, and take more than 10 % for noise. Runs were made on several states of the code while the
 hexahedra's stabilization changed. The third-order values of the bellows and the twisting tube were copied from printed
-output to six digits. Not every run of the plan is stored yet: `--missing` fills the rest. Fibers are smeared. Volumes are volumes of the cavity, so their
+output to six digits. Not every run of the plan is stored yet: `--missing` fills the rest. Fibers are smeared.
+Volumes are volumes of the cavity, so their
 errors are small by nature; angles, displacements and twists are changes from rest.
 """
 TRUTH = """## Reference values
