@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification actuators docs bench nasty fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators docs bench nasty truth fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -27,6 +27,8 @@ help:
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
 	@echo "make nasty         run the nasty cases (some minutes); writes benchmarks/nasty.md"
+	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
+	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
 	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
 	@echo "make lock          renew requirements/*.lock from pyproject.toml (needs uv)"
 	@echo "make clean         remove .venv, caches and what was built"
@@ -66,6 +68,10 @@ bench: $(RUN)
 nasty: $(RUN)
 	$(BIN)/python benchmarks/nasty.py
 
+truth: $(RUN) requirements/truth.lock
+	$(PIP) install -r requirements/truth.lock
+	$(BIN)/python benchmarks/truth.py
+
 fast: $(RUN) requirements/fast.lock
 	$(PIP) install -r requirements/fast.lock
 
@@ -74,6 +80,7 @@ lock:
 	uv pip compile $(LOCK) --extra dev -c requirements/run.lock -o requirements/dev.lock
 	uv pip compile $(LOCK) --extra docs -c requirements/dev.lock -o requirements/docs.lock
 	uv pip compile $(LOCK) --extra fast -c requirements/run.lock -o requirements/fast.lock
+	uv pip compile $(LOCK) --group truth -c requirements/run.lock -o requirements/truth.lock
 
 LOCK := pyproject.toml --group build --universal --python-version 3.11 --fork-strategy fewest \
 	--upgrade --no-header --no-annotate --quiet

@@ -50,7 +50,11 @@ FACTORIZATIONS, FACTORIZATIONS_TOUCHING = 2.5, 15.0
 
 #: The estimate is the difference between the meshes times the first number, over the captured share of the error to the
 #: power of the second one; set on the truth set (`docs/truth.md`).
-REMAINDER, CAPTURED_POWER = 1.1, 0.7
+REMAINDER, CAPTURED_POWER = 1.0, 0.7
+
+#: A measure may differ little between two meshes by accident. The estimate is at least this share of its change from rest
+#: times the relative difference of all displacements, unless the measure was prescribed: differs by less than this.
+FIELD_SHARE, PRESCRIBED = 0.5, 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -88,12 +92,15 @@ class FoundAgain:
         By their number in the path.
     unknowns : int
         Of the second mesh.
+    moved : mapping of int to float
+        Relative difference of the displacements of each.
     factor : float
         Estimated error over difference.
     seconds : float [s]
     """
 
     pairs: Mapping[int, State]
+    moved: Mapping[int, float]
     unknowns: int
     factor: float
     seconds: float
@@ -141,16 +148,20 @@ def find_again(solution: Solution, options: EngineOptions, refined_before: bool 
     mesh = solution.model.mesh
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
     refinement, captured = refined(mesh, shares, growth)
-    second = SecondMesh(refinement, Transfer(mesh, refinement), options)
+    transfer = Transfer(mesh, refinement)
+    second = SecondMesh(refinement, transfer, options)
     pairs: dict[int, State] = {}
+    moved: dict[int, float] = {}
     with use_threads(options.threads):
         for number in chosen:
             state = solution.states[number]
             found = second.found_again(state, procedure_of(solution, state))
             if found is not None:
+                before = transfer.nodal(state.displacement)
                 pairs[number] = found
+                moved[number] = float(np.linalg.norm(found.displacement - before) / np.linalg.norm(before))
     factor = REMAINDER / max(captured, 0.05) ** CAPTURED_POWER
-    return FoundAgain(pairs, refinement.mesh.unknown_count, factor, perf_counter() - began)
+    return FoundAgain(pairs, moved, refinement.mesh.unknown_count, factor, perf_counter() - began)
 
 
 def why_not(solution: Solution) -> str:
@@ -232,8 +243,10 @@ def _along_path(solution: Solution, measure: Measure, found: FoundAgain) -> Arra
     difference = known - values[numbers]
     if measure.unwrap:
         values, difference = np.unwrap(values), np.arctan2(np.sin(difference), np.cos(difference))
-    size = found.factor * np.abs(difference)
     place, change = path_length(solution), np.abs(values - values[0])
+    size = np.abs(difference)
+    least = FIELD_SHARE * np.array([found.moved[number] for number in numbers]) * change[numbers]
+    size = np.where(size > PRESCRIBED * change[numbers], np.maximum(found.factor * size, least), size)
     if (change[numbers] > 1e-6 * max(float(np.abs(values).max()), 1e-300)).all():
         return np.asarray(np.interp(place, place[numbers], size / change[numbers]) * change)
     return np.asarray(np.interp(place, [0.0, *place[numbers]], [0.0, *size]))

@@ -1,0 +1,74 @@
+"""What a case of the truth set is: an actuator, its materials, what holds and drives it, and what is measured."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import turgor as tg
+from turgor.units import kPa
+
+NO_CONTACT = tg.Contact(self_contact=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Case:
+    """A loaded actuator.
+
+    Parameters
+    ----------
+    name : str
+        Short name, for the command line and the table of values.
+    title : str
+        What it is, with its pressure and materials.
+    actuator : dataclass of dimensions
+        Makes the geometry with its ``build()``.
+    materials : mapping of str to Material or Membrane
+        As `turgor.Model` takes them.
+    pressures : mapping of str to float [kPa]
+        Pressure of each cavity, by its face.
+    measures : tuple of Measure
+        What the case is made for; the first one is the headline.
+    third_order_size : float [mm]
+        Mesh size of the independent code.
+    fine_size : float [mm]
+        Size of turgor's own fine tetrahedra; 0 where half the default size is as fine as affordable.
+    kinds : tuple of str
+        Cells that the family can be filled with.
+    jumps : bool
+        Whether the mean stress jumps inside the body, so that the element of the version before is compared at more
+        sizes than the default one.
+    face_sizes : mapping of str to float [mm]
+        Smaller sizes of the independent code for some faces.
+    """
+
+    name: str
+    title: str
+    actuator: Any
+    materials: Mapping[str, Any]
+    pressures: Mapping[str, float]
+    measures: tuple[tg.Measure, ...]
+    third_order_size: float
+    fine_size: float
+    supports: tuple[Any, ...] = (tg.Fixed("fixed"),)
+    reinforcements: tuple[tg.Fibers, ...] = ()
+    contact: tg.Contact = NO_CONTACT
+    kinds: tuple[str, ...] = ("tetrahedra", "hexahedra")
+    jumps: bool = False
+    face_sizes: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def touches(self) -> bool:
+        """Whether walls meet, which the independent code cannot model."""
+        return self.contact.automatic
+
+    def model(self, mesh: tg.Mesh, formulation: str = "mixed") -> tg.Model:
+        """The question on a mesh."""
+        return tg.Model(
+            mesh,
+            materials=self.materials,
+            supports=self.supports,
+            loads=[tg.Pressure(face, value * kPa) for face, value in self.pressures.items()],
+            formulation=formulation,
+            reinforcements=self.reinforcements,
+            contact=self.contact,
+        )

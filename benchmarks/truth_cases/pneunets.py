@@ -1,0 +1,69 @@
+"""PneuNets and a bender of two rubbers: short ones, so that fine meshes are affordable."""
+
+import turgor as tg
+from truth_cases.case import Case
+from turgor.units import MPa, mm
+
+ELASTOSIL = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
+STIFF = tg.Material(name="stiff rubber", law=tg.NeoHooke(C10=2.2 * MPa))
+PAPER = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+FAST = tg.FastPneuNet(chambers=3, length=30 * mm)
+ON_PAPER = {"body": ELASTOSIL, "base": ELASTOSIL, "strain_limiting_layer": PAPER}
+ON_STIFF = {"body": ELASTOSIL, "base": STIFF}
+
+CASES = (
+    Case(
+        name="fast_pneunet_paper",
+        title="Fast PneuNet of three chambers, paper of 0.1 mm, 6 kPa",
+        actuator=FAST,
+        materials=ON_PAPER,
+        pressures={"cavity": 6.0},
+        measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
+        third_order_size=2.0,
+        fine_size=0.0,
+    ),
+    Case(
+        name="fast_pneunet_stiff_base",
+        title="Fast PneuNet of three chambers, base 20 times as stiff, 4 kPa",
+        actuator=FAST,
+        materials=ON_STIFF,
+        pressures={"cavity": 4.0},
+        measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
+        third_order_size=2.0,
+        fine_size=0.0,
+        jumps=True,
+    ),
+    Case(
+        name="slow_pneunet",
+        title="Slow PneuNet of three chambers, base 20 times as stiff, 10 kPa",
+        actuator=tg.SlowPneuNet(chambers=3, length=30 * mm),
+        materials=ON_STIFF,
+        pressures={"cavity": 10.0},
+        measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
+        third_order_size=1.5,
+        fine_size=1.2,
+        jumps=True,
+    ),
+    Case(
+        name="semicircular_bender",
+        title="Half-round bender of two rubbers (the reference bender, 50 mm long), 20 kPa",
+        actuator=tg.SemicircularBender(length=50 * mm, floor=1 * mm, base=1 * mm, end_wall=3 * mm),
+        materials=ON_STIFF,
+        pressures={"cavity": 20.0},
+        measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
+        third_order_size=3.0,
+        fine_size=0.0,
+        jumps=True,
+    ),
+    Case(
+        name="fast_pneunet_contact",
+        title="Fast PneuNet of three chambers, paper, pressed until its walls touch, 16 kPa",
+        actuator=FAST,
+        materials=ON_PAPER,
+        pressures={"cavity": 16.0},
+        measures=(tg.bending_angle, tg.cavity_volume),
+        third_order_size=0.0,
+        fine_size=1.4,
+        contact=tg.Contact(),
+    ),
+)

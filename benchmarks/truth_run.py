@@ -1,0 +1,95 @@
+"""One run of the truth set in its own process: `python benchmarks/truth_run.py '{"case": ..., "kind": ...}'`.
+
+It prints one line of JSON: measures at the full load, unknowns, CPU seconds of meshing and of solving. A short solve of
+the same case on its coarsest mesh comes first, so that no compilation is counted.
+"""
+
+import json
+import sys
+import time
+from typing import Any
+
+import numpy as np
+
+import turgor as tg
+from truth_cases import CASES
+from truth_cases.case import Case
+from turgor.geometry.geometry import Geometry
+from turgor.meshing.sizes import default_size, size_range
+from turgor.units import mm
+
+OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
+#: Times the default size; ``fine`` is a size of the case.
+STEPS = {"double": 2.0, "default": 1.0, "half": 0.5}
+
+
+def wanted_size(case: Case, geometry: Geometry, kind: str, step: str) -> float | None:
+    """Mesh size of a step [m], whose name may be a size in mm; None where no mesh of that size is allowed."""
+    if step == "fine":
+        return case.fine_size * mm
+    if step not in STEPS:
+        return float(step) * mm
+    default = default_size(geometry, kind)
+    size = STEPS[step] * default
+    largest = size_range(geometry)[1]
+    if step == "double" and size > largest:
+        return largest if largest > 1.2 * default else None
+    return size
+
+
+def warm(case: Case, geometry: Geometry, kind: str, formulation: str) -> None:
+    """Load every compiled loop that the case needs: its first load step on the coarsest mesh."""
+    mesh = tg.mesh(geometry, size=size_range(geometry)[1], cells=kind)
+    solve(case, mesh, formulation, stop=lambda state: "warm" if state.load_factor > 0 else "", throw=False)
+
+
+def solve(case: Case, mesh: tg.Mesh, formulation: str, **more: Any) -> tg.Solution:
+    """The path of a case with every option as it comes, on one thread."""
+    return tg.solve(case.model(mesh, formulation), options=OPTIONS, **more)
+
+
+def run(case: Case, kind: str, step: str, formulation: str, most: float) -> dict[str, Any]:
+    """Mesh, solve and measure; a row with ``note`` where there is nothing to solve."""
+    geometry = case.actuator.build()
+    size = wanted_size(case, geometry, kind, step)
+    if size is None:
+        return {"note": "larger than allowed"}
+    start = time.process_time()
+    mesh = tg.mesh(geometry, size=size, cells=kind)
+    meshing = time.process_time() - start
+    row = {"size": size / mm, "cells": len(mesh.cells), "unknowns": mesh.unknown_count, "meshing": meshing}
+    if mesh.unknown_count > most:
+        return row | {"note": f"more than {most:,.0f} unknowns"}
+    warm(case, geometry, kind, formulation)
+    start = time.process_time()
+    solution = solve(case, mesh, formulation)
+    row["solving"] = time.process_time() - start
+    start = time.process_time()
+    response = tg.measure(solution, *case.measures, mesh_error=step == "default", options=OPTIONS)
+    row["estimating"] = time.process_time() - start
+    row["values"] = {each.name: float(response.find(each.name).in_unit[-1]) for each in case.measures}
+    row["estimates"] = estimates(response, case)
+    row["iterations"] = int(solution.iterations)
+    row["unknowns"] = unknowns_of(solution)
+    return row
+
+
+def unknowns_of(solution: tg.Solution) -> int:
+    """Displacements and mean stresses, those that were doubled at jumps included."""
+    return int(solution.model.mesh.points.size + np.size(solution.states[-1].mean_stress))
+
+
+def estimates(response: tg.Response, case: Case) -> dict[str, float]:
+    """Estimated mesh errors of the measures in their unit, where the response has columns for them."""
+    found = {}
+    for each in case.measures:
+        name = f"{each.name}_mesh_error"
+        if name in response.names and np.isfinite(response.column(name)[-1]):
+            found[each.name] = float(response.find(name).in_unit[-1])
+    return found
+
+
+if __name__ == "__main__":
+    request = json.loads(sys.argv[1])
+    request["case"] = next(case for case in CASES if case.name == request["case"])
+    print(json.dumps(run(**request)))

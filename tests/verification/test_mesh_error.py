@@ -1,0 +1,55 @@
+"""The estimated mesh error against the true one, on actuators whose exact answers an independent code knows.
+
+Problem: a fast PneuNet on a stiff base and a cylinder whose hoops are held inside its skin, at their default mesh, and
+the same PneuNet on cells of 3 mm.
+Reference: third-order elements of an independent code (NGSolve), see docs/truth.md.
+Tolerance: the estimate over the true error lies between 0.5 and 3, which is asked of nine cases of ten; the page on the
+truth set shows all of them. A constant estimate, or one without the displacements of the second mesh, would not lie
+there on all three.
+"""
+
+import pytest
+
+import turgor as tg
+from turgor.units import deg, kPa, mm
+
+SOFT = tg.Material(name="soft", law=tg.Yeoh(C10=0.11e6, C20=0.02e6))
+STIFF = tg.Material(name="stiff", law=tg.NeoHooke(C10=2.2e6))
+RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6))
+ALONE = tg.Contact(self_contact=False)
+
+
+def _pneunet(size):
+    mesh = tg.mesh(tg.FastPneuNet(chambers=3, length=30 * mm).build(), size=size)
+    loads = [tg.Pressure("cavity", 4 * kPa)]
+    return tg.Model(mesh, {"body": SOFT, "base": STIFF}, [tg.Fixed("fixed")], loads, contact=ALONE)
+
+
+def _cylinder(size):
+    mesh = tg.mesh(tg.FiberReinforcedCylinder(length=40 * mm, skin=1 * mm).build(), size=size)
+    supports = [tg.Fixed("fixed"), tg.Radial("winding")]
+    loads = [tg.Pressure("cavity", 13.7201 * kPa)]
+    return tg.Model(mesh, dict.fromkeys(mesh.regions, RUBBER), supports, loads, contact=ALONE)
+
+
+@pytest.mark.parametrize(
+    ("model", "size", "measure", "truth", "unit"),
+    [
+        (_pneunet, None, tg.bending_angle, 6.5571, deg),
+        (_pneunet, 3 * mm, tg.bending_angle, 6.5571, deg),
+        (_cylinder, None, tg.tip_displacement_x, 0.70176, mm),
+    ],
+    ids=["stiff base, default", "stiff base, 3 mm", "held hoops, default"],
+)
+def test_estimate_over_true_error(model, size, measure, truth, unit, record_verification, request):
+    response = tg.measure(tg.solve(model(size)), measure)
+    value, estimate = response.column(measure.name)[-1] / unit, response.mesh_error(measure.name)[-1] / unit
+    ratio = estimate / abs(value - truth)
+    record_verification(
+        claim=f"mesh error, {request.node.callspec.id}: estimate over true error, {measure.name.replace('_', ' ')}",
+        source="third-order elements, NGSolve",
+        expected=1.0,
+        got=ratio,
+        tolerance="0.5 to 3",
+    )
+    assert 0.5 < ratio < 3
