@@ -53,7 +53,7 @@ FACTORIZATIONS, FACTORIZATIONS_TOUCHING = 2.5, 15.0
 REMAINDER, CAPTURED_POWER = 1.0, 0.7
 
 #: A measure may differ little between two meshes by accident. The estimate is at least this share of its change from
-#: rest times the relative difference of all displacements, unless the measure was prescribed: differs by less than this.
+#: rest times the relative difference of all displacements, unless it was prescribed: it differs by less than this then.
 FIELD_SHARE, PRESCRIBED = 0.5, 1e-5
 
 
