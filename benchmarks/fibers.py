@@ -43,7 +43,7 @@ solve(8.0, 20, 1.0)  # compiles what is left
 start = time.process_time()
 mesh, solution = solve(size, 160, pressure)
 seconds = time.process_time() - start
-tip = tg.measure(solution, find_measure("tip_displacement_x")).column("tip_displacement_x")[-1] / mm
+tip = tg.measure(solution, find_measure("tip_displacement_x"), mesh_error=False).column("tip_displacement_x")[-1] / mm
 iterations = sum(step.iterations for step in solution.steps)
 print(json.dumps({"unknowns": mesh.unknown_count, "tip": tip, "iterations": iterations, "seconds": seconds}))
 """

@@ -16,7 +16,7 @@ from turgor.solvers.pressures import pressures_of
 
 def read(solution: tg.Solution, *measures: tg.Measure) -> list[np.ndarray]:
     """Columns of a path."""
-    response = tg.measure(solution, *measures)
+    response = tg.measure(solution, *measures, mesh_error=False)
     return [response.column(each.name) for each in measures]
 
 

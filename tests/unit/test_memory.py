@@ -96,7 +96,7 @@ def test_without_time_the_long_term_law_holds(finger, procedure, pressure):
 @pytest.mark.parametrize("procedure", CYCLED, ids=lambda each: type(each).__name__)
 def test_a_first_cycle_loses_what_softening_takes(finger, procedure):
     solution = solve(finger(SOFT, 2e3, UP_AND_DOWN), procedure)
-    response = tg.measure(solution, tg.cavity_volume)
+    response = tg.measure(solution, tg.cavity_volume, mesh_error=False)
     pressure, volume = response.column("pressure"), response.column("cavity_volume")
     area = float((0.5 * (pressure[1:] + pressure[:-1]) * np.diff(volume)).sum())
     model, last = solution.model, solution.states[-1]

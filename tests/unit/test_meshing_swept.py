@@ -112,9 +112,9 @@ def test_names_are_those_of_the_tetrahedra() -> None:
 
 
 def test_cells_of_the_default_pneunet_are_counted_by_hand() -> None:
-    # along: 2 | 7.5 in 2 | 1 | 1 | 1 | 7.5 in 2 | 2, across: 1.5 | 1 | 5.5 in 2 | 2, up: 1.5 | 1.5 | 2 | 1 | 7 in 2 | 2
+    # along: 2 | 7.5 in 4 | 1 | 1 | 1 | 7.5 in 4 | 2, across: 1.5 | 1 | 5.5 in 3 | 2, up: 1.5 | 1.5 | 2 | 1 | 7 in 4 | 2
     made = mesh(FastPneuNet(chambers=2, length=22 * mm).build(), size=4 * mm, cells="hexahedra")
-    slab, walls, chambers, gap = 9 * 5 * 2, 4 * (5 * 5) - 2 * 1, 4 * (5 * 5 - 4 * 4), 2 * 2 - 1
+    slab, walls, chambers, gap = 13 * 6 * 2, 4 * (6 * 7) - 2 * 1, 8 * (6 * 7 - 5 * 6), 2 * 2 - 1
     assert len(made.cells) == slab + walls + chambers + gap
 
 

@@ -80,10 +80,11 @@ def test_later_fills_lie_over_earlier_ones() -> None:
 
 
 def test_lines_are_divided_with_a_node_in_each_middle() -> None:
-    assert divided(np.array([0.0, 1.0, 5.0]), Fineness(size=2.0, wall_cells=2)).tolist() == [
+    wanted = [
         *(0.0, 0.25, 0.5, 0.75, 1.0),
-        *(2.0, 3.0, 4.0, 5.0),
+        *(1 + 1 / 3, 1 + 2 / 3, 2.5, 3 + 1 / 3, 4 + 1 / 6, 5.0),  # beside the line at 1 a third of the size
     ]
+    assert np.allclose(divided(np.array([0.0, 1.0, 5.0]), Fineness(size=2.0, wall_cells=2)), wanted)
     around = divided_turn(np.array([0.0, pi]), 1.0, Fineness(size=10.0))
     assert len(around) == 2 * 7 + 1  # two cells along a radius: 2 π, rounded up
     assert len(divided_turn(np.array([0.0, pi]), 1.0, Fineness(size=10.0), multiple=4)) == 2 * 8 + 1
@@ -94,7 +95,7 @@ def test_a_grid_follows_all_edges_of_its_rectangles() -> None:
     assert mesh is not None
     check_sound(mesh, 40 * mm**2, 1e-12)
     assert {0, 3, 4, 10} <= set(np.round(mesh.points[:, 0] / mm, 9))
-    assert len(mesh.quads) == (2 + 1 + 3) * 3
+    assert len(mesh.quads) == (3 + 1 + 4) * 3  # 3 mm: 0.67 mm beside the inner rectangle and twice 1.17 mm
 
 
 def test_a_grid_follows_slanted_walls_and_tapering_sides() -> None:

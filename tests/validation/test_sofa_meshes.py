@@ -45,7 +45,7 @@ def test_pneunet_bends_towards_its_stiff_side():
     )
     assert {found.code for found in mesh.findings} == {"G20", "G23"}
     solution = solved(mesh, {"body": rubber(500 * kPa), "base": rubber(1500 * kPa)}, 10 * kPa)
-    response = tg.measure(solution, tg.bending_angle, tg.cavity_volume)
+    response = tg.measure(solution, tg.bending_angle, tg.cavity_volume, mesh_error=False)
     assert response.column("cavity_volume")[0] == pytest.approx(8887.5 * mm**3, rel=1e-6)
     assert response.column("bending_angle")[-1] / deg == pytest.approx(16.2, abs=0.2)
 

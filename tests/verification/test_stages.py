@@ -79,7 +79,7 @@ def test_the_order_of_loads_does_not_matter(record_verification):
     assert max(errors) < 1e-6
     assert [s.stage for s in first.states if s.load_factor == 1] == ["weight", "pressure"]
     assert first.states[0].load_factor == 0 and sum(s.load_factor == 0 for s in first.states) == 1
-    response = tg.measure(first, tg.cavity_volume)
+    response = tg.measure(first, tg.cavity_volume, mesh_error=False)
     assert response.column("stage")[-1] == 2 and (np.diff(response.column("stage")) > 0).all()
     assert response.column("pressure")[-1] == 20 * KPA
     assert first.message.startswith("weight: Reached load factor 1 in") and "pressure: Reached 20 kPa" in first.message
@@ -117,7 +117,9 @@ def test_sealed_liquid_keeps_its_volume(record_verification):
     np.testing.assert_allclose(grown, 0.5, rtol=1e-6)
     assert contact_cases.push(pressed.touches["plate"])[2] < -1.0
     assert pressed.pressures["cavity"] > 1.2 * filled.pressures["cavity"] > 0
-    assert tg.measure(solution, tg.cavity_volume).column("injected_volume")[-1] == pytest.approx(0.5 * ML)
+    assert tg.measure(solution, tg.cavity_volume, mesh_error=False).column("injected_volume")[-1] == pytest.approx(
+        0.5 * ML
+    )
 
 
 def test_sealed_at_rest_while_the_weight_comes_and_goes():

@@ -38,7 +38,7 @@ def solve(model, procedure, **more):
 
 def test_each_cavity_gets_its_volume_and_has_its_pressure(record_verification):
     solution = solve(bar(), VolumeControl(volume={"cavity_1": 0.1 * mL, "cavity_2": -0.08 * mL}, max_step=0.5))
-    response = tg.measure(solution, tg.cavity_volume)
+    response = tg.measure(solution, tg.cavity_volume, mesh_error=False)
     rest, last = (np.array([response.column(f"cavity_{k}_volume")[i] for k in (1, 2)]) for i in (0, -1))
     assert last - rest == pytest.approx([0.1 * mL, -0.08 * mL], rel=1e-5)
     assert response.names[:5] == (
@@ -60,7 +60,7 @@ def test_another_cavity_may_have_a_pressure_that_is_stated():
     solution = solve(bar(tg.Pressure("cavity_2", 5 * kPa)), VolumeControl(volume={"cavity_1": 0.05 * mL}, max_step=0.5))
     assert pressures_of(solution.states[-1])["cavity_2"] == 5 * kPa
     assert "cavity_2 5 kPa" in pressure_text(solution.states[-1])
-    column = tg.measure(solution, tg.cavity_volume).column("cavity_2_pressure")
+    column = tg.measure(solution, tg.cavity_volume, mesh_error=False).column("cavity_2_pressure")
     assert column == pytest.approx([5 * kPa * state.load_factor for state in solution.states])
 
 

@@ -73,7 +73,7 @@ def test_a_sealed_sphere_relaxes(record_verification):
     states = [state for state in solution.states if state.stage == "wait"]
     time = np.array([state.time for state in states])
     assert time[-1] == pytest.approx(22.0)
-    assert tg.measure(solution, tg.cavity_volume).column("time")[-1] == pytest.approx(22.0)
+    assert tg.measure(solution, tg.cavity_volume, mesh_error=False).column("time")[-1] == pytest.approx(22.0)
     found = np.array([state.pressures["cavity"] for state in states])
     expected = pressure_at(time, lambda s: VOLUME * np.minimum(s / 2, 1))
     record_verification(

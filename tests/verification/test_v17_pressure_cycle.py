@@ -53,7 +53,7 @@ def finger(rubber):
 
 def loop(solution):
     """Pressure and cavity volume of every state, and the area of the loop [J]."""
-    response = tg.measure(solution, tg.cavity_volume)
+    response = tg.measure(solution, tg.cavity_volume, mesh_error=False)
     pressure, volume = response.column("pressure"), response.column("cavity_volume")
     return pressure, float((0.5 * (pressure[1:] + pressure[:-1]) * np.diff(volume)).sum())
 
@@ -138,7 +138,7 @@ def test_finger(case, record_verification):
 def test_rubber_that_forgets_loses_nothing(record_verification):
     solution = cycled(finger)
     pressure, area = loop(solution)
-    volume = tg.measure(solution, tg.cavity_volume).column("cavity_volume")
+    volume = tg.measure(solution, tg.cavity_volume, mesh_error=False).column("cavity_volume")
     lost = abs(area) / (pressure.max() * np.ptp(volume))
     claim = "finger filled twice, rubber that forgets: area of the loop over pressure times volume"
     record_verification(claim, "V17, exact", 0.0, lost, "1e-9")

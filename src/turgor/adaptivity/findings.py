@@ -1,6 +1,7 @@
 """What the estimated mesh error says about a response, in words."""
 
 from collections.abc import Sequence
+from math import isfinite
 
 from turgor.finding import Finding, Severity
 from turgor.response import Column, Response
@@ -62,7 +63,7 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
 
 def _relative(response: Response, column: Column) -> float | None:
     errors = response.mesh_error(column.name)
-    if errors is None:
+    if errors is None or not isfinite(errors[-1]):
         return None
     last, largest = abs(float(column.values[-1])), float(abs(column.values).max())
     return float(errors[-1]) / last if last > SMALL * largest else None

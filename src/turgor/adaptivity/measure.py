@@ -2,13 +2,14 @@
 
 from functools import partial
 
-from turgor.adaptivity.mesh_error import MeshError, estimate_mesh_error
+from turgor.adaptivity.mesh_error import MeshError, estimate_mesh_error, procedure_of
 from turgor.engine.runtime import EngineOptions
 from turgor.response import MESH_ERROR, Column, Response
 from turgor.results.fields import StateFields
 from turgor.results.measures import chosen_measures
 from turgor.results.measures import measure as read
 from turgor.results.reading import Measure
+from turgor.solvers.path_procedures import ArcLength, Auto
 from turgor.solvers.pressures import pressures_of
 from turgor.solvers.solution import Solution
 
@@ -53,7 +54,10 @@ def measure(
 
 
 def mesh_error_of(
-    solution: Solution, measures: tuple[Measure, ...] = (), options: EngineOptions | None = None
+    solution: Solution,
+    measures: tuple[Measure, ...] = (),
+    options: EngineOptions | None = None,
+    refined_before: bool = False,
 ) -> MeshError:
     """Estimate the mesh error of all that `measure` reads, the pressures that a procedure found among it.
 
@@ -63,12 +67,15 @@ def mesh_error_of(
     measures : tuple of Measure
         What it is asked to read.
     options : EngineOptions, optional
+    refined_before : bool
+        Whether the mesh was refined where the error comes from.
 
     Returns
     -------
     MeshError
     """
-    return estimate_mesh_error(solution, (*_found_pressures(solution), *chosen_measures(solution, measures)), options)
+    wanted = (*_found_pressures(solution), *chosen_measures(solution, measures))
+    return estimate_mesh_error(solution, wanted, options, refined_before)
 
 
 def with_mesh_error(response: Response, estimate: MeshError) -> Response:
@@ -99,9 +106,10 @@ def with_mesh_error(response: Response, estimate: MeshError) -> Response:
 
 def _found_pressures(solution: Solution) -> tuple[Measure, ...]:
     """Measures of the pressures that the procedure found, by the names of their columns."""
-    stated = {load.face for load in solution.model.pressures}
-    found = [name for name in solution.states[-1].pressures if name not in stated]
-    acting = pressures_of(solution.states[-1])
+    last = solution.states[-1]
+    acting, stated = pressures_of(last), {load.face for load in solution.model.pressures}
+    by_path = isinstance(procedure_of(solution, last), ArcLength | Auto)
+    found = list(acting) if by_path else [name for name in last.pressures if name not in stated]
     return tuple(
         Measure(
             name="pressure" if len(acting) == 1 else f"{face}_pressure",

@@ -31,20 +31,26 @@ Array = NDArray[np.float64]
 #: Where on the path states are found again, as shares of its length: the last one first.
 PLACES = (1.0, 0.5, 0.2)
 
-#: Time for the estimate over the time of the solve.
-SHARE_OF_TIME = 0.5
+#: Work of the estimate over that of the solve.
+SHARE_OF_WORK = 0.5
 
-#: Growth of the number of cells from the first mesh to the second: at least, and where all cells are cut.
-LEAST_GROWTH, FULL_GROWTH = 1.6, 8.0
+#: Growth of the number of cells from the first mesh to the second. From the first number on rather more states are
+#: found again than more cells are cut; the second one cuts them all. At least it is, by the nodes of a cell:
+ENOUGH_GROWTH, FULL_GROWTH = 3.0, 8.0
+LEAST_GROWTH = {10: 2.0, 27: 2.5}
 
-#: A factorization of n unknowns takes n to this power (`docs/theory`), and a state found again needs so many of them.
-COST_EXPONENT, FACTORIZATIONS = 1.5, 2.5
+#: The same on a mesh that was refined already, where the error is spread over many cells.
+LEAST_GROWTH_REFINED = 3.0
 
-#: Estimate over difference of the two meshes where all of the error was captured: halving cells leaves some of it.
-REMAINDER = 1.3
+#: A factorization of n unknowns takes n to this power.
+COST_EXPONENT = 1.5
 
-#: Power of the captured share by which the difference is divided; set on the truth set (`docs/truth.md`).
-CAPTURED_POWER = 0.5
+#: Factorizations that a state needs to be found again, and one in which walls touch.
+FACTORIZATIONS, FACTORIZATIONS_TOUCHING = 2.5, 15.0
+
+#: The estimate is the difference between the meshes times the first number, over the captured share of the error to the
+#: power of the second one; set on the truth set (`docs/truth.md`).
+REMAINDER, CAPTURED_POWER = 1.1, 0.7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -94,7 +100,7 @@ class FoundAgain:
 
 
 def estimate_mesh_error(
-    solution: Solution, measures: Sequence[Measure], options: EngineOptions | None = None
+    solution: Solution, measures: Sequence[Measure], options: EngineOptions | None = None, refined_before: bool = False
 ) -> MeshError:
     """Estimate the mesh error of measures at every state of a path.
 
@@ -104,6 +110,8 @@ def estimate_mesh_error(
     measures : sequence of Measure
     options : EngineOptions, optional
         How the engine runs on the second mesh.
+    refined_before : bool
+        Whether the mesh was refined where the error comes from; the second mesh is finer then.
 
     Returns
     -------
@@ -111,7 +119,7 @@ def estimate_mesh_error(
         With nan and a finding (N03) where it cannot be estimated: motion and friction depend on all that was before.
     """
     reason = why_not(solution)
-    found = None if reason else find_again(solution, options or EngineOptions())
+    found = None if reason else find_again(solution, options or EngineOptions(), refined_before)
     if found is None or not found.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
         return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
@@ -120,25 +128,23 @@ def estimate_mesh_error(
 
 
 @lru_cache(maxsize=1)
-def find_again(solution: Solution, options: EngineOptions) -> FoundAgain | None:
-    """Find a few states of a path again on a second mesh, within the time that is left for it.
+def find_again(solution: Solution, options: EngineOptions, refined_before: bool = False) -> FoundAgain | None:
+    """Find a few states of a path again on a second mesh.
 
     The last answer is kept, because a solution may be measured more than once.
     """
     began = perf_counter()
-    chosen = _chosen(solution)
+    count, growth = plan(solution, refined_before)
+    chosen = _chosen(solution, count)
     if not chosen:
         return None
-    mesh, budget = solution.model.mesh, SHARE_OF_TIME * _time_of(solution)
+    mesh = solution.model.mesh
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
-    refinement, captured = refined(mesh, shares, _growth(solution))
+    refinement, captured = refined(mesh, shares, growth)
     second = SecondMesh(refinement, Transfer(mesh, refinement), options)
     pairs: dict[int, State] = {}
     with use_threads(options.threads):
-        for count, number in enumerate(chosen):
-            spent = perf_counter() - began
-            if pairs and spent * (count + 1) / count > budget:
-                break
+        for number in chosen:
             state = solution.states[number]
             found = second.found_again(state, procedure_of(solution, state))
             if found is not None:
@@ -181,18 +187,20 @@ def procedure_of(solution: Solution, state: State) -> OneProcedure:
     return solution.procedure
 
 
-def _time_of(solution: Solution) -> float:
-    return solution.timing.total - solution.timing.compile
+def plan(solution: Solution, refined_before: bool) -> tuple[int, float]:
+    """How many states are found again, and by how much the cells grow in number, for half the work of the solve.
 
-
-def _growth(solution: Solution) -> float:
-    """Growth of the cells that leaves room for two states in the time of the estimate."""
-    timing = solution.timing
-    if not timing.factorizations or not timing.factorization:
-        return FULL_GROWTH
-    one = (timing.assembly + timing.factorization) / timing.factorizations
-    affordable = 0.5 * SHARE_OF_TIME * _time_of(solution) / (FACTORIZATIONS * one)
-    return float(np.clip(affordable ** (1 / COST_EXPONENT), LEAST_GROWTH, FULL_GROWTH))
+    Work is counted in factorizations, so that the estimate does not depend on how busy the machine is.
+    """
+    touching = any(touch.area > 0 for touch in solution.states[-1].touches.values())
+    needed = FACTORIZATIONS_TOUCHING if touching else FACTORIZATIONS
+    affordable = SHARE_OF_WORK * max(solution.timing.factorizations, 1) / needed
+    count = 1
+    while count < len(PLACES) and (affordable / (count + 1)) ** (1 / COST_EXPONENT) > ENOUGH_GROWTH:
+        count += 1
+    growth = (affordable / count) ** (1 / COST_EXPONENT)
+    least = LEAST_GROWTH_REFINED if refined_before else LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
+    return count, float(np.clip(growth, least, FULL_GROWTH))
 
 
 def path_length(solution: Solution) -> Array:
@@ -203,11 +211,11 @@ def path_length(solution: Solution) -> Array:
     return np.asarray(total / total[-1] if total[-1] > 0 else np.linspace(0, 1, len(total)))
 
 
-def _chosen(solution: Solution) -> list[int]:
+def _chosen(solution: Solution, count: int) -> list[int]:
     """Numbers of the states to be found again, in the order of interest."""
     place = path_length(solution)
     out: list[int] = []
-    for share in PLACES:
+    for share in PLACES[:count]:
         number = int(np.abs(place[1:] - share).argmin()) + 1
         if number not in out:
             out.append(number)

@@ -159,7 +159,7 @@ def refine_to(
     check_target(target)
     if why_not(solution):
         raise TurgorError(f"the mesh cannot be refined to a target: {why_not(solution)}.")
-    rounds, say = [_round(solution, measure, options)], notify or (lambda _: None)
+    rounds, say = [_round(solution, measure, options, False)], notify or (lambda _: None)
     where = _where(solution.model.mesh, error_indicator(solution.states[-1]))
     while rounds[-1].relative > target and len(rounds) <= MOST_ROUNDS:
         refinement = _refined(solution, _growth(rounds[-1].relative / target), most_unknowns)
@@ -170,12 +170,12 @@ def refine_to(
         unknowns = refinement.mesh.unknown_count
         say(f"mesh error of the {measure.name.replace('_', ' ')}: {shown}; refining to {unknowns} unknowns")
         solution = _solved_on(solution, refinement, options or EngineOptions())
-        rounds.append(_round(solution, measure, options))
+        rounds.append(_round(solution, measure, options, True))
     return _ended(solution, measure, target, rounds, where)
 
 
-def _round(solution: Solution, measure: Measure, options: EngineOptions | None) -> Round:
-    estimate = estimate_mesh_error(solution, (measure,), options)
+def _round(solution: Solution, measure: Measure, options: EngineOptions | None, refined_before: bool) -> Round:
+    estimate = estimate_mesh_error(solution, (measure,), options, refined_before)
     mesh = solution.model.mesh
     error = float(estimate.errors[measure.name][-1])
     if not np.isfinite(error):

@@ -16,23 +16,29 @@ from turgor.meshing.refinement import Refinement
 from turgor.model.model import Model
 from turgor.solvers.bordered import BorderedStart, bordered_newton
 from turgor.solvers.controls import CavityPressures, Control, LoadFactor, VolumeTarget, WorkTarget, acting_pressures
-from turgor.solvers.newton import NewtonSettings, relative_residual
+from turgor.solvers.newton import NewtonSettings, Start, relative_residual
 from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
 from turgor.solvers.solution import State
 from turgor.solvers.stages import OneProcedure
-from turgor.solvers.touching import touches
+from turgor.solvers.touching import newton_with_contact, touches
 
 Array = NDArray[np.float64]
 
 #: How closely equilibrium is met on the second mesh where pressures are sought.
 SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
 
+#: The same where walls touch, or simple updates go astray.
+CONTACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
+
 #: Relative residual of a state that takes the place of the first one, as `Static` has it.
 TOLERANCE = 1e-6
 
 #: Updates at most; the last one is this small a share of the whole correction, which is the mesh error that is looked
 #: for. New factors are made where an update is not this much smaller than the one before.
-UPDATES, SMALL, CONTRACTION = 12, 0.02, 0.35
+UPDATES, SMALL, CONTRACTION = 12, 0.03, 0.5
+
+#: A correction larger than this share of the displacement leads to another equilibrium.
+FAR = 0.3
 
 
 @dataclass(slots=True, eq=False)
@@ -114,10 +120,14 @@ def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
 def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, exact: bool) -> State | None:
     """Equilibrium at the load factor of the state, or as near to it as the correction is to be known."""
     at = system.evaluate(unknowns, state.load_factor)
+    if at is None:
+        return None
+    if any(touch.area > 0 for touch in state.touches.values()):
+        return _carefully(system, tangent, at, state)
+    first = at
     whole, before, fresh = np.zeros(3 * system.node_count), np.inf, True
+    size_of_state = float(np.linalg.norm(unknowns[: len(whole)]))
     for _ in range(UPDATES):
-        if at is None:
-            return None
         jump = system.prescribed(state.load_factor) - at.unknowns[system.held]
         coupling = tangent.factor(at, None, jump) if fresh or jump.any() else np.zeros(system.size)
         right = -at.residual - coupling
@@ -126,10 +136,24 @@ def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, ex
         at = system.evaluate(at.unknowns + update, state.load_factor)
         whole += update[: len(whole)]
         size, total = float(np.linalg.norm(update[: len(whole)])), float(np.linalg.norm(whole))
-        if at is not None and size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
+        if at is None or total > FAR * size_of_state:
+            break
+        if size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
             return _state(system, at, state, {}, tangent.unstable_modes())
         fresh, before = size > CONTRACTION * before, size
-    return None
+    return _carefully(system, tangent, first, state)
+
+
+def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -> State | None:
+    """Equilibrium by Newton's method with all its care: where walls touch, or where simple updates go astray."""
+    start = Start(at.unknowns, system.stresses(at), at)
+    result = newton_with_contact(system, tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
+    if not result.converged or result.evaluation is None:
+        return None
+    moved = (result.evaluation.unknowns - at.unknowns)[: 3 * system.node_count]
+    if np.linalg.norm(moved) > FAR * np.linalg.norm(at.unknowns[: 3 * system.node_count]):
+        return None  # another equilibrium
+    return _state(system, result.evaluation, state, {}, result.unstable_modes)
 
 
 def _at_volume(

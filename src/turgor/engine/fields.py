@@ -11,9 +11,8 @@ from turgor.engine.cell_materials import CellMaterials
 from turgor.engine.element import Element, element_of, tables_with
 from turgor.engine.faces import FaceTerms
 from turgor.engine.memory import Memory
-from turgor.engine.reference import reference_nodes, tables_at
+from turgor.engine.reference import reference_nodes, smooth_basis, tables_at
 from turgor.engine.stabilization import penalty_energy, volume_penalty
-from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.region_nodes import RegionNodes
 from turgor.model.model import Model
@@ -137,8 +136,8 @@ def nodal_average(mesh: Mesh, values: Array, nodes: RegionNodes) -> Array:
     nodes_of_cell = mesh.cell_type.nodes
     r = tables_with(nodes_of_cell, values.shape[1])
     root = np.sqrt(r.weights)[:, None]
-    fit = np.linalg.pinv(root * _smooth(nodes_of_cell, r.points)) * root.T
-    at_nodes = _smooth(nodes_of_cell, reference_nodes(nodes_of_cell)) @ fit
+    fit = np.linalg.pinv(root * smooth_basis(nodes_of_cell, r.points)) * root.T
+    at_nodes = smooth_basis(nodes_of_cell, reference_nodes(nodes_of_cell)) @ fit
     local = np.einsum("aq,cqk->cak", at_nodes, values.reshape(*values.shape[:2], -1))
     volume = _geometry(mesh, values.shape[1])[1].sum(axis=1)
     return _averaged(local, volume, nodes).reshape(len(nodes.node), *values.shape[2:])
@@ -163,13 +162,6 @@ def _averaged(local: Array, volume: Array, nodes: RegionNodes) -> Array:
     total = np.bincount(at, np.repeat(volume, nodes.cells.shape[1]), minlength=count)
     weighted = (local * volume[:, None, None]).reshape(len(at), -1)
     return np.stack([np.bincount(at, column, minlength=count) / total for column in weighted.T], axis=1)
-
-
-def _smooth(nodes: int, points: Array) -> Array:
-    """Basis of the fields fitted in a cell: linear in tetrahedra, trilinear in hexahedra."""
-    x, y, z = points.T
-    linear = [np.ones(len(points)), x, y, z]
-    return np.column_stack(linear if nodes == TETRAHEDRON.nodes else [*linear, x * y, y * z, z * x, x * y * z])
 
 
 def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory: Memory | None = None) -> float:

@@ -149,7 +149,7 @@ def run_job(
         solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
         solution, refined = _refined(job, solution, options)
         say("measuring")
-        response, unknown = _measured(job, solution, options)
+        response, unknown = _measured(job, solution, options, bool(refined))
         findings_of_all = (*mesh_error_findings(response, findings), *refined, *unknown)
         outcome = RunOutcome(
             job=replace(job, threads=options.threads),
@@ -179,7 +179,9 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
     return found.solution, (found.finding,)
 
 
-def _measured(job: Job, solution: Solution, options: EngineOptions) -> tuple[Response, tuple[Finding, ...]]:
+def _measured(
+    job: Job, solution: Solution, options: EngineOptions, refined: bool
+) -> tuple[Response, tuple[Finding, ...]]:
     """Read the measures of a job, with their mesh errors unless it wants none; say where these are not known."""
     measures = tuple(find_measure(name) for name in job.output.measures)
     response = measure(solution, *measures)
@@ -187,7 +189,7 @@ def _measured(job: Job, solution: Solution, options: EngineOptions) -> tuple[Res
         return response, ()
     if options.notify is not None:
         options.notify("estimating the mesh error")
-    estimate = mesh_error_of(solution, measures, options)
+    estimate = mesh_error_of(solution, measures, options, refined)
     if options.notify is not None and estimate.states:
         options.notify(
             f"mesh error: {len(estimate.states)} states found again on {estimate.unknowns} unknowns, "

@@ -7,13 +7,14 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from netgen.meshing import MeshingParameters, NgException, SetMessageImportance
+from netgen.meshing import MeshingParameters, NgException, Pnt, SetMessageImportance
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.assemble import Raw, assemble
+from turgor.meshing.local_sizes import LocalSizes, local_sizes
 from turgor.meshing.mend import mended
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality import cell_volumes, refuse_inverted
@@ -64,11 +65,14 @@ def mesh(
         What to mesh.
     size : float [m], optional
         Largest edge length aimed at; cells get smaller near short edges. At most four times the thinnest wall, unless
-        ``wall_cells`` is 2; `default_size` if it is not given: about twice the thinnest wall.
+        ``wall_cells`` is 2; `default_size` if it is not given: about twice the thinnest wall, for hexahedra
+        three times.
     grading : float [-]
         How fast cells may grow away from small ones: 0.1 slowly (more cells), 1 at once.
     face_sizes : mapping of str to float [m]
         Smaller sizes for some faces, by name. Curved faces get at least two cells along an arc as long as its radius.
+        Corners of cavities about which thin walls bend (`turgor.geometry.thin_corners`) get a third of ``size``, and
+        curved walls that end there 0.7 of it, unless the cavity is named here.
     wall_cells : int
         Cells at least through every wall: 1 leaves them as they come; 2 gives smaller sizes to walls that are thinner
         than a quarter of ``size``, and cuts cells in two that still reach through a wall.
@@ -105,8 +109,9 @@ def mesh(
         _check_result(result, geometry)
         refuse_inverted(result)
         return result
-    sizes = _Sizes(size=float(length), grading=float(grading))
-    with _sizes_on_faces(geometry, face_sizes):
+    local = local_sizes(geometry, float(length), face_sizes)
+    sizes = _Sizes(size=float(length), grading=float(grading), local=local)
+    with _sizes_on_faces(geometry, local.faces):
         try:
             result = _fitting_walls(geometry, sizes)
         except TurgorError as error:
@@ -124,6 +129,7 @@ class _Sizes:
 
     size: float
     grading: float
+    local: LocalSizes
     curvature: float = field(default_factory=lambda: CELLS_PER_RADIUS)
     places: tuple[ThinWalls, ...] = ()
 
@@ -164,17 +170,17 @@ def _meshed_finer(error: TurgorError) -> Finding:
 
 
 @contextmanager
-def _sizes_on_faces(geometry: Geometry, face_sizes: Mapping[str, float]) -> Iterator[None]:
+def _sizes_on_faces(geometry: Geometry, sizes: Mapping[int, float]) -> Iterator[None]:
     """Hang sizes on the faces of the shape while it is meshed; the shape stays as it was."""
-    faces = [face for face in geometry._shape.faces if face.name in face_sizes]
-    before = [face.maxh for face in faces]
+    faces = {place: face for place, face in enumerate(geometry._shape.faces) if place in sizes}
+    before = {place: face.maxh for place, face in faces.items()}
     try:
-        for face in faces:
-            face.maxh = face_sizes[face.name] / geometry.length_scale
+        for place, face in faces.items():
+            face.maxh = sizes[place] / geometry.length_scale
         yield
     finally:
-        for face, maxh in zip(faces, before, strict=True):
-            face.maxh = maxh
+        for place, face in faces.items():
+            face.maxh = before[place]
 
 
 def _generate(geometry: Geometry, sizes: _Sizes) -> Raw:
@@ -205,10 +211,12 @@ def _generate(geometry: Geometry, sizes: _Sizes) -> Raw:
 
 
 def _local_sizes(sizes: _Sizes, scale: float) -> MeshingParameters | None:
-    """Smaller sizes at points, as the generator takes them."""
-    if not sizes.places:
+    """Smaller sizes at points and along lines, as the generator takes them."""
+    if not sizes.places and not len(sizes.local.lines):
         return None
     parameters = MeshingParameters()
+    for start, end in sizes.local.lines / scale:
+        parameters.RestrictHLine(Pnt(*start), Pnt(*end), sizes.local.line_size / scale)
     for rounds, walls in enumerate(sizes.places):
         for (x, y, z), size in zip(walls.points / scale, walls.sizes(rounds) / scale, strict=True):
             parameters.RestrictH(x, y, z, size)

@@ -13,8 +13,9 @@ from turgor.units import mm
 #: wall, four times as long as thick, still bends well; beyond that bulging walls are lost.
 LARGEST_SIZE_PER_WALL = 4.0
 
-#: Without a given size, cells are this many times longer than the thinnest wall is thick.
-DEFAULT_SIZE_PER_WALL = 2.0
+#: Without a given size, cells are this many times longer than the thinnest wall is thick. Measured with hexahedra: at
+#: four times, an eccentric bender was 3 % off and ring sectors 6 %, at three times 0.3 % and 1 %.
+DEFAULT_SIZE_PER_WALL = {"tetrahedra": 2.0, "hexahedra": 3.0}
 
 #: Without a given size, the part is at least this many cells long.
 DEFAULT_CELLS_PER_EXTENT = 8.0
@@ -49,7 +50,7 @@ def size_range(geometry: Geometry) -> tuple[float, float]:
 
 
 def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
-    """Mesh size for a geometry where none is given [m]: twice the thinnest wall, for hexahedra four times; two digits.
+    """Mesh size for a geometry where none is given [m]: twice the thinnest wall, for hexahedra three times; two digits.
 
     It is larger where this would make more than about 150,000 unknowns, up to four times the wall, and never more
     than an eighth of the part.
@@ -58,7 +59,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     ----------
     geometry : Geometry
     cells : str
-        ``"tetrahedra"`` or ``"hexahedra"``, which bend as well where they are twice as long.
+        ``"tetrahedra"`` or ``"hexahedra"``, which are shorter beside walls by themselves.
 
     Returns
     -------
@@ -69,11 +70,10 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     >>> from turgor.geometry import FastPneuNet
     >>> finger = FastPneuNet().build()
     >>> default_size(finger), default_size(finger, "hexahedra")
-    (0.002, 0.004)
+    (0.002, 0.003)
     """
     low, high = size_range(geometry)
-    per_wall = LARGEST_SIZE_PER_WALL if cells == "hexahedra" else DEFAULT_SIZE_PER_WALL
-    size = max(per_wall * geometry.smallest_wall, _size_of(geometry, DEFAULT_UNKNOWNS))
+    size = max(DEFAULT_SIZE_PER_WALL[cells] * geometry.smallest_wall, _size_of(geometry, DEFAULT_UNKNOWNS))
     size = min(size, high, _extent(geometry) / DEFAULT_CELLS_PER_EXTENT)
     digits = 1 - floor(log10(size / mm))
     rounded = floor(round(size / mm * 10**digits, 6)) / 10**digits * mm
@@ -166,7 +166,7 @@ def _check_size(geometry: Geometry, size: object, high: float) -> None:
     if isinstance(size, bool) or not isinstance(size, Real) or not isfinite(size):
         raise TurgorError(f"mesh size is {size!r}; a finite length in meters is needed, such as 3*mm.")
     length, low, wall = float(size), size_range(geometry)[0], geometry.smallest_wall
-    if low <= length <= high:
+    if low <= length <= high * (1 + 1e-9):
         return
     limit = f"(four times the thinnest wall, {wall / mm:.4g} mm)" if high < _extent(geometry) else "(the whole part)"
     # rounded inwards, so that both numbers shown are themselves allowed

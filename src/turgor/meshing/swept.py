@@ -49,7 +49,7 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     >>> from turgor.geometry import FastPneuNet
     >>> made = swept_mesh(FastPneuNet(chambers=2, length=20e-3).build(), Fineness(size=4e-3))
     >>> len(made.cells), made.cell_type.name, sorted(made.faces)[0]
-    (227, '27-node hexahedron', 'cavity')
+    (373, '27-node hexahedron', 'cavity')
     """
     sweep = _sweep_of(geometry)
     section = _section(sweep, sweep.outlines, fine)

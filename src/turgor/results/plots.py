@@ -118,6 +118,8 @@ def response_figure(response: Response, title: str = "") -> Figure:
     for number, names in enumerate(panels):
         _plot_lines(figure.add_subplot(rows, columns, number + 1), response, drive, names)
     if title:
+        known = any(response.mesh_error(name) is not None for name in chosen)
+        title += " · bands: estimated mesh error" if known else ""
         figure.suptitle(title, x=0.01, ha="left", color=INK, fontsize=13)
     return figure
 

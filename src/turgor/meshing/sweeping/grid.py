@@ -39,7 +39,7 @@ def grid_section(outlines: Sequence[Outline], fine: Fineness) -> SectionMesh | N
     --------
     >>> from turgor.geometry.shapes.sections import rectangle
     >>> len(grid_section([rectangle((0, 4), (0, 2)), rectangle((1, 3), (0, 1))], Fineness(size=1.5)).quads)
-    8
+    10
     """
     for axis in (1, 0):
         found = _lines(outlines, axis)

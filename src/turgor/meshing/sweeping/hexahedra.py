@@ -83,16 +83,12 @@ def fill(sweep: Sweep, section: SectionMesh, fine: Fineness, multiple: int = 1) 
 
 def _stations(sweep: Sweep, section: SectionMesh, fine: Fineness, multiple: int) -> tuple[Array, Ints]:
     """Where the nodes lie along the path, and the layer of each interval between two of every second of them."""
-    pieces, layer_of = [np.array([sweep.layers[0].start])], []
-    for i, layer in enumerate(sweep.layers):
-        ends = np.array([layer.start, layer.end])
-        if isinstance(sweep.path, Along):
-            piece = divided(ends, fine)
-        else:
-            piece = divided_turn(ends, float(section.points[:, 1].max()), fine, multiple)
-        pieces.append(piece[1:])
-        layer_of += [i] * (len(piece) // 2)
-    return np.concatenate(pieces), np.array(layer_of)
+    ends = np.array([sweep.layers[0].start, *(layer.end for layer in sweep.layers)])
+    if isinstance(sweep.path, Along):
+        along = divided(ends, fine)
+    else:
+        along = divided_turn(ends, float(section.points[:, 1].max()), fine, multiple)
+    return along, np.searchsorted(ends, along[1::2]) - 1
 
 
 def _place(sweep: Sweep, section: Array, along: Array) -> Array:
