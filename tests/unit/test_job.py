@@ -353,7 +353,8 @@ def test_the_lock_file_states_every_default_with_its_unit(tmp_path: Path) -> Non
     assert "Mosadegh" in content["materials"]["body"]["source"]["text"]
     assert content["materials"]["body"]["bulk_modulus"] == "incompressible"
     assert content["supports"] == {"fixed": "xyz"}
-    assert content["output"] == {"measures": ["bending_angle"], "fields": True, "pictures": True, "report": True}
+    written = {"fields": True, "pictures": True, "report": True, "mesh_error": True}
+    assert content["output"] == {"measures": ["bending_angle"], **written}
     assert content["written_by"] == {"turgor": "0.0"}
 
 

@@ -6,7 +6,7 @@ estimate. Between these states it is interpolated along the path, relative to th
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 from time import perf_counter
@@ -20,6 +20,7 @@ from turgor.adaptivity.second_mesh import SecondMesh
 from turgor.engine.runtime import EngineOptions, use_threads
 from turgor.engine.transfer import Transfer
 from turgor.finding import Finding, Severity
+from turgor.meshing.refinement import Refinement
 from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.reading import Measure
 from turgor.solvers.dynamic import Dynamic
@@ -136,7 +137,7 @@ def estimate_mesh_error(
 
 @lru_cache(maxsize=1)
 def find_again(solution: Solution, options: EngineOptions, refined_before: bool = False) -> FoundAgain | None:
-    """Find a few states of a path again on a second mesh.
+    """Find a few states of a path again on a second mesh; on a coarser one where none is found, since sheets wrinkle.
 
     The last answer is kept, because a solution may be measured more than once.
     """
@@ -145,23 +146,33 @@ def find_again(solution: Solution, options: EngineOptions, refined_before: bool 
     chosen = _chosen(solution, count)
     if not chosen:
         return None
-    mesh = solution.model.mesh
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
-    refinement, captured = refined(mesh, shares, growth)
-    transfer = Transfer(mesh, refinement)
-    second = SecondMesh(refinement, transfer, options)
+    found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options)
+    least = LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
+    if not found.pairs and growth > least:
+        found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, least), options)
+    return replace(found, seconds=perf_counter() - began)
+
+
+def _on_second_mesh(
+    solution: Solution, chosen: list[int], second: tuple[Refinement, float], options: EngineOptions
+) -> FoundAgain:
+    """Find chosen states again on a refined mesh that captures a share of the error."""
+    refinement, captured = second
+    transfer = Transfer(solution.model.mesh, refinement)
+    mesh = SecondMesh(refinement, transfer, options)
     pairs: dict[int, State] = {}
     moved: dict[int, float] = {}
     with use_threads(options.threads):
         for number in chosen:
             state = solution.states[number]
-            found = second.found_again(state, procedure_of(solution, state))
+            found = mesh.found_again(state, procedure_of(solution, state))
             if found is not None:
                 before = transfer.nodal(state.displacement)
                 pairs[number] = found
                 moved[number] = float(np.linalg.norm(found.displacement - before) / np.linalg.norm(before))
     factor = REMAINDER / max(captured, 0.05) ** CAPTURED_POWER
-    return FoundAgain(pairs, moved, refinement.mesh.unknown_count, factor, perf_counter() - began)
+    return FoundAgain(pairs, moved, refinement.mesh.unknown_count, factor, 0.0)
 
 
 def why_not(solution: Solution) -> str:

@@ -73,7 +73,8 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     (0.002, 0.003)
     """
     low, high = size_range(geometry)
-    size = max(DEFAULT_SIZE_PER_WALL[cells] * geometry.smallest_wall, _size_of(geometry, DEFAULT_UNKNOWNS))
+    per_wall = DEFAULT_SIZE_PER_WALL.get(cells, DEFAULT_SIZE_PER_WALL["tetrahedra"])  # unknown cells are refused later
+    size = max(per_wall * geometry.smallest_wall, _size_of(geometry, DEFAULT_UNKNOWNS))
     size = min(size, high, _extent(geometry) / DEFAULT_CELLS_PER_EXTENT)
     digits = 1 - floor(log10(size / mm))
     rounded = floor(round(size / mm * 10**digits, 6)) / 10**digits * mm
