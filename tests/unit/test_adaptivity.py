@@ -150,6 +150,8 @@ def test_a_large_mesh_error_is_noted_and_a_larger_one_doubted(error, severity):
 
 
 def test_a_mesh_is_refined_until_the_target_is_met(bent):
+    if bent.model.mesh.cells.shape[1] == 27:
+        pytest.skip("whole sheets grow fast: a minute, for the same lines")
     first = tg.measure(bent, tg.bending_angle)
     before = first.mesh_error("bending_angle")[-1] / first.column("bending_angle")[-1]
     found = tg.mesh_to(bent.model, tg.bending_angle, 0.5 * before)

@@ -116,7 +116,7 @@ def test_a_run_writes_the_pressure_that_it_found(tmp_path):
     outcome = run_job(job(tmp_path, TUBE, tables), tmp_path / "out", threads=1)
     head, *rows = (tmp_path / "out" / "response.csv").read_text(encoding="utf-8").splitlines()
     assert head.startswith("load_factor,pressure_kPa,pressure_mesh_error_kPa,injected_volume_mL,")
-    _, pressure, volume, *_ = map(float, rows[-1].split(","))
+    _, pressure, _, volume, *_ = map(float, rows[-1].split(","))
     assert volume == pytest.approx(1.0)
     assert pressure == pytest.approx(outcome.solution.states[-1].pressures["cavity"] / kPa)
     report = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")

@@ -149,8 +149,9 @@ def find_again(solution: Solution, options: EngineOptions, refined_before: bool 
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
     found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options)
     least = LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
-    if not found.pairs and growth > least:
-        found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, least), options)
+    if not found.pairs:
+        every = _chosen(solution, len(PLACES))
+        found = _on_second_mesh(solution, every, refined(solution.model.mesh, shares, least), options)
     return replace(found, seconds=perf_counter() - began)
 
 
