@@ -10,6 +10,7 @@ from PIL import Image
 
 import turgor as tg
 from turgor.cli import BAD_INPUT, DONE, NOT_CONVERGED, main
+from turgor.job.run import prepare
 from turgor.meshing.checks import check_mesh
 from turgor.response import read_response
 from turgor.units import mm
@@ -118,14 +119,19 @@ def test_mistakes_are_sentences(folder: Path, capsys: pytest.CaptureFixture[str]
 
 def test_what_the_guide_shows_works(folder: Path) -> None:
     guide = (Path(__file__).parents[2] / "docs" / "howto" / "mesh.md").read_text(encoding="utf-8")
-    (settings,) = re.findall(r"```toml\n(.*?)```", guide, re.DOTALL)
+    settings, target = re.findall(r"```toml\n(.*?)```", guide, re.DOTALL)
     (folder / "guide.toml").write_text(JOB.replace('[mesh]\nsize = "5 mm"', settings), encoding="utf-8")
     job = tg.read_job(folder / "guide.toml")
     assert (job.mesh_size, job.mesh_face_sizes, job.mesh_wall_cells) == (3 * mm, {"cavity": 1.5 * mm}, 2)
-    names: dict[str, Any] = {}
+    (folder / "guide.toml").write_text(JOB.replace('[mesh]\nsize = "5 mm"', target), encoding="utf-8")
+    assert tg.read_job(folder / "guide.toml").mesh_target == 0.02
+    model = prepare(tg.read_job(folder / "one.toml"))[0]
+    names: dict[str, Any] = {"model": model, "solution": tg.solve(model)}
     for block in re.findall(r"```python\n(.*?)```", guide, re.DOTALL):
         exec(block, names)
     assert check_mesh(names["mesh"]) == ()
+    assert names["error"][-1] > 0
+    assert names["found"].reached
     assert names["inflate"](4 * mm).converged
 
 

@@ -91,10 +91,10 @@ class FoundAgain:
     ----------
     pairs : mapping of int to State
         By their number in the path.
-    unknowns : int
-        Of the second mesh.
     moved : mapping of int to float
         Relative difference of the displacements of each.
+    unknowns : int
+        Of the second mesh.
     factor : float
         Estimated error over difference.
     seconds : float [s]
