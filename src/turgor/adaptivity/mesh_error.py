@@ -131,7 +131,13 @@ def estimate_mesh_error(
     if found is None or not found.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
         return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
-    errors = {each.name: _along_path(solution, each, found) for each in measures}
+    numbers = sorted(found.pairs)
+    values = _read(solution.states, measures)
+    known = _read([found.pairs[number] for number in numbers], measures)
+    errors = {
+        each.name: _along_path(path_length(solution), each, (values[:, k], known[:, k]), found)
+        for k, each in enumerate(measures)
+    }
     return MeshError(errors=errors, unknowns=found.unknowns, states=tuple(found.pairs), seconds=found.seconds)
 
 
@@ -245,17 +251,20 @@ def _chosen(solution: Solution, count: int) -> list[int]:
     return out
 
 
-def _along_path(solution: Solution, measure: Measure, found: FoundAgain) -> Array:
-    """Estimated error (n,) of a measure at every state."""
-    facts = MeshFacts(solution.model.mesh)
-    again = MeshFacts(next(iter(found.pairs.values())).model.mesh)
-    numbers = sorted(found.pairs)
-    values = np.array([measure(StateFields(state, facts)) for state in solution.states])
-    known = np.array([measure(StateFields(found.pairs[number], again)) for number in numbers])
+def _read(states: Sequence[State], measures: Sequence[Measure]) -> Array:
+    """Measures (n, m) of states on one mesh; the fields of a state are shared by its measures, then dropped."""
+    facts = MeshFacts(states[0].model.mesh)
+    rows = [[each(at) for each in measures] for at in (StateFields(state, facts) for state in states)]
+    return np.array(rows).reshape(len(rows), len(measures))
+
+
+def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found: FoundAgain) -> Array:
+    """Estimated error (n,) of a measure, read at all states and at those that were found again, by their places."""
+    (values, known), numbers = read, sorted(found.pairs)
     difference = known - values[numbers]
     if measure.unwrap:
         values, difference = np.unwrap(values), np.arctan2(np.sin(difference), np.cos(difference))
-    place, change = path_length(solution), np.abs(values - values[0])
+    change = np.abs(values - values[0])
     size = np.abs(difference)
     least = FIELD_SHARE * np.array([found.moved[number] for number in numbers]) * change[numbers]
     size = np.where(size > PRESCRIBED * change[numbers], np.maximum(found.factor * size, least), size)
