@@ -5,7 +5,8 @@ energies by itself and factorizes with its own solver. Shared are the dimensions
 called with NGSolve's symbols) and the definitions of the measures. Units are mm, N and MPa.
 
 The mean stress is continuous within a region and jumps between regions, hence at membranes and wound faces as well.
-Path: elements of second order take the load in steps; the third order starts from their end and needs few iterations.
+Path: elements of second order take the load in steps; the cells that carry most of the error are bisected at its end
+(`third_order_refine.py`); the third order starts from there and needs few iterations.
 NGSolve is for development only: its wheel carries UMFPACK (GPL). Its factorization calls the split matrix singular
 anyway; `sparsecholesky` factorizes it.
 
@@ -24,6 +25,7 @@ import numpy as np
 
 import turgor as tg
 from third_order_energies import rubber_energy, surface_energies
+from third_order_refine import bisected
 from truth_cases import CASES
 
 #: Strains over which the bend between slack and taut threads is rounded off, one after the other; taut ones have 4e-4.
@@ -147,7 +149,7 @@ def sharpened(task: Problem, start: ng.GridFunction, rounded: tuple[float, ...])
 
 
 def raised(task: Problem, start: ng.GridFunction) -> ng.GridFunction:
-    """The solution of a higher order at the full load, from the end of a lower one."""
+    """The solution of a higher order, or on smaller cells, at the full load, from the end of a lower one."""
     solution = ng.GridFunction(task.space)
     solution.components[0].Set(start.components[0])
     task.load.Set(1.0)
@@ -208,19 +210,22 @@ def measures(task: Problem, solution: ng.GridFunction) -> dict[str, float]:
 
 
 def solve(case: Any, size: float, order: int = 3) -> Found:
-    """Measures of a case at a size [mm]: second order along the path, then the order asked for."""
+    """Measures of a case at a size [mm]: second order on the path and on bisected cells, then the order asked for."""
     start = time.process_time()
-    mesh = curved_mesh(case, size, order)
-    task = problem(case, mesh, 2)
+    task = problem(case, curved_mesh(case, size, order), 2)
     solution = follow(task)
+    for share in case.bisections:
+        mesh = bisected(case, task.mesh, solution, share, order)
+        task = problem(case, mesh, 2)
+        solution = raised(task, solution)
     before = measures(task, solution)
     if order > 2:
-        task = problem(case, mesh, order)
+        task = problem(case, task.mesh, order)
         solution = raised(task, solution)
     values = measures(task, solution)
     main = case.measures[0].name
     change = values[main] / before[main] - 1
-    return Found(values, mesh.ne, sum(task.space.FreeDofs()), time.process_time() - start, change)
+    return Found(values, task.mesh.ne, sum(task.space.FreeDofs()), time.process_time() - start, change)
 
 
 def main() -> None:

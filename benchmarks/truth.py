@@ -29,7 +29,7 @@ VALUES, RUNS = HERE / "truth_values.json", HERE / "truth_runs.json"
 PAGE = HERE.parent / "docs" / "truth.md"
 #: Meshes with more unknowns than this are not solved.
 MOST = 200_000
-STEPS = ("double", "default", "half")
+STEPS = ("double", "default", "half", "target")
 
 
 def read(path: Path) -> dict[str, Any]:
@@ -69,8 +69,8 @@ def measured(case: Case, kind: str, step: str, formulation: str) -> dict[str, An
 
 def witnesses(case: Case) -> tuple[tuple[str, str], tuple[str, str]]:
     """Two discretizations that must agree: kind of cells and step of each."""
-    fine = ("tetrahedra", "fine" if case.fine_size else "half")
-    return (fine, ("hexahedra", "half")) if case.touches else (("third order", "fine"), fine)
+    refined = ("tetrahedra", "refined")
+    return (refined, ("hexahedra", "refined")) if case.touches else (("third order", "fine"), refined)
 
 
 def wanted(case: Case, *, only_truth: bool, quick: bool) -> list[tuple[str, str, str]]:
@@ -80,7 +80,7 @@ def wanted(case: Case, *, only_truth: bool, quick: bool) -> list[tuple[str, str,
         return proof
     kinds = [(kind, "default", "mixed") for kind in case.kinds]
     if quick:
-        return kinds
+        return [*kinds, ("tetrahedra", "target", "mixed")]
     before = [(kind, "default", "continuous") for kind in case.kinds]
     if case.jumps:
         before.append(("tetrahedra", "half", "continuous"))

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import product
 from typing import Any
 
 from tables import table
@@ -9,24 +10,29 @@ from truth_cases.case import Case
 from truth_speed import compared
 
 Store = Mapping[str, Any]
-WORDS = {"double": "double", "default": "default", "half": "half", "fine": "fine"}
+STEPS = ("double", "default", "half", "target", "refined")
+#: A measure that is shown beside those that the limits are for.
+BESIDE = "tip_displacement"
 ASKED, ASKED_NEAR, AGREED, NEAR = 0.02, 0.01, 0.003, 60_000
+LEAST_RATIO, MOST_RATIO = 0.5, 3.0
 HEAD = """# How far a mesh is from the truth
 
 Written by `make truth` (`python benchmarks/truth.py`). Fourteen loaded actuators have reference values that two
 different discretizations confirm. Everything else on this page is an error against these values.
 
 *Third order* is a code of its own in NGSolve (`benchmarks/third_order.py`): displacements of third order, mean stresses
-of second order that jump between regions, on cells of its own that are curved to the same order. It shares dimensions,
-material parameters and definitions of measures with turgor, and nothing of the engine. Contact is not modeled there;
-where walls touch, fine tetrahedra and fine hexahedra are the two discretizations, and their mean is the reference.
+of second order that jump between regions, on cells of its own that are curved to the same order and bisected where they
+carry most of the error. It shares dimensions, material parameters and definitions of measures with turgor, and nothing
+of the engine. *Refined* are turgor's meshes from the default one on, refined by `refine_to` toward an estimate of 0.1 %
+or up to 120,000 unknowns. Contact is not modeled by the code in NGSolve; where walls touch, refined tetrahedra and
+refined hexahedra are the two discretizations, and their mean is the reference.
+
+Corners decide. On cells of one size, third order and second order agreed with each other and both stood 0.5 % to 1.3 %
+below these values (slow PneuNet, joint, round chambers): two uniform ladders of meshes share the same slow convergence.
 
 Times are CPU seconds of one thread, meshing and solving included, compilation not. Other work ran on the machine:
-compare times within a row, and take more than 10 % for noise. Runs were made on several states of the code while the
-hexahedra's stabilization changed. The third-order values of the bellows and the twisting tube were copied from printed
-output to six digits. Not every run of the plan is stored yet: `--missing` fills the rest. Fibers are smeared.
-Volumes are volumes of the cavity, so their
-errors are small by nature; angles, displacements and twists are changes from rest.
+compare times within a row, and take more than 10 % for noise. Fibers are smeared. Volumes are volumes of the cavity,
+so their errors are small by nature; angles, displacements and twists are changes from rest.
 """
 TRUTH = """## Reference values
 
@@ -35,13 +41,19 @@ the third order converges faster. A star marks a difference above 0.3 %: that re
 errors near that difference mean little."""
 SUMMARY = """## Errors of the mesh that comes by default
 
-Asked are 2 % at the default size and 1 % at 60,000 unknowns, for the largest error of the measures of a case. The last
-column takes the tetrahedra whose unknowns, in brackets, are nearest to 60,000. **Bold** is a miss."""
+Asked are 2 % at the default size and 1 % at 60,000 unknowns, for angles, extensions, twists and volumes: shown is the
+largest error among these of a case. *Target* is the default mesh refined until the estimate of the headline is 2 %, as
+`[mesh] target = "2 %"` does it. The last column takes the tetrahedra whose unknowns, in brackets, are nearest to
+60,000. **Bold** is a miss."""
+ESTIMATES = """## Estimated over true error
+
+Every run of the sizes double, default and half has an estimated mesh error. Counted are measures whose true error is
+above 0.3 %, the doubt about the reference; of smaller ones the ratio means little."""
 CASES = """## Every mesh
 
 `before` is the element of the version before, `formulation="continuous"`. The default size of hexahedra is longer than
 that of tetrahedra. A size of twice the default is left out, or cut, where it is larger than the walls allow. The
-column *estimate* is the estimated mesh error, in brackets its ratio to the true one, where the run had an estimate."""
+column *estimate* is the estimated mesh error of the headline, in brackets its ratio to the true one."""
 
 
 def page(cases: Sequence[Case], values: Store, runs: Store, machine: Mapping[str, str]) -> str:
@@ -49,7 +61,7 @@ def page(cases: Sequence[Case], values: Store, runs: Store, machine: Mapping[str
     known = [case for case in cases if case.name in values]
     about = "\n".join(f"- {name}: {value}" for name, value in machine.items())
     parts = [HEAD, about, TRUTH, truths(known, values), SUMMARY, summary(known, values, runs)]
-    parts += [misses(known, values, runs), compared(known, values, runs), CASES]
+    parts += [misses(known, values, runs), ESTIMATES, ratios(known, values, runs), compared(known, values, runs), CASES]
     parts += [f"### {case.title}\n\n{rows(case, values[case.name], runs)}" for case in known]
     return "\n\n".join(parts) + "\n"
 
@@ -86,7 +98,8 @@ def errors(case: Case, stored: Store, row: Store | None) -> dict[str, float] | N
 def worst(case: Case, stored: Store, row: Store | None) -> tuple[str, float] | None:
     """Measure with the largest error, and that error."""
     found = errors(case, stored, row)
-    return max(found.items(), key=lambda item: abs(item[1])) if found else None
+    asked = {name: off for name, off in (found or {}).items() if name != BESIDE}
+    return max(asked.items(), key=lambda item: abs(item[1])) if asked else None
 
 
 def seconds(row: Store) -> float:
@@ -121,9 +134,10 @@ def summary(cases: Sequence[Case], values: Store, runs: Store) -> str:
             f"{default['unknowns']:,}" if default and "unknowns" in default else "–",
             cell(case, stored, run_of(case, runs, "tetrahedra", "default", "continuous"), ASKED),
             cell(case, stored, run_of(case, runs, "hexahedra", "default"), ASKED),
-            near_text(case, stored, nearest(case, runs)),
+            near_text(case, stored, run_of(case, runs, "tetrahedra", "target"), ASKED),
+            near_text(case, stored, nearest(case, runs), ASKED_NEAR),
         ))  # fmt: skip
-    head = ("case", "measure", "tetrahedra", "unknowns", "tetrahedra before", "hexahedra", "tetrahedra, about 60,000")
+    head = ("case", "measure", "tetrahedra", "unknowns", "tetrahedra before", "hexahedra", "target", "about 60,000")
     return table(head, lines)
 
 
@@ -142,14 +156,33 @@ def misses(cases: Sequence[Case], values: Store, runs: Store) -> str:
 
 def nearest(case: Case, runs: Store) -> Store | None:
     """The run with tetrahedra whose unknowns are nearest to 60,000."""
-    found = [run_of(case, runs, "tetrahedra", step) for step in WORDS]
+    found = [run_of(case, runs, "tetrahedra", step) for step in STEPS]
     solved = [row for row in found if row and "values" in row]
     return min(solved, key=lambda row: abs(math.log(row["unknowns"] / NEAR)), default=None)
 
 
-def near_text(case: Case, stored: Store, row: Store | None) -> str:
-    """Error of the run that is nearest to 60,000 unknowns."""
-    return f"{cell(case, stored, row, ASKED_NEAR)} ({row['unknowns']:,})" if row else "–"
+def near_text(case: Case, stored: Store, row: Store | None, allowed: float) -> str:
+    """Error of a run and its unknowns."""
+    return f"{cell(case, stored, row, allowed)} ({row['unknowns']:,})" if row and "unknowns" in row else "–"
+
+
+def ratios(cases: Sequence[Case], values: Store, runs: Store) -> str:
+    """How often the estimate over the true error lies where it should, and the ratios outside."""
+    inside, outside = 0, []
+    for case in cases:
+        for kind, step in product(("tetrahedra", "hexahedra"), STEPS[:3]):
+            row = run_of(case, runs, kind, step)
+            off = errors(case, values[case.name], row) or {}
+            for name, estimated in (row or {}).get("estimates", {}).items():
+                if abs(off[name]) <= AGREED:
+                    continue
+                ratio = estimated / abs(off[name] * values[case.name]["value"][name])
+                inside += (good := LEAST_RATIO <= ratio <= MOST_RATIO)
+                if not good:
+                    outside.append(f"{case.name}, {kind}, {step}, {words(name)}: {ratio:.2f} of {off[name]:+.2%}")
+    count = inside + len(outside)
+    told = "\n".join(f"- {each}" for each in outside)
+    return f"{inside} of {count} ratios lie between {LEAST_RATIO:g} and {MOST_RATIO:g}. Outside:\n\n{told}"
 
 
 def rows(case: Case, stored: Store, runs: Store) -> str:
@@ -157,11 +190,11 @@ def rows(case: Case, stored: Store, runs: Store) -> str:
     lines = []
     for kind in ("tetrahedra", "hexahedra"):
         for formulation in ("mixed", "continuous"):
-            for step in ("double", "default", "half", "fine"):
+            for step in STEPS:
                 row = run_of(case, runs, kind, step, formulation)
                 if row:
                     name = kind + (", before" if formulation == "continuous" else "")
-                    lines.append(line(case, stored, row, name, WORDS[step]))
+                    lines.append(line(case, stored, row, name, step))
     head = ("cells", "size", "[mm]", "number", "unknowns", "CPU s", *(words(each.name) for each in case.measures))
     return table((*head, "estimate"), lines)
 

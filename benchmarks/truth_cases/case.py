@@ -30,8 +30,6 @@ class Case:
         What the case is made for; the first one is the headline.
     third_order_size : float [mm]
         Mesh size of the independent code.
-    fine_size : float [mm]
-        Size of turgor's own fine tetrahedra; 0 where half the default size is as fine as affordable.
     kinds : tuple of str
         Cells that the family can be filled with.
     jumps : bool
@@ -39,6 +37,8 @@ class Case:
         sizes than the default one.
     face_sizes : mapping of str to float [mm]
         Smaller sizes of the independent code for some faces.
+    bisections : tuple of float
+        Shares of the cells of the independent code that are bisected, round by round.
     """
 
     name: str
@@ -48,13 +48,13 @@ class Case:
     pressures: Mapping[str, float]
     measures: tuple[tg.Measure, ...]
     third_order_size: float
-    fine_size: float
     supports: tuple[Any, ...] = (tg.Fixed("fixed"),)
     reinforcements: tuple[tg.Fibers, ...] = ()
     contact: tg.Contact = NO_CONTACT
     kinds: tuple[str, ...] = ("tetrahedra", "hexahedra")
     jumps: bool = False
     face_sizes: Mapping[str, float] = field(default_factory=dict)
+    bisections: tuple[float, ...] = (0.1, 0.02)
 
     @property
     def touches(self) -> bool:

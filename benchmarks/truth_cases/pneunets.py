@@ -19,8 +19,7 @@ CASES = (
         materials=ON_PAPER,
         pressures={"cavity": 6.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=2.0,
-        fine_size=0.0,
+        third_order_size=3.5,
     ),
     Case(
         name="fast_pneunet_stiff_base",
@@ -29,8 +28,7 @@ CASES = (
         materials=ON_STIFF,
         pressures={"cavity": 4.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=2.0,
-        fine_size=0.0,
+        third_order_size=3.5,
         jumps=True,
     ),
     Case(
@@ -40,8 +38,7 @@ CASES = (
         materials=ON_STIFF,
         pressures={"cavity": 10.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=1.5,
-        fine_size=1.2,
+        third_order_size=3.0,
         jumps=True,
     ),
     Case(
@@ -52,7 +49,6 @@ CASES = (
         pressures={"cavity": 20.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
-        fine_size=0.0,
         jumps=True,
     ),
     Case(
@@ -63,7 +59,6 @@ CASES = (
         pressures={"cavity": 16.0},
         measures=(tg.bending_angle, tg.cavity_volume),
         third_order_size=0.0,
-        fine_size=1.4,
         contact=tg.Contact(),
     ),
 )

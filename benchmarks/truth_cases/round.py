@@ -19,7 +19,6 @@ CASES = (
         pressures={"cavity": 30.0},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         third_order_size=3.0,
-        fine_size=0.8,
     ),
     Case(
         name="omnidirectional_circles",
@@ -28,8 +27,7 @@ CASES = (
         materials={"body": ECOFLEX},
         pressures={"cavity_1": 12.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=3.5,
-        fine_size=0.0,
+        third_order_size=4.0,
     ),
     Case(
         name="omnidirectional_sectors",
@@ -40,8 +38,7 @@ CASES = (
         materials={"body": ECOFLEX},
         pressures={"cavity_1": 7.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=3.5,
-        fine_size=1.5,
+        third_order_size=4.0,
     ),
     Case(
         name="bellows",
@@ -51,7 +48,6 @@ CASES = (
         pressures={"cavity": 5.0},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         third_order_size=3.0,
-        fine_size=1.0,
     ),
     Case(
         name="revolute_joint",
@@ -60,8 +56,7 @@ CASES = (
         materials={"body": ECOFLEX, "link": PLASTIC, "hinge": FLEXIBLE},
         pressures={"cavity": 5.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=2.2,
-        fine_size=0.0,
+        third_order_size=3.0,
         jumps=True,
     ),
 )

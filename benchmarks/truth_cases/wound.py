@@ -27,8 +27,7 @@ CASES = (
         pressures={"cavity": 13.7201},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         supports=(tg.Fixed("fixed", "x"), tg.Radial("winding")),
-        third_order_size=2.0,
-        fine_size=0.8,
+        third_order_size=2.5,
         jumps=True,
     ),
     Case(
@@ -39,8 +38,8 @@ CASES = (
         pressures={"cavity": 40.0},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=DOUBLE),),
-        third_order_size=2.0,
-        fine_size=1.4,
+        third_order_size=2.5,
+        bisections=(0.05,),
         jumps=True,
     ),
     Case(
@@ -55,7 +54,7 @@ CASES = (
             replace(ROD, face="strain_limiting_layer", winding=LENGTHWISE),
         ),
         third_order_size=5.0,
-        fine_size=1.3,
+        bisections=(0.1,),
     ),
     Case(
         name="twisting_tube",
@@ -66,6 +65,6 @@ CASES = (
         measures=(tg.twist_angle, tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="outside", material=KEVLAR, diameter=THREAD, winding=HELIX),),
         third_order_size=6.0,
-        fine_size=2.5,
+        bisections=(0.05,),
     ),
 )
