@@ -39,6 +39,7 @@ CASES = (
         pressures={"cavity": 10.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
+        bisections=(0.15, 0.04),
         jumps=True,
     ),
     Case(

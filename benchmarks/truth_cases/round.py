@@ -19,6 +19,7 @@ CASES = (
         pressures={"cavity": 30.0},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         third_order_size=3.0,
+        bisections=(),
     ),
     Case(
         name="omnidirectional_circles",
@@ -27,7 +28,8 @@ CASES = (
         materials={"body": ECOFLEX},
         pressures={"cavity_1": 12.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=4.0,
+        third_order_size=5.0,
+        bisections=(0.1, 0.05),
     ),
     Case(
         name="omnidirectional_sectors",
@@ -57,6 +59,7 @@ CASES = (
         pressures={"cavity": 5.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
+        bisections=(0.15, 0.05),
         jumps=True,
     ),
 )

@@ -27,7 +27,8 @@ CASES = (
         pressures={"cavity": 13.7201},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         supports=(tg.Fixed("fixed", "x"), tg.Radial("winding")),
-        third_order_size=2.5,
+        third_order_size=2.0,
+        bisections=(),
         jumps=True,
     ),
     Case(
@@ -38,8 +39,8 @@ CASES = (
         pressures={"cavity": 40.0},
         measures=(tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=DOUBLE),),
-        third_order_size=2.5,
-        bisections=(0.05,),
+        third_order_size=2.0,
+        bisections=(),
         jumps=True,
     ),
     Case(
@@ -65,6 +66,6 @@ CASES = (
         measures=(tg.twist_angle, tg.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="outside", material=KEVLAR, diameter=THREAD, winding=HELIX),),
         third_order_size=6.0,
-        bisections=(0.05,),
+        bisections=(),
     ),
 )
