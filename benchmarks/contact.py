@@ -21,7 +21,7 @@ import turgor as tg
 from turgor.engine.contact.terms import ContactTerms
 from turgor.engine.runtime import compile_kernels
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
+from turgor.engine.algebra.tangent import Tangent
 from turgor.model.contact import Contact
 from turgor.units import kPa, mm
 

@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import turgor as tg
-from turgor.engine.surfaces import vector_area
+from turgor.engine.faces.surfaces import vector_area
 from turgor.model.write_inp import write_inp
 from turgor.units import MPa, deg, kPa, mm
 

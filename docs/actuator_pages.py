@@ -151,8 +151,8 @@ def draw(name: str, family: Any) -> None:
     from turgor.job.read import read_job
     from turgor.job.run import prepare
     from turgor.meshing.generate import mesh
-    from turgor.results.mesh_picture import write_mesh_picture
-    from turgor.results.pictures import shared_view, write_picture
+    from turgor.results.pictures.mesh_picture import write_mesh_picture
+    from turgor.results.pictures.state_picture import shared_view, write_picture
     from turgor.solvers.driver import solve
 
     made = mesh(_cut(family).build())

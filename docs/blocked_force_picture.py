@@ -9,7 +9,7 @@ import matplotlib
 from matplotlib.figure import Figure
 
 import turgor as tg
-from turgor.results.plots import COLORS, plot_response
+from turgor.results.plots.response_plots import COLORS, plot_response
 from turgor.units import kPa, mm
 
 FIGURE = Path(__file__).parent / "images" / "blocked-force.svg"

@@ -9,8 +9,8 @@ import numpy as np
 
 import turgor as tg
 from turgor.geometry import RectangularBender
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.viscoelastic import Prony
 from turgor.model.history import over_time
 from turgor.units import deg, kPa, mm
 

@@ -10,7 +10,7 @@ from scipy.special import ellipk
 import turgor as tg
 from nasty_cases import checks
 from nasty_cases.case import MM, OPTIONS, RUBBER, Case, Check, Found, one
-from turgor.materials.homogeneous import nominal_stress, uniaxial
+from turgor.materials.laws.homogeneous import nominal_stress, uniaxial
 
 import meshes  # isort: skip  (found where nasty_cases.case says)
 import problems  # isort: skip

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 import turgor as tg
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.viscoelastic import Prony
 from turgor.model.history import over_time
 from turgor.solvers.procedures import Static
 

@@ -14,7 +14,7 @@ from turgor.adaptivity.mesh_error import path_length
 from turgor.adaptivity.refine import refined
 from turgor.finding import Severity
 from turgor.response import Column, Response
-from turgor.results.error_text import with_error
+from turgor.results.report.error_text import with_error
 from turgor.units import kPa, mL, mm
 
 SOFT = tg.Material(name="soft", law=tg.Yeoh(C10=0.11e6, C20=0.02e6), density=1000.0)

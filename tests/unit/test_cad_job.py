@@ -12,9 +12,9 @@ import turgor as tg
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.geometry.cad.selectors import ByName, InBox, NearestTo, WithNormal
 from turgor.geometry.cad.split import SplitPlane
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.run import prepare
+from turgor.job.text.problems import JobError
 from turgor.units import kPa, mm
 
 JOB = """

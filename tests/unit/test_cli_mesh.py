@@ -9,9 +9,10 @@ import pytest
 from PIL import Image
 
 import turgor as tg
-from turgor.cli import BAD_INPUT, DONE, NOT_CONVERGED, main
+from turgor.cli import main
+from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
 from turgor.job.run import prepare
-from turgor.meshing.checks import check_mesh
+from turgor.meshing.quality.checks import check_mesh
 from turgor.response import read_response
 from turgor.units import mm
 

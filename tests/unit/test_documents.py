@@ -6,9 +6,9 @@ from importlib import import_module
 from pathlib import Path
 
 import turgor as tg
-from turgor.job.contact import ContactTable
-from turgor.job.fibers import FibersTable
-from turgor.job.obstacles import SHAPES, STL, ObstacleTable, obstacle_table
+from turgor.job.tables.contact import ContactTable
+from turgor.job.tables.fibers import FibersTable
+from turgor.job.tables.obstacles import SHAPES, STL, ObstacleTable, obstacle_table
 
 ROOT = Path(__file__).parents[2]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))

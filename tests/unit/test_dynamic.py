@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.engine.additions import Linear, Together
+from turgor.engine.algebra.additions import Linear, Together
 from turgor.engine.damping import StrainRateDamping
 from turgor.engine.energy import stored_energy
 from turgor.engine.fields import strain_energy
@@ -14,8 +14,8 @@ from turgor.engine.mass import mass_data, total_mass
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
-from turgor.results.energies import energy_columns
-from turgor.results.modes_vtu import write_modes
+from turgor.results.files.modes_vtu import write_modes
+from turgor.results.measures.energies import energy_columns
 from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.energies import Energies, imbalance, too_viscous, unbalanced
 from turgor.solvers.modes import natural_frequencies

@@ -7,7 +7,7 @@ import pytest
 
 import turgor as tg
 from turgor.errors import TurgorError
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
 from turgor.meshing.exchange.read import read_mesh
 from turgor.model.inp_materials import material_lines
 from turgor.model.loads import Traction

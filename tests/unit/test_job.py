@@ -18,14 +18,14 @@ import turgor.job.job
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
 from turgor.job.job import Job
-from turgor.job.lines import key_lines
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
-from turgor.job.tables import dataclass_table
-from turgor.materials.laws import Hooke, NeoHooke, Yeoh
+from turgor.job.text.lines import key_lines
+from turgor.job.text.problems import JobError
+from turgor.job.text.quantities import dataclass_table
+from turgor.materials.laws.laws import Hooke, NeoHooke, Yeoh
+from turgor.materials.library.records import from_library
 from turgor.materials.material import Material
-from turgor.materials.records import from_library
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
 from turgor.model.loads import Gravity, Pressure
@@ -372,7 +372,7 @@ def test_a_new_family_needs_no_schema_code(tmp_path: Path, monkeypatch: pytest.M
         ratio: float = field(default=0.5, metadata={"dimension": "number"})
 
     monkeypatch.setattr(turgor.job.job, "ACTUATORS", {"tilted": Tilted})
-    monkeypatch.setattr("turgor.job.sections.ACTUATORS", {"tilted": Tilted})
+    monkeypatch.setattr("turgor.job.tables.sections.ACTUATORS", {"tilted": Tilted})
     job = read(tmp_path, SMALL.replace('"fast_pneunet"', '"tilted"\ntilt = "30 deg"\nratio = 0.25'))
     assert (job.actuator.tilt, job.actuator.ratio) == (30 * deg, 0.25)
     assert set(dataclass_table(Tilted).model_fields) == {"type", *(item.name for item in fields(Tilted))}

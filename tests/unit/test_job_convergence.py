@@ -10,7 +10,7 @@ from turgor.geometry import FastPneuNet
 from turgor.job.convergence import RATIO, convergence, study_sizes
 from turgor.job.job import Job
 from turgor.job.run import prepare
-from turgor.materials.laws import NeoHooke
+from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.model.loads import Pressure
 from turgor.solvers.driver import solve

@@ -10,7 +10,7 @@ import pytest
 import turgor as tg
 from turgor.cli import main
 from turgor.geometry.cad.selectors import ByName, InBox, WithNormal
-from turgor.job.lock import lock_text
+from turgor.job.output.lock import lock_text
 from turgor.meshing.exchange import MeshFile, read_mesh, read_stl
 from turgor.units import mm
 

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.engine.known_stress import add_known_stress
-from turgor.engine.memory import right_cauchy_green
+from turgor.engine.cells.known_stress import add_known_stress
+from turgor.engine.cells.memory import right_cauchy_green
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
-from turgor.materials.isochoric import isochoric_stress, isochoric_tangent
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
-from turgor.results.fields import StateFields
+from turgor.materials.history.isochoric import isochoric_stress, isochoric_tangent
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.viscoelastic import Prony
+from turgor.results.fields.state_fields import StateFields
 from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.modes import natural_frequencies
 from turgor.solvers.path_procedures import ArcLength, Auto, VolumeControl

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.mass import mass_data
 from turgor.engine.runtime import use_threads
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.geometry import FastPneuNet
 from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.dynamic_run import Listeners, follow_motion

@@ -86,4 +86,4 @@ def test_wheel_holds_data_and_command(tmp_path):
         if path.is_file() and "__pycache__" not in path.parts and "egg-info" not in str(path)
     }
     assert wanted <= held
-    assert {"turgor/py.typed", "turgor/materials/library/paper.toml"} <= held
+    assert {"turgor/py.typed", "turgor/materials/library/data/paper.toml"} <= held

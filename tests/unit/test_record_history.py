@@ -8,17 +8,17 @@ import pytest
 
 import turgor as tg
 from turgor.errors import TurgorError
-from turgor.job.lock import lock_text
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.fit_record import save_material
-from turgor.materials.handling import crop, thin
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
+from turgor.job.output.lock import lock_text
+from turgor.materials.experiments.handling import crop, thin
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.experiments.read_tests import read_test, read_tests
+from turgor.materials.fitting.save import save_material
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
+from turgor.materials.library.record_text import describe_material
+from turgor.materials.library.records import from_library
 from turgor.materials.material import Material
-from turgor.materials.read_tests import read_test, read_tests
-from turgor.materials.record_text import describe_material
-from turgor.materials.records import from_library
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
 from turgor.model.inp_materials import material_lines
 from turgor.model.write_inp import _static
 from turgor.source import Source

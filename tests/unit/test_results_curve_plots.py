@@ -5,9 +5,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
-from turgor.materials.homogeneous import cauchy_stress, nominal_stress, simple_shear, uniaxial
-from turgor.materials.laws import NeoHooke, Ogden
-from turgor.results.curve_plots import plot_curves
+from turgor.materials.laws.homogeneous import cauchy_stress, nominal_stress, simple_shear, uniaxial
+from turgor.materials.laws.laws import NeoHooke, Ogden
+from turgor.results.plots.curves import plot_curves
 
 NEO = NeoHooke(C10=0.12e6)
 OGDEN = Ogden(mu=(24361.0, 66.703, 453.81), alpha=(1.7138, 7.0679, -3.3659))

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from turgor.engine.linear import available_solvers
+from turgor.engine.algebra.linear import available_solvers
 from turgor.engine.runtime import EngineOptions
 from turgor.errors import TurgorError
-from turgor.materials.laws import Hooke, NeoHooke
+from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TETRAHEDRON_FACES, Mesh
 from turgor.model.loads import Pressure, Traction

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.homogeneous import biaxial, cauchy_stress, equibiaxial, nominal_stress, planar, uniaxial
-from turgor.materials.laws import GeneralizedRivlin, Gent, Law, MooneyRivlin, NeoHooke, Ogden, Yeoh
-from turgor.materials.stability import MODES, first_instability, nominal_slope
+from turgor.materials.laws.homogeneous import biaxial, cauchy_stress, equibiaxial, nominal_stress, planar, uniaxial
+from turgor.materials.laws.laws import GeneralizedRivlin, Gent, Law, MooneyRivlin, NeoHooke, Ogden, Yeoh
+from turgor.materials.laws.stability import MODES, first_instability, nominal_slope
 
 A = NeoHooke(C10=0.12e6)
 B = Yeoh(C10=0.11e6, C20=0.02e6)

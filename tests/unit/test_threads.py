@@ -7,20 +7,20 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.engine.development import develop, shape_values
-from turgor.engine.reference import reference_nodes
-from turgor.engine.smeared import course_of, unit_axis
+from turgor.engine.cells.reference import reference_nodes
+from turgor.engine.fibers.fiber_trusses import discrete_threads
+from turgor.engine.fibers.smeared import course_of, unit_axis
+from turgor.engine.fibers.surface_unrolling import develop, shape_values
+from turgor.engine.fibers.truss_bending import bending_energy, bending_forces, bending_tangents, joints_of
 from turgor.engine.system import System
-from turgor.engine.thread_bending import bending_energy, bending_forces, bending_tangents, joints_of
-from turgor.engine.threads import discrete_threads
 from turgor.errors import TurgorError
 from turgor.geometry import FiberReinforcedCylinder, SemicircularBender
-from turgor.materials.laws import Hooke, NeoHooke
+from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.meshing.generate import mesh
 from turgor.model.fibers import Fibers, Winding
-from turgor.results.fibers import drawn_threads, fiber_results, smooth_tension
-from turgor.results.fields import StateFields
-from turgor.results.measures import find_measure
+from turgor.results.fields.fibers import drawn_threads, fiber_results, smooth_tension
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.measures.measures import find_measure
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 

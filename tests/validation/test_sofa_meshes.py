@@ -12,7 +12,7 @@ import turgor as tg
 from turgor.errors import TurgorError
 from turgor.geometry.cad.selectors import InBox, WithNormal
 from turgor.meshing.exchange import mesh_surfaces, read_mesh
-from turgor.results.measures import find_measure
+from turgor.results.measures.measures import find_measure
 from turgor.units import deg, kPa, mm
 
 DATA = Path(__file__).parent / "data" / "sofa-actuator-meshes"

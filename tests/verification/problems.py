@@ -7,9 +7,9 @@ import numpy as np
 
 import meshes
 import turgor as tg
+from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
 from turgor.engine.fields import CellFields, cell_fields, strain_energy
-from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
-from turgor.materials.laws import Ogden
+from turgor.materials.laws.laws import Ogden
 
 MM, MPA = 1e-3, 1e6
 

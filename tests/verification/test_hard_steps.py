@@ -13,8 +13,8 @@ from scipy.special import ellipk
 import meshes
 import problems
 import turgor as tg
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.meshing.cells import HEXAHEDRON
 from turgor.solvers.load_rates import LEAPT
 from turgor.solvers.newton import NewtonSettings, relative_residual

@@ -19,7 +19,7 @@ import numpy as np
 
 import problems
 import turgor as tg
-from turgor.engine.surfaces import enclosed_volume
+from turgor.engine.faces.surfaces import enclosed_volume
 
 MM, MPA = problems.MM, problems.MPA
 DATA = Path(__file__).parent / "data" / "reference_bender"

@@ -16,8 +16,8 @@ import pytest
 import contact_cases
 import turgor as tg
 from problems import MM
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Obstacle, Plane

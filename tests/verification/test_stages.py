@@ -17,12 +17,12 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine import surfaces
+from turgor.engine.faces import surfaces
 from turgor.model.contact import Contact
 from turgor.model.continuing import continued, with_loads
 from turgor.model.obstacles import Obstacle, Plane
 from turgor.model.supports import Shift
-from turgor.results import describe_procedure
+from turgor.results.report import describe_procedure
 from turgor.solvers.pressures import pressures_of
 
 KPA, ML = 1e3, 1e-6

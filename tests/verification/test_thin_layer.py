@@ -26,7 +26,7 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM, MPA
-from turgor.engine.element import element_of
+from turgor.engine.cells.element import element_of
 from turgor.engine.system import System
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 

@@ -17,8 +17,8 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.materials.homogeneous import cauchy_stress, equibiaxial, nominal_stress, planar, simple_shear, uniaxial
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
+from turgor.materials.laws.homogeneous import cauchy_stress, equibiaxial, nominal_stress, planar, simple_shear, uniaxial
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
 A, B = problems.NEO_HOOKE, problems.YEOH
 C = tg.MooneyRivlin(C10=1.190e3, C01=23.028e3)

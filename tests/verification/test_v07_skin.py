@@ -17,7 +17,7 @@ import exact
 import problems
 import turgor as tg
 from test_v07_hoops import INNER, OUTER, PRESSURE, STRETCH
-from turgor.engine.element import element_of
+from turgor.engine.cells.element import element_of
 from turgor.model.supports import Radial
 from turgor.units import kPa, mm
 

@@ -17,7 +17,7 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine.surfaces import enclosed_volume
+from turgor.engine.faces.surfaces import enclosed_volume
 from turgor.engine.system import System
 from turgor.model.contact import SELF, Contact
 from turgor.model.obstacles import Cylinder, Plane, SelfContact, Sphere

@@ -16,8 +16,8 @@ import contact_cases
 import problems
 import turgor as tg
 from problems import MM
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.model.obstacles import Obstacle, Plane, Sphere
 from turgor.solvers.downhill import FELL, downhill
 from turgor.solvers.newton import NewtonSettings, Start

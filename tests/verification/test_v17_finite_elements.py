@@ -3,7 +3,7 @@
 Problem: a cube of irregular cells stretched along x, its sides free: suddenly by 1.5 and held; in cycles with a Prony
 series, with stress softening, with both; laws in invariants and in stretches. The pull is the reaction over the area.
 Exact: the table of V17; `stress_history` of the material at the times of the states, which takes the same steps.
-Source: verification case V17; the recursion of `turgor.materials.viscoelastic`.
+Source: verification case V17; the recursion of `turgor.materials.history.viscoelastic`.
 Tolerance: 0.5 % is asked for, 1e-4 is left by the ramp of 0.1 ms; 1e-6 against the material, the tolerance of Newton's
 method being 1e-10. The tangent is held against central differences, 1e-6 of its largest entry.
 """
@@ -18,10 +18,10 @@ import meshes
 import problems
 import turgor as tg
 from turgor.engine.system import System
-from turgor.materials.laws import Ogden
-from turgor.materials.softening import Mullins
-from turgor.materials.stress_history import stress_history
-from turgor.materials.viscoelastic import Prony
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.stress_history import stress_history
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.laws import Ogden
 from turgor.solvers.procedures import Static
 
 TIMES = np.array([0.5, 1, 2, 5, 10, 20, 50, 100])

@@ -12,8 +12,8 @@ import pytest
 from scipy.integrate import quad
 
 import turgor as tg
-from turgor.materials.stress_history import stress_history
-from turgor.materials.viscoelastic import Prony
+from turgor.materials.history.stress_history import stress_history
+from turgor.materials.history.viscoelastic import Prony
 
 MPA = 1e6
 TIMES = (0, 0.5, 1, 2, 5, 10, 20, 50, 100, 1e9)

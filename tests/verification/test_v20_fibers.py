@@ -20,9 +20,9 @@ import pytest
 
 import problems
 import turgor as tg
-from turgor.engine.reference import reference_nodes
+from turgor.engine.cells.reference import reference_nodes
 from turgor.geometry import FiberReinforcedCylinder
-from turgor.materials.laws import Hooke
+from turgor.materials.laws.laws import Hooke
 from turgor.meshing.generate import mesh as make_mesh
 from turgor.model.fibers import Fibers, Winding
 from turgor.units import deg, kPa, mm

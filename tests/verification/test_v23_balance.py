@@ -15,7 +15,7 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.surfaces import enclosed_volume, vector_area
+from turgor.engine.faces.surfaces import enclosed_volume, vector_area
 from turgor.engine.system import System
 
 P = 4e4

@@ -16,7 +16,7 @@ import turgor as tg
 from test_v24_orders import errors_of, manufactured
 from test_v24_tangent import _difference
 from turgor.engine.system import System
-from turgor.materials.laws import Ogden
+from turgor.materials.laws.laws import Ogden
 from turgor.meshing.cells import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.Hooke(E=5e6, nu=0.3)), 5e-4)

@@ -18,7 +18,7 @@ import meshes
 import problems
 import turgor as tg
 from turgor.engine.system import System
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, YeohN
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, YeohN
 
 
 def _cavity():

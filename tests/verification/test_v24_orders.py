@@ -18,8 +18,8 @@ import numpy as np
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.element import element_of
-from turgor.engine.reference import reference_cell
+from turgor.engine.cells.element import element_of
+from turgor.engine.cells.reference import reference_cell
 from turgor.meshing.cells import TETRAHEDRON
 
 A, K, MU = 0.2, np.pi, 1.0e5

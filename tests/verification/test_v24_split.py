@@ -18,7 +18,7 @@ import meshes
 import problems
 import turgor as tg
 from test_v24_tangent import _difference
-from turgor.engine import kernels_geometry
+from turgor.engine.cells import kernels_geometry
 from turgor.engine.energy import stored_energy
 from turgor.engine.system import System
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON

@@ -16,7 +16,7 @@ import meshes
 import problems
 import turgor as tg
 from turgor.engine.system import System
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.Hooke(E=5e6, nu=0.3)), 5e-4)
 OPEN = tg.Pressure("z1", 4e4)

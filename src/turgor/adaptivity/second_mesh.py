@@ -6,13 +6,13 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.chambers import Chambers
-from turgor.engine.linear import SingularTangentError
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.engine.transfer import Transfer
-from turgor.meshing.refinement import Refinement
+from turgor.meshing.refining.refinement import Refinement
 from turgor.model.model import Model
 from turgor.solvers.bordered import BorderedStart, bordered_newton
 from turgor.solvers.controls import CavityPressures, Control, LoadFactor, VolumeTarget, WorkTarget, acting_pressures

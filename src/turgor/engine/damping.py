@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels, kernels_geometry
+from turgor.engine.cells import kernels, kernels_geometry
 from turgor.engine.system import System
 
 Array = NDArray[np.float64]

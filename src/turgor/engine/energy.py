@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels_geometry
+from turgor.engine.cells import kernels_geometry
+from turgor.engine.cells.stabilization import penalty_energy
 from turgor.engine.evaluation import Evaluation
-from turgor.engine.stabilization import penalty_energy
 from turgor.engine.system import System
 
 Array = NDArray[np.float64]

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.cell_materials import Isochoric
+from turgor.engine.cells.cell_materials import Isochoric
 from turgor.engine.contact.terms import Contacts
-from turgor.engine.faces import FaceStresses
+from turgor.engine.faces.face_terms import FaceStresses
 
 Array = NDArray[np.float64]
 

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels_geometry
-from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.engine.cells import kernels_geometry
+from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh

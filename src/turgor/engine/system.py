@@ -8,19 +8,19 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.engine.additions import Addition
-from turgor.engine.boundary import held_components
-from turgor.engine.cell_terms import CellTerms
+from turgor.engine.algebra.additions import Addition
+from turgor.engine.algebra.boundary import held_components
+from turgor.engine.algebra.pattern import Pattern, build_pattern
+from turgor.engine.cells.cell_terms import CellTerms
+from turgor.engine.cells.memory import Memory
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.surface import whole_surface
 from turgor.engine.contact.terms import Contacts, ContactTerms
-from turgor.engine.dead_loads import dead_forces
 from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
 from turgor.engine.evaluation import Stresses as Stresses
-from turgor.engine.faces import FaceTerms
-from turgor.engine.memory import Memory
-from turgor.engine.pattern import Pattern, build_pattern
+from turgor.engine.faces.dead_loads import dead_forces
+from turgor.engine.faces.face_terms import FaceTerms
 from turgor.errors import TurgorError
 from turgor.model.drive import extremes
 from turgor.model.model import Model

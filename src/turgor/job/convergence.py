@@ -11,9 +11,9 @@ from turgor.errors import TurgorError
 from turgor.job.job import Job
 from turgor.job.run import prepare
 from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.sizes import size_range
-from turgor.results.convergence import Convergence
-from turgor.results.measures import Measure, find_measure, measure
+from turgor.meshing.sizing.sizes import size_range
+from turgor.results.convergence.study import Convergence
+from turgor.results.measures.measures import Measure, find_measure, measure
 from turgor.solvers.driver import Progress, solve
 from turgor.solvers.solution import Solution, SolveError
 from turgor.units import mm

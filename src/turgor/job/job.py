@@ -108,7 +108,7 @@ def standard_measures() -> tuple[str, ...]:
     >>> standard_measures()[0]
     'bending_angle'
     """
-    from turgor.results.measures import STANDARD_MEASURES  # here, because it loads the engine
+    from turgor.results.measures.measures import STANDARD_MEASURES  # here, because it loads the engine
 
     return tuple(measure.name for measure in STANDARD_MEASURES)
 

@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry.geometry import Geometry
-from turgor.meshing.assemble import Raw, assemble
-from turgor.meshing.local_sizes import LocalSizes, local_sizes
-from turgor.meshing.mend import mended
+from turgor.meshing.bodies.assemble import Raw, assemble
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.quality import cell_volumes, refuse_inverted
+from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
+from turgor.meshing.quality.mend import mended
 from turgor.meshing.quiet import captured_output
-from turgor.meshing.sizes import (
+from turgor.meshing.sizing.local_sizes import LocalSizes, local_sizes
+from turgor.meshing.sizing.sizes import (
     CELLS_PER_RADIUS,
     LARGEST_SIZE_PER_WALL,
     check_face_sizes,
@@ -27,10 +27,10 @@ from turgor.meshing.sizes import (
     default_size,
     size_range,
 )
+from turgor.meshing.sizing.thin_walls import ThinWalls, find_thin_walls, thin_walls_left
+from turgor.meshing.sizing.walls import refine_walls
 from turgor.meshing.sweeping.section import Fineness
-from turgor.meshing.swept import check_cells, swept_mesh
-from turgor.meshing.thin_walls import ThinWalls, find_thin_walls, thin_walls_left
-from turgor.meshing.walls import refine_walls
+from turgor.meshing.sweeping.swept import check_cells, swept_mesh
 from turgor.units import mm
 
 Ints = NDArray[np.int64]

@@ -7,12 +7,12 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.additions import Addition, Linear, Together
+from turgor.engine.algebra.additions import Addition, Linear, Together
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.damping import StrainRateDamping
 from turgor.engine.energy import contact_energy, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.model.drive import kinks
 from turgor.solvers.carried import unknowns_of

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
-from turgor.engine.linear import LinearSolver, SingularTangentError, linear_solver
+from turgor.engine.algebra.linear import LinearSolver, SingularTangentError, linear_solver
+from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.mass import mass_data
-from turgor.engine.pattern import Pattern
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
 from turgor.errors import TurgorError

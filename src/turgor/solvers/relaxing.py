@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.additions import Linear
+from turgor.engine.algebra.additions import Linear
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Report, Start, newton
 from turgor.solvers.touching import newton_with_contact
 

@@ -7,11 +7,11 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.additions import Linear
+from turgor.engine.algebra.additions import Linear
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.energy import contact_energy, softening_loss, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.model.drive import kinks
 from turgor.solvers.carried import unknowns_of
 from turgor.solvers.checks import free_motions

@@ -6,8 +6,8 @@ from itertools import pairwise
 from math import inf
 from time import perf_counter
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.carried import Carried, unknowns_of
 from turgor.solvers.distortion import distortion_text
 from turgor.solvers.doubts import doubt, roundabout

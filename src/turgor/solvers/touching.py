@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.pressure import nodal_pressure, touched_area
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.downhill import downhill
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Report, Start, newton, relative_residual
 from turgor.solvers.solution import Touch

@@ -4,7 +4,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.engine.pattern import Pattern, locate
+from turgor.engine.algebra.pattern import Pattern, locate
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

@@ -2,7 +2,7 @@
 
 The tangential traction grows with the slip since the last state and is cut off at the coefficient times the normal
 pressure. At a limit that is kept friction has a potential, and a symmetric tangent; that the limit follows the pressure
-adds an unsymmetric part, which `by_limit` gives and `turgor.engine.tangent` treats apart.
+adds an unsymmetric part, which `by_limit` gives and `turgor.engine.algebra.tangent` treats apart.
 """
 
 from dataclasses import dataclass

@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from turgor.engine.algebra.pattern import Pattern
+from turgor.engine.cells.reference import reference_cell, reference_nodes
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.friction import Anchors
 from turgor.engine.contact.pair_part import PairPart, Partners
 from turgor.engine.contact.surface import DEGREE, Surface, overhangs, strangers
-from turgor.engine.pattern import Pattern
-from turgor.engine.reference import reference_cell, reference_nodes
 from turgor.meshing.cells import side_type
 
 #: Depth to which the two sides lie in each other.
