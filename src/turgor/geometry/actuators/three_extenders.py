@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import cos, pi, sin, sqrt
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT, Geometry
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.chambers import arrangement
 from turgor.geometry.parts.layout import Layout, Prism
 from turgor.geometry.rules import SMALLEST_LENGTH, check_fields, check_length, in_mm
