@@ -63,8 +63,8 @@ from turgor.materials.experiments.handling import rest_below as rest_below
 from turgor.materials.experiments.handling import select_cycle as select_cycle
 from turgor.materials.experiments.handling import set_zero_length as set_zero_length
 from turgor.materials.experiments.handling import thin as thin
+from turgor.materials.experiments.material_test import Edit as Edit
 from turgor.materials.experiments.material_test import MaterialTest as MaterialTest
-from turgor.materials.experiments.material_test import Step as Step
 from turgor.materials.experiments.read_tests import Specimen as Specimen
 from turgor.materials.experiments.read_tests import read_test as read_test
 from turgor.materials.experiments.read_tests import read_tests as read_tests
@@ -77,7 +77,7 @@ from turgor.materials.fitting.history_fit import HistoryFit as HistoryFit
 from turgor.materials.fitting.ranking import Ranking as Ranking
 from turgor.materials.fitting.ranking import rank as rank
 from turgor.materials.fitting.result import Fit as Fit
-from turgor.materials.fitting.result import TestError as TestError
+from turgor.materials.fitting.result import FitResidual as FitResidual
 from turgor.materials.fitting.save import save_fits as save_fits
 from turgor.materials.fitting.save import save_material as save_material
 from turgor.materials.history.softening import Mullins as Mullins

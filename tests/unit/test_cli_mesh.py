@@ -124,7 +124,7 @@ def test_what_the_guide_shows_works(folder: Path) -> None:
     (target,) = (text for text in others if "target" in text)
     (folder / "guide.toml").write_text(JOB.replace('[mesh]\nsize = "5 mm"', settings), encoding="utf-8")
     job = tg.read_job(folder / "guide.toml")
-    assert (job.mesh_size, job.mesh_face_sizes, job.mesh_wall_cells) == (3 * mm, {"cavity": 1.5 * mm}, 2)
+    assert (job.mesh_size, job.mesh.face_sizes, job.mesh.wall_cells) == (3 * mm, {"cavity": 1.5 * mm}, 2)
     (folder / "guide.toml").write_text(JOB.replace('[mesh]\nsize = "5 mm"', target), encoding="utf-8")
     assert tg.read_job(folder / "guide.toml").mesh_target == 0.02
     model = prepare(tg.read_job(folder / "one.toml"))[0]

@@ -276,12 +276,12 @@ def test_a_linear_elastic_region_and_a_rubber_sheet_are_refused(tmp_path: Path) 
 def test_the_settings_of_the_mesh_reach_the_job_and_come_back_from_the_lock_file(tmp_path: Path) -> None:
     job = read(tmp_path, SMALL.replace('size = "3 mm"', 'face_sizes = { cavity = "1.3 mm" }\nwall_cells = 2'))
     assert job.mesh_size == 2 * mm  # twice the wall
-    assert job.mesh_face_sizes == {"cavity": 1.3 * mm}
-    assert job.mesh_wall_cells == 2
+    assert job.mesh.face_sizes == {"cavity": 1.3 * mm}
+    assert job.mesh.wall_cells == 2
     assert read(tmp_path, lock(job)) == job
     assert read(tmp_path, SMALL.replace('[mesh]\nsize = "3 mm"', "")).mesh_size == 2 * mm
     swept = read(tmp_path, SMALL.replace('size = "3 mm"', 'cells = "hexahedra"'))
-    assert (swept.mesh_cells, swept.mesh_size) == ("hexahedra", 2.5 * mm)  # an eighth of the length
+    assert (swept.mesh.cells, swept.mesh_size) == ("hexahedra", 2.5 * mm)  # an eighth of the length
     assert read(tmp_path, lock(swept)) == swept
 
 

@@ -115,7 +115,7 @@ def inf_sup_constant(kind, ratio):
     mass, numbers, M = np.zeros((system.element.mean_count,) * 2), system.element.mean, system.element.tables.M
     for name, law in laws.items():
         for cell in mesh.regions[name]:
-            inside = (M.T * system.dV[cell]) @ M * system.stress / law.shear_modulus
+            inside = (M.T * system.dV[cell]) @ M * system.stress_scale / law.shear_modulus
             mass[np.ix_(numbers[cell], numbers[cell])] += inside
     seen = coupling @ np.linalg.solve(stiffness, coupling.T)
     return float(np.sqrt(eigh(seen, mass, eigvals_only=True, subset_by_index=(0, 0))[0]))

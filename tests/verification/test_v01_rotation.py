@@ -35,7 +35,7 @@ def test_rotation_turns_forces_and_keeps_energy(name, law, record_verification):
     system = System(model)
     forces, energies, volumes = [], [], []
     for displacement in (u, turned):
-        unknowns = np.concatenate([displacement.ravel() / system.length, p / system.stress])
+        unknowns = np.concatenate([displacement.ravel() / system.length, p / system.stress_scale])
         residual = system.residual(unknowns, 1.0)
         forces.append(residual[: 3 * len(X)].reshape(-1, 3))
         volumes.append(residual[3 * len(X) :])

@@ -126,7 +126,7 @@ def _tangent_error(case, further, bulk_modulus):
     system = System(tg.Model(mesh, {"body": material}, [tg.Fixed("x0")], []))
     rng = np.random.default_rng(3)
     u = mesh.points @ (0.3 * rng.uniform(-1, 1, (3, 3)))
-    first = system.unknowns(u, rng.uniform(-1, 1, mesh.vertex_count) * system.stress)
+    first = system.unknowns(u, rng.uniform(-1, 1, mesh.vertex_count) * system.stress_scale)
     system.materials.begin_step(0.7)
     system.materials.memory = system.remembered(system.evaluate(first, 0.0))
     system.materials.begin_step(0.4)

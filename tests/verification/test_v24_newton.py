@@ -49,7 +49,7 @@ def _residuals(model, tangent_of, count):
     """Norms of the free residual from 80 % to the full load, over the first one."""
     before = problems.state_at(problems.solve(model, tg.Static(at=(0.8,), tolerance=1e-11)), 0.8)
     system = System(model)
-    x = np.concatenate([before.displacement.ravel() / system.length, before.mean_stress / system.stress])
+    x = np.concatenate([before.displacement.ravel() / system.length, before.mean_stress / system.stress_scale])
     return _newton(system, x, tangent_of, count)
 
 

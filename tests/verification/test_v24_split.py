@@ -63,7 +63,7 @@ def saddle(system, unknowns):
     J = kernels_geometry.kinematics(e.shape, system.cells, u, r.dN, system.Jinv)[2]
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean])
     lost = J - 1 - mean * system.materials.compliance[:, None]
-    scale = system.stress * system.length**3
+    scale = system.stress_scale * system.length**3
     return stored_energy(system, unknowns) / scale + float((system.dV * mean * lost).sum())
 
 

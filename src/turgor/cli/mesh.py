@@ -79,5 +79,5 @@ def _with_size(job: "Job", text: str | None) -> "Job":
         size = parse_quantity(text, "length")
     except TurgorError as error:
         raise TurgorError(f"--size: {error}") from None
-    faces = {name: min(length, size) for name, length in job.mesh_face_sizes.items()}
-    return replace(job, mesh_size=size, mesh_face_sizes=faces)
+    faces = {name: min(length, size) for name, length in job.mesh.face_sizes.items()}
+    return replace(job, mesh=replace(job.mesh, size=size, face_sizes=faces))

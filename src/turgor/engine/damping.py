@@ -33,7 +33,7 @@ class StrainRateDamping:
         model = system.model
         viscosity = np.empty(len(model.mesh.cells))
         for name, material in model.region_materials.items():
-            viscosity[model.mesh.regions[name]] = 2 * time * material.law.shear_modulus / system.stress
+            viscosity[model.mesh.regions[name]] = 2 * time * material.law.shear_modulus / system.stress_scale
         self._viscosity = viscosity
         self._rows = np.arange(len(viscosity))
 

@@ -145,11 +145,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     return Job(
         name=name,
         actuator=actuator,
-        mesh_size=mesh.size,
-        mesh_grading=mesh.grading,
-        mesh_face_sizes=mesh.face_sizes,
-        mesh_wall_cells=mesh.wall_cells,
-        mesh_cells=mesh.cells,
+        mesh=mesh.settings(mesh.size),
         mesh_target=mesh.target,
         mesh_target_measure=mesh.target_measure,
         mesh_most_unknowns=mesh.most_unknowns,

@@ -150,7 +150,7 @@ def _restarted(system: System, start: State | None) -> tuple[Array, Array]:
 
 def _unit(system: System) -> float:
     """Joule of a scaled force times a scaled length."""
-    return system.stress * system.length**3
+    return system.stress_scale * system.length**3
 
 
 def _largest(system: System, unknowns: Array) -> float:
@@ -307,7 +307,7 @@ def _state(run: _Run) -> State:
         load_factor=run.time / run.procedure.duration,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.split(run.at.residual)[0] * system.stress * system.length**2,
+        nodal_force=system.split(run.at.residual)[0] * system.stress_scale * system.length**2,
         time=run.time,
         velocity=system.split(run.motion.velocity)[0] * system.length,
         energies=run.energies,

@@ -148,7 +148,7 @@ def state_of(
         load_factor=at.load_factor,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
+        nodal_force=system.split(at.residual)[0] * system.stress_scale * system.length**2,
         unstable_modes=modes,
         pressures=pressures,
         driven=driven,

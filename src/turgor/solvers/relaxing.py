@@ -64,7 +64,7 @@ def relaxed(
     at = system.evaluate(unknowns, load_factor)
     if at is None:
         return _restless(0)
-    mass = mass_data(system, np.full(len(system.cells), system.stress / system.length**2))
+    mass = mass_data(system, np.full(len(system.cells), system.stress_scale / system.length**2))
     motion = _Motion(at, _first_viscosity(system, at, mass))
     smallest, failures = FADED * motion.viscosity, 0
     rough = replace(settings, tolerance=max(ROUGH, settings.tolerance), mixed_points=False)

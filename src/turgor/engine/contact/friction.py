@@ -28,7 +28,7 @@ SETTLED = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Anchors:
+class FrictionHistory:
     """Points that touched in the last state, k of them.
 
     Parameters
@@ -66,44 +66,44 @@ def elastic_slip(surface: Surface, points: Ints) -> Array:
     return np.asarray(ELASTIC_SLIP * np.sqrt(surface.weights.sum(axis=1))[points[:, 0]])
 
 
-def tractions(anchors: Anchors, apart: Array) -> tuple[Array, Array]:
+def tractions(history: FrictionHistory, apart: Array) -> tuple[Array, Array]:
     """Tractions (k, 3) and their derivatives (k, 3, 3) by the present ``apart`` (k, 3)."""
-    n = anchors.normal
+    n = history.normal
     across = np.eye(3) - n[:, :, None] * n[:, None, :]
-    _, trial, size, slides = _trial(anchors, apart)
-    share = np.where(slides, anchors.limit / size, 1.0)
+    _, trial, size, slides = _trial(history, apart)
+    share = np.where(slides, history.limit / size, 1.0)
     direction = trial / size[:, None]
     along = direction[:, :, None] * direction[:, None, :]
     matrices = across - np.where(slides, 1.0, 0.0)[:, None, None] * along
-    matrices *= (anchors.limit / anchors.slip * share)[:, None, None]
+    matrices *= (history.limit / history.slip * share)[:, None, None]
     return trial * share[:, None], matrices
 
 
-def by_limit(anchors: Anchors, apart: Array) -> Array:
+def by_limit(history: FrictionHistory, apart: Array) -> Array:
     """Derivatives (k, 3) of the tractions by their limits."""
-    slip, trial, size, slides = _trial(anchors, apart)
+    slip, trial, size, slides = _trial(history, apart)
     direction = trial / size[:, None]
-    stretched = slip / anchors.slip[:, None]
+    stretched = slip / history.slip[:, None]
     turning = stretched - direction * np.einsum("ki,ki->k", stretched, direction)[:, None]
-    sliding = direction + (anchors.limit / size)[:, None] * turning
+    sliding = direction + (history.limit / size)[:, None] * turning
     return np.asarray(np.where(slides[:, None], sliding, stretched))
 
 
-def _trial(anchors: Anchors, apart: Array) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+def _trial(history: FrictionHistory, apart: Array) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
     """Slips (k, 3) since the last state, tractions (k, 3) if everything stuck and their sizes (k,), and what slides."""
-    n, moved = anchors.normal, apart - anchors.apart
+    n, moved = history.normal, apart - history.apart
     slip = moved - np.einsum("ki,ki->k", moved, n)[:, None] * n
-    trial = anchors.traction + (anchors.limit / anchors.slip)[:, None] * slip
+    trial = history.traction + (history.limit / history.slip)[:, None] * slip
     size = np.maximum(np.linalg.norm(trial, axis=1), 1e-300)
-    return slip, trial, size, size > anchors.limit
+    return slip, trial, size, size > history.limit
 
 
-def taken(anchors: Anchors, apart: Array, weights: Array) -> float:
+def taken(history: FrictionHistory, apart: Array, weights: Array) -> float:
     """Energy that friction has taken since the last state, tractions by the trapezoidal rule."""
-    now, _ = tractions(anchors, apart)
-    n, moved = anchors.normal, apart - anchors.apart
+    now, _ = tractions(history, apart)
+    n, moved = history.normal, apart - history.apart
     slip = moved - np.einsum("ki,ki->k", moved, n)[:, None] * n
-    return float((0.5 * weights * np.einsum("ki,ki->k", anchors.traction + now, slip)).sum())
+    return float((0.5 * weights * np.einsum("ki,ki->k", history.traction + now, slip)).sum())
 
 
 def turned(traction: Array, normal: Array) -> Array:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.contact import friction
-from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.contact.pairs import tie_tangents
 from turgor.engine.contact.part import Found, Ties, groups, nodal
 from turgor.engine.contact.surface import Surface
@@ -52,18 +52,18 @@ class PointsPart(ABC):
 
     Attributes
     ----------
-    boost : (s,) array
+    penalty_scale : (s,) array
         How much stiffer the sides are than at first.
-    anchors : Anchors or None
+    friction_history : FrictionHistory or None
         From where points slip.
     limits_kept : bool
-        Whether the limits of friction are those of the anchors, or follow the pressure.
+        Whether the limits of friction are those of the friction history, or follow the pressure.
     """
 
     def __init__(self, name: str, surface: Surface, coefficient: float, share: float) -> None:
         self.name, self.surface, self.coefficient, self.share = name, surface, coefficient, share
-        self.boost = np.ones(len(surface.sides))
-        self.anchors: Anchors | None = None
+        self.penalty_scale = np.ones(len(surface.sides))
+        self.friction_history: FrictionHistory | None = None
         self.limits_kept = False
 
     @abstractmethod
@@ -95,7 +95,7 @@ class PointsPart(ABC):
         """Normals (k, 3) of what points touch, out of it."""
 
     @abstractmethod
-    def _apart(self, position: Array, found: Found, a: Anchors) -> Array:
+    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
         """Points minus the places on their partners (k, 3)."""
 
     @abstractmethod
@@ -168,14 +168,16 @@ class PointsPart(ABC):
         spring = self._springs(points, found.partner[i, q]) * self._weights(points)
         return float(0.5 * (spring * found.gap[i, q] ** 2).sum())
 
-    def stiffened(self, boost: Array, before: Found, found: Found) -> float:
-        """Energy that raising the stiffness from a former ``boost`` (s,) put into what was and is penetrated.
+    def stiffened(self, former: Array, before: Found, found: Found) -> float:
+        """Energy that raising the penalty from the ``former`` scales (s,) put into what was and is penetrated.
 
         Exact where forces do their work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
         """
         points = before.also(found)
         i, q = points.T
-        gain = self._springs(points, found.partner[i, q]) * self._weights(points) * (1 - boost[i] / self.boost[i])
+        gain = (
+            self._springs(points, found.partner[i, q]) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
+        )
         return float(0.5 * (gain * before.gap[i, q] * found.gap[i, q]).sum())
 
     def rubbed(self, position: Array, found: Found) -> float:
@@ -183,9 +185,9 @@ class PointsPart(ABC):
         a = self.bound(found)
         return 0.0 if a is None else friction.taken(a, self._apart(position, found, a), self._weights(a.points))
 
-    def bound(self, found: Found) -> Anchors | None:
-        """The anchors with the limits that hold; None where there are none."""
-        a = self.anchors
+    def bound(self, found: Found) -> FrictionHistory | None:
+        """The friction history with the limits that hold; None where there are none."""
+        a = self.friction_history
         if a is None or not len(a.points):
             return None
         return a if self.limits_kept else replace(a, limit=self._limits(found, a.points))
@@ -198,16 +200,16 @@ class PointsPart(ABC):
 
     def keep_limits(self, found: Found) -> bool:
         """Keep the present limits of friction; whether any differs noticeably from what was kept."""
-        a = self.anchors
+        a = self.friction_history
         if a is None or not len(a.points):
             return False
         limit = self._limits(found, a.points)
-        self.anchors = replace(a, limit=limit)
+        self.friction_history = replace(a, limit=limit)
         largest = float(max(limit.max(), a.limit.max()))
         return bool(np.abs(limit - a.limit).max() > friction.SETTLED * largest)
 
-    def anchored(self, position: Array, found: Found) -> Anchors:
-        """Anchors of the points that touch or soon may, with the tractions that they have."""
+    def anchored(self, position: Array, found: Found) -> FrictionHistory:
+        """Friction history of the points that touch or soon may, with the tractions that they have."""
         points = np.argwhere(found.gap < friction.NEAR * self.surface.height[:, None])
         i, q = points.T
         normal = self._normals(position, found, points)
@@ -218,5 +220,5 @@ class PointsPart(ABC):
             traction = friction.turned(before[i, q], normal)
         slip, none = friction.elastic_slip(self.surface, points), np.zeros((len(points), 3))
         limit = self._limits(found, points)
-        out = Anchors(points, found.partner[i, q], found.at[i, q], none, normal, traction, limit, slip)
+        out = FrictionHistory(points, found.partner[i, q], found.at[i, q], none, normal, traction, limit, slip)
         return replace(out, apart=self._apart(position, found, out))

@@ -13,7 +13,7 @@ from turgor.engine.faces import membranes, surfaces
 from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
 from turgor.engine.fibers import fiber_kernels as fibers
 from turgor.engine.fibers import truss_bending as bending
-from turgor.engine.fibers.fiber_trusses import Threads, lay
+from turgor.engine.fibers.fiber_trusses import FiberTrusses, lay
 from turgor.materials.laws.laws import Hooke
 from turgor.model.loads import History, Pressure
 from turgor.model.model import Model
@@ -115,9 +115,9 @@ class FaceTerms:
         self._threads, self._bent = [], []
         for each in model.reinforcements:
             laid = lay(model.mesh, each)
-            pieces = laid.pieces if isinstance(laid, Threads) else laid
+            pieces = laid.pieces if isinstance(laid, FiberTrusses) else laid
             self._threads.append(_Threads(_scaled(pieces, length, stress), np.empty(0, np.int32)))
-            if each.bending and isinstance(laid, Threads):
+            if each.bending and isinstance(laid, FiberTrusses):
                 joints = bending.joints_of(laid, each, model.mesh.points).scaled(length, stress)
                 self._bent.append(_Bent(joints, np.empty(0, np.int32)))
 

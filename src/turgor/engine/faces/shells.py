@@ -72,7 +72,7 @@ def shear_layers(mesh: Mesh, face: str, length: float) -> list[tuple[Ints, Array
 
 def shear_moduli(law: Hooke) -> Array:
     """Moduli (3, 3) of a layer of `shear_layers` [Pa]: only its change of angle counts."""
-    return np.diag([0.0, 0.0, 5 / 6 * law.E / (2 * (1 + law.nu))])
+    return np.diag([0.0, 0.0, 5 / 6 * law.shear_modulus])
 
 
 def _cells_at(mesh: Mesh, sides: Ints) -> Ints:

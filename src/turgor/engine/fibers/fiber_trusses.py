@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from turgor.engine.fibers.fiber_kernels import Pieces
 from turgor.engine.fibers.lines import Lines, thread_lines
 from turgor.engine.fibers.smeared import course_of, smeared_pieces, unit_axis, wound_sides
-from turgor.engine.fibers.surface_unrolling import Development, develop, shape_values
+from turgor.engine.fibers.surface_unrolling import UnrolledSurface, shape_values, unroll
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
 from turgor.model.fibers import DISCRETE, Fibers
@@ -37,7 +37,7 @@ SHORTEST = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Threads:
+class FiberTrusses:
     """Discrete threads: their trusses in order along each thread, and where these begin and end.
 
     Parameters
@@ -76,7 +76,7 @@ class Threads:
         return [np.concatenate([part[:, 0], part[-1:, 1]]) for part in np.split(self.ends(points), borders)]
 
 
-def discrete_threads(mesh: Mesh, fibers: Fibers) -> Threads:
+def discrete_threads(mesh: Mesh, fibers: Fibers) -> FiberTrusses:
     """Lay the threads of a winding on their face and cut them into trusses.
 
     Parameters
@@ -91,7 +91,7 @@ def discrete_threads(mesh: Mesh, fibers: Fibers) -> Threads:
     """
     course = course_of(mesh, fibers)
     axis = unit_axis(fibers.winding)
-    face = develop(mesh.points, wound_sides(mesh, fibers), axis, fibers.name)
+    face = unroll(mesh.points, wound_sides(mesh, fibers), axis, fibers.name)
     lines = thread_lines(course, face, fibers)
     cuts = _parted(face, lines, _cut(face, lines, _Where(mesh, face, fibers)))
     if not len(cuts.side):
@@ -99,7 +99,7 @@ def discrete_threads(mesh: Mesh, fibers: Fibers) -> Threads:
     return _trusses(mesh, face, fibers, lines, cuts)
 
 
-def lay(mesh: Mesh, fibers: Fibers) -> Threads | Pieces:
+def lay(mesh: Mesh, fibers: Fibers) -> FiberTrusses | Pieces:
     """The threads of a discrete winding, or the pieces of a smeared one."""
     return discrete_threads(mesh, fibers) if fibers.form == DISCRETE else smeared_pieces(mesh, fibers)
 
@@ -109,7 +109,7 @@ class _Where:
     """Tells the side under points of the development, −1 outside the face or the box of the winding."""
 
     mesh: Mesh
-    face: Development
+    face: UnrolledSurface
     fibers: Fibers
 
     def sides(self, points: Array) -> Ints:
@@ -131,7 +131,7 @@ class _Cuts:
     side: Ints
 
 
-def _cut(face: Development, lines: Lines, where: _Where) -> _Cuts:
+def _cut(face: UnrolledSurface, lines: Lines, where: _Where) -> _Cuts:
     """Cut lines where they pass from side to side: coarse look-up first, then halving."""
     parts = np.maximum(2, np.ceil(lines.length / (STEP * face.fineness)).astype(np.int64))
     line = np.repeat(np.arange(len(parts)), parts + 1)
@@ -163,7 +163,7 @@ def _cut(face: Development, lines: Lines, where: _Where) -> _Cuts:
     return _Cuts(line[kept], begin[kept], end[kept], side[kept])
 
 
-def _parted(face: Development, lines: Lines, cuts: _Cuts) -> _Cuts:
+def _parted(face: UnrolledSurface, lines: Lines, cuts: _Cuts) -> _Cuts:
     """Cut each part in equal shares, as many as its share of a whole crossing of its side asks for."""
     extent = np.ptp(face.flat, axis=1)[cuts.side]
     crossing = (extent / np.maximum(np.abs(lines.direction[cuts.line]), 1e-12)).min(axis=1)
@@ -175,7 +175,7 @@ def _parted(face: Development, lines: Lines, cuts: _Cuts) -> _Cuts:
     return _Cuts(cuts.line[old], begin, begin + step, cuts.side[old])
 
 
-def _trusses(mesh: Mesh, face: Development, fibers: Fibers, lines: Lines, cuts: _Cuts) -> Threads:
+def _trusses(mesh: Mesh, face: UnrolledSurface, fibers: Fibers, lines: Lines, cuts: _Cuts) -> FiberTrusses:
     sides = face.sides[cuts.side]
     middle = lines.at(cuts.line, (cuts.begin + cuts.end) / 2)  # its ends must not be folded apart
     half = (cuts.end - cuts.begin)[:, None] / 2 * lines.direction[cuts.line]
@@ -193,4 +193,4 @@ def _trusses(mesh: Mesh, face: Development, fibers: Fibers, lines: Lines, cuts: 
         middle=shape_values(sides.shape[1], face.place(cuts.side, middle))[0],
         hand=(lines.direction[cuts.line].prod(axis=1) < 0).astype(np.int64),
     )
-    return Threads(pieces, values[0], values[1], np.concatenate([[0], np.cumsum(apart)]))
+    return FiberTrusses(pieces, values[0], values[1], np.concatenate([[0], np.cumsum(apart)]))

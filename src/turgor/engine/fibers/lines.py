@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.fibers.smeared import Course
-from turgor.engine.fibers.surface_unrolling import Development
+from turgor.engine.fibers.surface_unrolling import UnrolledSurface
 from turgor.errors import TurgorError
 from turgor.model.fibers import Fibers
 from turgor.units import mm
@@ -47,7 +47,7 @@ class Lines:
         return np.asarray(points)
 
 
-def thread_lines(course: Course, face: Development, fibers: Fibers) -> Lines:
+def thread_lines(course: Course, face: UnrolledSurface, fibers: Fibers) -> Lines:
     """Find where the threads of a winding run.
 
     Helices begin at the start of the face, evenly around its perimeter. Where the winding is given by its spacing, as

@@ -1,4 +1,4 @@
-"""Development: a face that runs along an axis, unrolled into the plane of contour length and axial coordinate.
+"""UnrolledSurface: a face that runs along an axis, unrolled into the plane of contour length and axial coordinate.
 
 Helices, hoops and axial threads are straight lines there. Every side of the face keeps its quadratic shape functions,
 with the contour lengths and axial coordinates of its nodes in place of their positions, so that neighboring sides fit
@@ -67,7 +67,7 @@ def _inverse(nodes: int) -> Array:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Development:
+class UnrolledSurface:
     """A face in the plane of contour length and axial coordinate.
 
     Parameters
@@ -167,7 +167,7 @@ class Development:
         return float(np.percentile(np.ptp(self.flat, axis=1).min(axis=1), 10))
 
 
-def develop(points: Array, sides: Ints, axis: Array, name: str) -> Development:
+def unroll(points: Array, sides: Ints, axis: Array, name: str) -> UnrolledSurface:
     """Unroll a face of a mesh that runs along an axis.
 
     Parameters
@@ -202,7 +202,7 @@ def develop(points: Array, sides: Ints, axis: Array, name: str) -> Development:
     return _indexed(sides, flat, contour, along)
 
 
-def _indexed(sides: Ints, flat: Array, contour: Contour, along: Array) -> Development:
+def _indexed(sides: Ints, flat: Array, contour: Contour, along: Array) -> UnrolledSurface:
     count = sides.shape[1]
     step = (np.arange(SEEDS) + 0.5) / SEEDS
     grid = np.stack(np.meshgrid(step, step), axis=-1).reshape(-1, 2)
@@ -218,7 +218,7 @@ def _indexed(sides: Ints, flat: Array, contour: Contour, along: Array) -> Develo
         np.repeat(np.array(shifts), len(owner)),
         np.tile(place, (len(shifts), 1)),
     )
-    return Development(sides, flat, contour, float(along.min()), float(along.max()), tree, index)
+    return UnrolledSurface(sides, flat, contour, float(along.min()), float(along.max()), tree, index)
 
 
 def _bilinear(place: Array) -> Array:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.fibers.fiber_trusses import Threads
+from turgor.engine.fibers.fiber_trusses import FiberTrusses
 from turgor.model.fibers import Fibers
 
 Array = NDArray[np.float64]
@@ -52,7 +52,7 @@ class Joints:
         return (3 * self.nodes[:, :, None] + np.arange(3)).reshape(len(self.nodes), -1)
 
 
-def joints_of(threads: Threads, fibers: Fibers, points: Array) -> Joints:
+def joints_of(threads: FiberTrusses, fibers: Fibers, points: Array) -> Joints:
     """Join the trusses of each thread, at rest as they lie; ``points`` (n, 3) [m] are the nodes at rest."""
     p = threads.pieces
     first = np.flatnonzero(threads.thread[1:] == threads.thread[:-1])

@@ -53,8 +53,8 @@ class EccentricBender:
     Examples
     --------
     >>> bender = EccentricBender()
-    >>> round(bender.upper_wall * 1e3, 3), round(bender.lower_wall * 1e3, 3)  # mm
-    (2.0, 5.0)
+    >>> round(bender.upper_wall * 1e3, 3)  # mm
+    2.0
     >>> EccentricBender(offset=4e-3)
     Traceback (most recent call last):
     turgor.errors.TurgorError: offset is 4 mm; allowed is 0.01 mm to 3.49 mm, so that a wall remains above the cavity.
@@ -85,11 +85,6 @@ class EccentricBender:
     def upper_wall(self) -> float:
         """Thickness of the wall above the chamber, where it is thinnest [m]."""
         return self.outer_radius - self.inner_radius - self.offset
-
-    @property
-    def lower_wall(self) -> float:
-        """Thickness of the wall below the chamber, where it is thickest [m]."""
-        return self.outer_radius - self.inner_radius + self.offset
 
     @property
     def smallest_wall(self) -> float:

@@ -91,13 +91,13 @@ def dimensions(actuator: Any) -> dict[str, Any]:
 def _mesh(job: Job) -> dict[str, Any]:
     if isinstance(job.actuator, MeshFile):
         return {}
-    faces = {name: format_quantity(size, "mm") for name, size in job.mesh_face_sizes.items()}
+    faces = {name: format_quantity(size, "mm") for name, size in job.mesh.face_sizes.items()}
     return {
         "size": format_quantity(job.mesh_size, "mm"),
-        "grading": job.mesh_grading,
+        "grading": job.mesh.grading,
         "face_sizes": faces,
-        "wall_cells": job.mesh_wall_cells,
-        "cells": job.mesh_cells,
+        "wall_cells": job.mesh.wall_cells,
+        "cells": job.mesh.cells,
         **_target(job),
     }
 

@@ -9,6 +9,7 @@ from pydantic import AfterValidator
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
+from turgor.geometry.directions import AXES
 from turgor.job.tables.materials import read_library
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
@@ -29,9 +30,6 @@ from turgor.materials.material import Material
 from turgor.model.fibers import Fibers, Winding
 from turgor.source import Source
 from turgor.units import format_quantity
-
-#: Axes of windings by the names that job files use.
-AXES: Mapping[str, tuple[float, float, float]] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 #: Keys of a table that say how threads run, with the unit in which a lock file states each.
 _WINDING = {

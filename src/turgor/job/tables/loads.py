@@ -6,9 +6,10 @@ from typing import Any
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry import Geometry
+from turgor.geometry.directions import DIRECTIONS
 from turgor.geometry.names import cavity_names
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import DIRECTIONS, CavityTable, GravityTable, LoadsTable, read_table
+from turgor.job.text.quantities import CavityTable, GravityTable, LoadsTable, read_table
 from turgor.materials.material import Material
 from turgor.model.history import RAMP, History, over_time
 from turgor.model.loads import STANDARD_GRAVITY, Gravity, Load, Pressure

@@ -11,9 +11,10 @@ from turgor.geometry import Geometry
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import LibraryTable, MeshTable, StatedTable, law_table, read_table, shown
-from turgor.materials.laws.laws import GeneralizedRivlin, Hooke, NeoHooke
+from turgor.materials.laws.laws import GeneralizedRivlin, Hooke
 from turgor.materials.library.records import LAWS, from_library, library
 from turgor.materials.material import Material
+from turgor.model.layers import as_solid
 from turgor.model.model import Membrane
 from turgor.source import Source
 
@@ -85,22 +86,6 @@ def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: P
         return material
     bending = table.form == SHELL
     return problems.attempt(key, lambda: Membrane(material, table.thickness, bending), fields=("thickness",))
-
-
-def as_solid(material: Material) -> Material:
-    """A linear elastic material as a region: neo-Hookean of the same moduli, alike while strains are small.
-
-    Examples
-    --------
-    >>> paper = as_solid(from_library("paper", record="hooke-polygerinos-2020"))
-    >>> round(paper.law.shear_modulus / 1e6), round(paper.bulk_modulus / 1e6)
-    (2708, 3611)
-    """
-    law = material.law
-    if not isinstance(law, Hooke):
-        return material
-    shear, bulk = law.E / (2 * (1 + law.nu)), inf if law.nu == 0.5 else law.E / (3 * (1 - 2 * law.nu))
-    return replace(material, law=NeoHooke(C10=shear / 2), bulk_modulus=bulk)
 
 
 def _form_of(entry: Any) -> Any:

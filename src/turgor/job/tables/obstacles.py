@@ -10,9 +10,10 @@ from pydantic import BeforeValidator, create_model
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
+from turgor.geometry.directions import DIRECTIONS
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import DIRECTIONS, Coordinate, Length, Table, coordinate, read_table, shown
+from turgor.job.text.quantities import Coordinate, Length, Table, coordinate, read_table, shown
 from turgor.model.contact import SELF, Contact
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Shape, Sphere, Vector
 from turgor.model.rigid import RigidFile

@@ -51,8 +51,8 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
             problems.add(key, "the actuator is a mesh already; leave the table [mesh] out, or mesh the part again.")
         return table.model_copy(update={"size": geometry.extent})
     size = default_size(geometry, table.cells) if table.size is None else table.size
-    settings = (size, table.grading, table.wall_cells)
-    problems.attempt(key, lambda: check_settings(geometry, *settings), fields=("size", "grading", "wall_cells"))
+    settings = table.settings(size)
+    problems.attempt(key, lambda: check_settings(geometry, settings), fields=("size", "grading", "wall_cells"))
     problems.attempt((*key, "face_sizes"), lambda: check_face_sizes(geometry, table.face_sizes, size))
     problems.attempt((*key, "cells"), lambda: check_cells(geometry, table.cells, table.face_sizes))
     return table.model_copy(update={"size": size})

@@ -12,26 +12,18 @@ from typing import Annotated, Any, get_args
 from pydantic import AfterValidator, AllowInfNan, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
 
 from turgor.errors import TurgorError, near_match, unknown
+from turgor.geometry.directions import DIRECTIONS
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.materials.library.records import DIMENSIONLESS
+from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.sizes import check_target
 from turgor.model.loads import STANDARD_GRAVITY
 from turgor.units import parse_quantity
 
 CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
-
-#: Directions in which things can fall, as job files write them.
-DIRECTIONS: Mapping[str, tuple[float, float, float]] = {
-    "+x": (1.0, 0.0, 0.0),
-    "-x": (-1.0, 0.0, 0.0),
-    "+y": (0.0, 1.0, 0.0),
-    "-y": (0.0, -1.0, 0.0),
-    "+z": (0.0, 0.0, 1.0),
-    "-z": (0.0, 0.0, -1.0),
-}
 
 
 Length = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="length"))]
@@ -98,17 +90,30 @@ class Table(BaseModel):
     model_config = CONFIG
 
 
+_MESH = MeshSettings()
+
+
 class MeshTable(Table):
     """``[mesh]``."""
 
     size: Length | None = None
-    grading: float = 0.5
+    grading: float = _MESH.grading
     face_sizes: dict[str, Length] = {}
-    wall_cells: int = 1
-    cells: str = "tetrahedra"
+    wall_cells: int = _MESH.wall_cells
+    cells: str = _MESH.cells
     target: Share | None = None
     target_measure: Annotated[str, AfterValidator(_measure)] | None = None
     most_unknowns: int = 200_000
+
+    def settings(self, size: float) -> MeshSettings:
+        """Return how to mesh with a size that was chosen [m]."""
+        return MeshSettings(
+            size=size,
+            grading=self.grading,
+            face_sizes=self.face_sizes,
+            wall_cells=self.wall_cells,
+            cells=self.cells,
+        )
 
 
 class LibraryTable(Table):

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.experiments.material_test import Array, MaterialTest, Step
+from turgor.materials.experiments.material_test import Array, Edit, MaterialTest
 
 #: A half cycle counts when it covers this share of the whole range of stretch.
 HALF_CYCLE = 0.2
@@ -102,7 +102,7 @@ def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> M
     taut = test.keeping(keep, f"Slack below a preload of {stress:g} Pa")
     rest = f", less the stress {offset:g} Pa there" if shift else ""
     values = {"stretch": taut.stretch / zero, "nominal_stress": taut.nominal_stress - offset}
-    return taut.changed(Step(text=f"Stretch counted from the length at {zero:.5g}{rest}."), values)
+    return taut.changed(Edit(text=f"Stretch counted from the length at {zero:.5g}{rest}."), values)
 
 
 def rest_below(test: MaterialTest, stress: float) -> MaterialTest:
@@ -134,7 +134,7 @@ def rest_below(test: MaterialTest, stress: float) -> MaterialTest:
         raise TurgorError(f"test '{test.name}' does not stay above {stress:g} Pa; choose a smaller preload.")
     zero = float(test.stretch[last][start])
     slack = test.stretch <= zero
-    step = Step(
+    step = Edit(
         text=f"Stretch counted from the length at {zero:.5g}, where the last cycle exceeds {stress:g} Pa; at rest "
         f"below it, {int(slack.sum())} of {len(slack)} points.",
         stretch=test.stretch[slack],
@@ -165,7 +165,7 @@ def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
     """
     if not stretch > 0:
         raise TurgorError(f"stretch is {stretch:g}; the new zero of length must be more than 0.")
-    step = Step(text=f"Stretch counted from the length at {stretch:.5g}.")
+    step = Edit(text=f"Stretch counted from the length at {stretch:.5g}.")
     return test.changed(step, {"stretch": test.stretch / stretch})
 
 
@@ -234,7 +234,7 @@ def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
     def mean(values: Array) -> Array:
         return np.bincount(bins, weights=values, minlength=points)[filled] / count[filled]
 
-    step = Step(text=f"{len(test.stretch)} points averaged over {int(filled.sum())} equal intervals of stretch.")
+    step = Edit(text=f"{len(test.stretch)} points averaged over {int(filled.sum())} equal intervals of stretch.")
     spread = None if test.spread is None else mean(test.spread)
     values = {
         "stretch": mean(test.stretch),
@@ -276,7 +276,7 @@ def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") 
         order = np.argsort(test.stretch, kind="stable")
         curves.append(np.interp(grid, test.stretch[order], test.nominal_stress[order]))
     beyond = [(test.stretch < low) | (test.stretch > high) for test in tests]
-    step = Step(
+    step = Edit(
         text=f"Mean of {len(tests)} replicates from stretch {low:.4g} to {high:.4g}, where all of them have points; "
         f"{sum(int(each.sum()) for each in beyond)} points outside removed.",
         stretch=np.concatenate([t.stretch[each] for t, each in zip(tests, beyond, strict=True)]),
@@ -300,4 +300,4 @@ def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") 
 
 
 def _note(test: MaterialTest, text: str) -> MaterialTest:
-    return test.changed(Step(text=text), {})
+    return test.changed(Edit(text=text), {})

@@ -22,7 +22,7 @@ JITTER = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Step:
+class Edit:
     """One thing that was done to a test, with the points that it took away.
 
     Parameters
@@ -67,7 +67,7 @@ class MaterialTest:
         Time of every point, none before the one ahead of it; needed for relaxation, hysteresis and softening.
     raw : MaterialTest, optional
         The test as it was read, before anything was done to it.
-    steps : tuple of Step
+    steps : tuple of Edit
         What was done since, in order.
 
     Examples
@@ -87,7 +87,7 @@ class MaterialTest:
     spread: Array | None = None
     time: Array | None = None
     raw: "MaterialTest | None" = None
-    steps: tuple[Step, ...] = ()
+    steps: tuple[Edit, ...] = ()
 
     def __post_init__(self) -> None:
         if self.mode not in MODES:
@@ -187,7 +187,7 @@ class MaterialTest:
         gone = ~keep
         if keep.sum() < 2:
             raise TurgorError(f"test '{self.name}': {text} would leave {_points(int(keep.sum()))} of {len(keep)}.")
-        step = Step(
+        step = Edit(
             text=f"{text}: {_points(int(gone.sum()))} of {len(keep)} removed.",
             stretch=self.stretch[gone],
             nominal_stress=self.nominal_stress[gone],
@@ -197,12 +197,12 @@ class MaterialTest:
         kept |= {"stretch": self.stretch[keep], "nominal_stress": self.nominal_stress[keep]}
         return self.changed(step, kept)
 
-    def changed(self, step: Step, values: Mapping[str, Any]) -> "MaterialTest":
+    def changed(self, step: Edit, values: Mapping[str, Any]) -> "MaterialTest":
         """Return the test with other values and one more step; the raw test stays with it.
 
         Parameters
         ----------
-        step : Step
+        step : Edit
             What is done.
         values : mapping of str to array
             New values by the name of their field.

@@ -9,7 +9,7 @@ import numpy as np
 
 from turgor.errors import TurgorError, unknown
 from turgor.materials.experiments.columns import Column, find_columns
-from turgor.materials.experiments.material_test import MODES, Array, MaterialTest, Step
+from turgor.materials.experiments.material_test import MODES, Array, Edit, MaterialTest
 from turgor.materials.experiments.table_text import Table, read_table
 from turgor.source import Source
 
@@ -241,7 +241,7 @@ def _test(
         stretch_2=values.get("stretch_2") if mode == "biaxial" else None,
         nominal_stress_2=values.get("nominal_stress_2") if mode == "biaxial" else None,
         time=time,
-        steps=(Step(text=f"Read {len(stretch)} rows; {how}; {also}{clock}."),),
+        steps=(Edit(text=f"Read {len(stretch)} rows; {how}; {also}{clock}."),),
     )
 
 

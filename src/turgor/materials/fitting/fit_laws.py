@@ -13,7 +13,7 @@ from turgor.materials.fitting.checks import covered_range, fit_findings
 from turgor.materials.fitting.constrained import solve_constrained
 from turgor.materials.fitting.law_specs import LawSpec, law_spec, shape_bounds
 from turgor.materials.fitting.points import FitPoints, ModeRanges, modulus_row, off_zero, stability_rows, within
-from turgor.materials.fitting.result import Fit, TestError
+from turgor.materials.fitting.result import Fit, FitResidual
 from turgor.materials.laws.homogeneous import equibiaxial, planar, uniaxial
 from turgor.materials.laws.laws import Law
 from turgor.materials.laws.stability import Mode, first_instability
@@ -100,7 +100,7 @@ def fit(
         errors=dict(zip(spec.names, errors, strict=True)),
         correlation=correlation,
         bounds_hit=search.bounds_hit(coefficients, shapes, held),
-        quality=tuple(TestError.of(test, test.predicted(made)) for test in used),
+        quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
         aic=_aic(search.residual(coefficients, shapes), len(spec.names)),
         stretch=wanted,
         stretch_range=covered_range(given, wanted),

@@ -7,7 +7,7 @@ import numpy as np
 
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.history_points import HistoryPart
-from turgor.materials.fitting.result import TestError
+from turgor.materials.fitting.result import FitResidual
 from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
 
@@ -35,7 +35,7 @@ class HistoryFit:
     largest_softening : float [-]
         Share of the stress lost near rest after the largest stretch of the tests, 1 − η; this is determined even where
         r, m and β, which make it up, are not.
-    quality : tuple of TestError
+    quality : tuple of FitResidual
         Error of every test where it carries load.
     """
 
@@ -45,9 +45,9 @@ class HistoryFit:
     bounds_hit: tuple[str, ...]
     undetermined: tuple[str, ...]
     largest_softening: float
-    quality: tuple[TestError, ...]
+    quality: tuple[FitResidual, ...]
 
-    def predict(self, tests: MaterialTest | Sequence[MaterialTest]) -> tuple[TestError, ...]:
+    def predict(self, tests: MaterialTest | Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
         """Compare the rubber with tests that it may not have seen.
 
         Parameters
@@ -64,7 +64,7 @@ class HistoryFit:
         return "\n".join((*lines, *held))
 
 
-def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[TestError, ...]:
+def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
     """Compare a rubber with tests over time.
 
     Parameters
@@ -82,5 +82,5 @@ def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[TestE
     for test in tests:
         part = HistoryPart(law, test, POINTS)
         predicted = factor * (part.columns(material.stress_softening, tau) @ np.array([1 - sum(g), *g]))
-        found.append(TestError.of(part.loaded_test, predicted * part.scale))
+        found.append(FitResidual.of(part.loaded_test, predicted * part.scale))
     return tuple(found)

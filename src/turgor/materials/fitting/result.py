@@ -19,7 +19,7 @@ LOOSE = 0.99
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TestError:
+class FitResidual:
     """How far a law lies from a test.
 
     Parameters
@@ -89,7 +89,7 @@ class Fit:
         Correlations of the parameters; ±1 means that the tests determine only a combination.
     bounds_hit : tuple of str
         What held the parameters back, in words.
-    quality : tuple of TestError
+    quality : tuple of FitResidual
         Error of every test.
     aic : float
         Akaike's criterion, smaller is better; comparable for the same tests, range and weights only.
@@ -115,7 +115,7 @@ class Fit:
     errors: Mapping[str, float]
     correlation: Array
     bounds_hit: tuple[str, ...]
-    quality: tuple[TestError, ...]
+    quality: tuple[FitResidual, ...]
     aic: float
     stretch: tuple[float, float]
     stretch_range: tuple[float, float]
@@ -198,7 +198,7 @@ class Fit:
         value, error = self.values[name] / factor, self.errors[name] / factor
         return f"{name} = {value:.5g} ± {error:.2g}{unit}" if error > 0 else f"{name} = {value:.5g}{unit}"
 
-    def predict(self, tests: Sequence[MaterialTest]) -> tuple[TestError, ...]:
+    def predict(self, tests: Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
         """Compare the law with tests that it was not fitted to.
 
         Parameters
@@ -206,7 +206,7 @@ class Fit:
         tests : sequence of MaterialTest
             Any tests.
         """
-        return tuple(TestError.of(test, test.predicted(self.law)) for test in tests)
+        return tuple(FitResidual.of(test, test.predicted(self.law)) for test in tests)
 
     def with_findings(self, findings: Sequence[Finding]) -> "Fit":
         """Return the fit with these findings.

@@ -147,3 +147,8 @@ class Hooke:
     def shear_modulus(self) -> float:
         """Shear modulus E / (2 (1 + ν)) [Pa]."""
         return self.E / (2 * (1 + self.nu))
+
+    @property
+    def bulk_modulus(self) -> float:
+        """Bulk modulus E / (3 (1 − 2ν)) [Pa]."""
+        return self.E / (3 * (1 - 2 * self.nu))

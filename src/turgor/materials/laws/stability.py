@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from turgor.errors import TurgorError, unknown
@@ -74,18 +74,6 @@ def first_instability(
     initial = float(_margin(law, mode, criterion, np.ones(1))[0])
     found = [s for s in (_first(law, mode, criterion, initial, end) for end in (upper, lower)) if s is not None]
     return min(found, key=lambda stretch: abs(np.log(stretch)), default=None)
-
-
-def nominal_slope(law: Law, mode: Mode, stretch: ArrayLike) -> Array:
-    """Slope dP/dλ of the nominal stress in a test [Pa].
-
-    Examples
-    --------
-    >>> from turgor.materials.laws.laws import NeoHooke
-    >>> float(nominal_slope(NeoHooke(C10=0.12e6), "uniaxial", 1.0).round(3))  # Young's modulus, 3 μ
-    720000.0
-    """
-    return _pull(law, mode, np.asarray(stretch, dtype=np.float64))[1]
 
 
 def _first(law: Law, mode: Mode, criterion: Criterion, initial: float, end: float) -> float | None:

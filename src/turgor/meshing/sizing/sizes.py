@@ -7,6 +7,7 @@ from typing import Any
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.geometry import Geometry
+from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
 
 #: Cells up to this many times longer than the thinnest wall is thick are accepted: one quadratic cell through a
@@ -81,22 +82,23 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     return rounded if rounded >= low else low
 
 
-def check_settings(geometry: Geometry, size: object, grading: object, wall_cells: object) -> None:
+def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
     """Refuse what no mesh can be made with.
 
     Parameters
     ----------
     geometry : Geometry
-    size, grading, wall_cells
-        As `mesh` takes them.
+    settings : MeshSettings
+        With a size.
 
     Raises
     ------
     TurgorError
-        If one of them is not allowed: what it is, and what is allowed.
+        If its size, grading or number of cells through walls is not allowed: what it is, and what is allowed.
     """
-    _check_wall_cells(wall_cells)
-    _check_size(geometry, size, size_range(geometry)[1] if wall_cells == 1 else _extent(geometry))
+    grading: object = settings.grading
+    _check_wall_cells(settings.wall_cells)
+    _check_size(geometry, settings.size, size_range(geometry)[1] if settings.wall_cells == 1 else _extent(geometry))
     if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
         raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
 

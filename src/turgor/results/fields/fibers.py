@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.fibers.fiber_kernels import Pieces
-from turgor.engine.fibers.fiber_trusses import Threads
+from turgor.engine.fibers.fiber_trusses import FiberTrusses
 from turgor.engine.fibers.smeared import smeared_pieces
 from turgor.errors import TurgorError
 from turgor.meshing.cells import side_type
@@ -34,7 +34,7 @@ class FiberResult:
         Where the middle of each piece is now.
     weights : (k,) array
         Reference length of each truss [m]; for smeared fibers the reference area of each point [m²].
-    threads : Threads or None
+    threads : FiberTrusses or None
         The trusses in order along their threads; None for smeared fibers.
     """
 
@@ -43,7 +43,7 @@ class FiberResult:
     tension: Array
     positions: Array
     weights: Array
-    threads: Threads | None
+    threads: FiberTrusses | None
 
     @property
     def maximum_tension(self) -> float:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.fibers.fiber_trusses import Threads, discrete_threads
+from turgor.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
 from turgor.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.proximity import FacingWalls, find_facing_walls
@@ -31,7 +31,7 @@ class MeshFacts:
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
-        self._threads: list[tuple[Fibers, Threads]] = []
+        self._threads: list[tuple[Fibers, FiberTrusses]] = []
 
     @cached_property
     def mirrors(self) -> tuple[MirrorPlane, ...]:
@@ -53,7 +53,7 @@ class MeshFacts:
         """The nodes of the mesh, doubled where regions meet."""
         return region_nodes(self.mesh)
 
-    def threads(self, fibers: Fibers) -> Threads:
+    def threads(self, fibers: Fibers) -> FiberTrusses:
         """Threads of a winding where they lie at rest; found once."""
         for known, threads in self._threads:
             if known is fibers:

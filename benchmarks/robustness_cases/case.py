@@ -1,4 +1,4 @@
-"""What a nasty case is, how it is run, and how its end is judged."""
+"""What a case of the collection is, how it is run, and how its end is judged."""
 
 import sys
 import time
@@ -43,14 +43,14 @@ Check = Callable[[tg.Solution], Found]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case:
-    """One case: the question, what is nasty about it, how it must end, and an independent check of the end.
+    """One case: the question, what is hard about it, how it must end, and an independent check of the end.
 
     ``stops`` says that the load cannot be reached under this procedure, and a limit point must be reported; None that
     a stop there and a jump that is said are both right.
     """
 
     name: str
-    nasty: str
+    hard: str
     model: Callable[[], tg.Model]
     check: Check
     procedure: Any = field(default_factory=tg.Static)
@@ -63,7 +63,7 @@ class Verdict:
     """How a case ended."""
 
     name: str
-    nasty: str
+    hard: str
     end: str
     status: str
     unknowns: int
@@ -95,7 +95,7 @@ def limited(
 
 def run(case: Case) -> Verdict:
     """Run a case and judge its end; an exception is a wrong end."""
-    facts = {"name": case.name, "nasty": case.nasty}
+    facts = {"name": case.name, "hard": case.hard}
     try:
         model = case.model()
         solution, seconds = limited(model, case.procedure, case.limit)

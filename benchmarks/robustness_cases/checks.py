@@ -8,7 +8,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 import turgor as tg
-from nasty_cases.case import KPA, OPTIONS, Check, Found, limited
+from robustness_cases.case import KPA, OPTIONS, Check, Found, limited
 from turgor.engine.fields import strain_energy
 from turgor.materials.laws.stability import first_instability
 from turgor.solvers.pressures import pressures_of

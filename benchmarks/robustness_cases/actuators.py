@@ -4,8 +4,8 @@ from collections.abc import Callable
 from typing import Any
 
 import turgor as tg
-from nasty_cases import checks
-from nasty_cases.case import KPA, MM, RUBBER, Case
+from robustness_cases import checks
+from robustness_cases.case import KPA, MM, RUBBER, Case
 from turgor.materials.laws.laws import Hooke
 
 SOFTEST = tg.from_library("ecoflex-00-30", record="yeoh-elsayed-2014")
@@ -46,98 +46,98 @@ def steps_agree(count: int = 20) -> checks.Check:
 
 CASES = (
     Case(
-        name="bender of the softest row with paper, one step", nasty="stiffness ratio of 700,000, first_step = 1",
+        name="bender of the softest row with paper, one step", hard="stiffness ratio of 700,000, first_step = 1",
         model=driven(BENDER, 6, 1.5, SOFTEST, paper=True), procedure=LEAP, check=steps_agree(),
     ),
     Case(
-        name="bender of the softest row with paper", nasty="stiffness ratio of 700,000, as it comes",
+        name="bender of the softest row with paper", hard="stiffness ratio of 700,000, as it comes",
         model=driven(BENDER, 6, 1.5, SOFTEST, paper=True),
         check=checks.both(checks.energy(), checks.rises(tg.bending_angle)),
     ),
     Case(
-        name="bender of Ecoflex, three Ogden terms, paper", nasty="alpha = 7, close to ballooning",
+        name="bender of Ecoflex, three Ogden terms, paper", hard="alpha = 7, close to ballooning",
         model=driven(BENDER, 6, 1.5, SOFT_OGDEN, paper=True), check=checks.energy(),
     ),
     Case(
-        name="bender of the stiffest row", nasty="16 MPa, 2 MPa of pressure, one step",
+        name="bender of the stiffest row", hard="16 MPa, 2 MPa of pressure, one step",
         model=driven(BENDER, 6, 2000, STIFFEST), procedure=LEAP, check=steps_agree(),
     ),
     Case(
-        name="softest bender on a base of the stiffest row", nasty="stiffness ratio of 1600, a law that gives way",
+        name="softest bender on a base of the stiffest row", hard="stiffness ratio of 1600, a law that gives way",
         model=driven(tg.TwoMaterialBender(length=50 * MM), 6, 4, SOFTEST, regions={"base": STIFFEST}),
         check=checks.limit_of_volume_control(VOLUME_PAST_LIMIT), stops=True,
     ),
     Case(
         name="softest bender on a base of the stiffest row, hexahedra",
-        nasty="the same, of cells that keep their shape",
+        hard="the same, of cells that keep their shape",
         model=driven(tg.TwoMaterialBender(length=50 * MM), 6, 4, SOFTEST, regions={"base": STIFFEST},
                      cells="hexahedra"),
         check=checks.limit_of_volume_control(VOLUME_PAST_LIMIT), stops=True,
     ),
     Case(
-        name="slender closed tube", nasty="length 40 times the radius",
+        name="slender closed tube", hard="length 40 times the radius",
         model=driven(tg.ExtendingCylinder(inner_radius=3 * MM, wall=1 * MM, length=120 * MM), 4, 40),
         check=checks.energy(),
     ),
     Case(
-        name="thin-walled closed tube, one step", nasty="wall of 3 % of the radius, first_step = 1",
+        name="thin-walled closed tube, one step", hard="wall of 3 % of the radius, first_step = 1",
         model=driven(tg.ExtendingCylinder(wall=0.2 * MM, length=15 * MM, cap=1 * MM), 0.8, 3, cells="hexahedra"),
         procedure=LEAP,
         check=steps_agree(),
     ),
     Case(
-        name="closed tube past its limit, procedure auto", nasty="a bulge forms and moves",
+        name="closed tube past its limit, procedure auto", hard="a bulge forms and moves",
         model=driven(tg.ExtendingCylinder(length=60 * MM), 6, 70), procedure=tg.Auto(), check=checks.energy(),
     ),
     Case(
-        name="closed tube past its limit, load control", nasty="limit point of a bulge", stops=True,
+        name="closed tube past its limit, load control", hard="limit point of a bulge", stops=True,
         model=driven(tg.ExtendingCylinder(length=60 * MM), 6, 90),
         check=checks.limit_of_volume_control(32e-6),
     ),
     Case(
-        name="fast PneuNet, walls of 0.5 mm", nasty="one coarse cell through thin walls",
+        name="fast PneuNet, walls of 0.5 mm", hard="one coarse cell through thin walls",
         model=driven(tg.FastPneuNet(chambers=2, length=20 * MM, wall=0.5 * MM), 2, 3, ELASTOSIL, paper=True),
         check=checks.energy(),
     ),
     Case(
-        name="fast PneuNet, walls meet", nasty="contact of three gaps, three times the pressure at which they meet",
+        name="fast PneuNet, walls meet", hard="contact of three gaps, three times the pressure at which they meet",
         model=driven(tg.FastPneuNet(chambers=3, length=27 * MM), 4, 25, ELASTOSIL, paper=True),
         check=checks.both(checks.energy(0.02), checks.rises(tg.bending_angle), checks.not_through),
     ),
     Case(
-        name="fast PneuNet, walls meet, one step", nasty="first_step = 1 far beyond touching",
+        name="fast PneuNet, walls meet, one step", hard="first_step = 1 far beyond touching",
         model=driven(tg.FastPneuNet(chambers=3, length=27 * MM), 4, 20, ELASTOSIL, paper=True), procedure=LEAP,
         check=checks.both(steps_agree(20), checks.not_through),
     ),
     Case(
-        name="fast PneuNet of the stiffest row", nasty="1 MPa, one step",
+        name="fast PneuNet of the stiffest row", hard="1 MPa, one step",
         model=driven(tg.FastPneuNet(chambers=2, length=20 * MM), 4, 500, STIFFEST, contact=NO_CONTACT), procedure=LEAP,
         check=steps_agree(),
     ),
     Case(
-        name="slow PneuNet of the softest row", nasty="a law that gives way",
+        name="slow PneuNet of the softest row", hard="a law that gives way",
         model=driven(tg.SlowPneuNet(chambers=3, length=30 * MM), 5, 3, SOFTEST),
         check=checks.law_gives_way(SOFTEST.law), stops=True,
     ),
     Case(
-        name="slow PneuNet, fine mesh", nasty="cells of 2 mm",
+        name="slow PneuNet, fine mesh", hard="cells of 2 mm",
         model=driven(tg.SlowPneuNet(chambers=1, length=12 * MM), 2, 30, ELASTOSIL), check=checks.energy(), limit=120,
     ),
     Case(
-        name="bellows unfolded", nasty="folds open, hexahedra, one step", procedure=LEAP,
+        name="bellows unfolded", hard="folds open, hexahedra, one step", procedure=LEAP,
         model=driven(tg.BellowsOfRevolution(folds=1), 6, 10, cells="hexahedra"), check=steps_agree(),
     ),
     Case(
-        name="bellows under vacuum", nasty="the fold closes",
+        name="bellows under vacuum", hard="the fold closes",
         model=driven(tg.BellowsOfRevolution(folds=1), 6, -6, cells="hexahedra"),
         check=checks.both(checks.energy(0.02), checks.not_through),
     ),
     Case(
-        name="eccentric bender, hexahedra, one step", nasty="first_step = 1", procedure=LEAP,
+        name="eccentric bender, hexahedra, one step", hard="first_step = 1", procedure=LEAP,
         model=driven(tg.EccentricBender(length=50 * MM), 5, 30, cells="hexahedra"), check=steps_agree(),
     ),
     Case(
-        name="McKibben muscle", nasty="kevlar 10,000 times stiffer than the tube, slack at first",
+        name="McKibben muscle", hard="kevlar 10,000 times stiffer than the tube, slack at first",
         model=driven(
             tg.ContractingTube(length=40 * MM), 4, 60, regions={"cap": STIFFEST}, cells="hexahedra",
             reinforcements=[

@@ -1,8 +1,8 @@
-"""Deliberately nasty cases: which converge to the load asked for, which stop with the right diagnosis, which go wrong.
+"""Hard cases: which converge to the load asked for, which stop with the right diagnosis, which go wrong.
 
-`make nasty` runs all of them, each with a limit of CPU time, checks every end against something independent (a closed
-form, a known limit pressure, the energy balance, many small steps by plain Newton's method) and writes nasty.md.
-python benchmarks/nasty.py [word ...]   runs those whose name holds one of the words, and renews their lines.
+`make robustness` runs all of them, each with a limit of CPU time, checks every end against something independent (a
+closed form, a known limit pressure, the energy balance, many small steps by plain Newton's method) and writes robustness.md.
+python benchmarks/robustness.py [word ...]   runs those whose name holds one of the words, and renews their lines.
 """
 
 import sys
@@ -10,19 +10,19 @@ from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))  # so that `python -m benchmarks.nasty` works too
+sys.path.insert(0, str(Path(__file__).parent))  # so that `python -m benchmarks.robustness` works too
 
 from machine import machine
-from nasty_cases import CASES
-from nasty_cases.case import DIAGNOSED, GAVE_UP, REACHED, UNCHECKED, UNSTABLE, WRONG, Verdict, run
+from robustness_cases import CASES
+from robustness_cases.case import DIAGNOSED, GAVE_UP, REACHED, UNCHECKED, UNSTABLE, WRONG, Verdict, run
 from tables import table
 from turgor.engine.runtime import compile_kernels
 
-PAGE = Path(__file__).parent / "nasty.md"
-HEAD = ("case", "what is nasty", "end", "unknowns", "steps", "iterations", "CPU s", "check")
+PAGE = Path(__file__).parent / "robustness.md"
+HEAD = ("case", "what is hard", "end", "unknowns", "steps", "iterations", "CPU s", "check")
 TEXT = (
-    "# Nasty cases\n\nWritten by `make nasty`. No setting is changed except where the nastiness is a setting (a first "
-    "step of the whole load). One thread. *Wrong* is an end that the check refutes, or a stop for the wrong reason; "
+    "# Robustness\n\nWritten by `make robustness`. No setting is changed except where the difficulty is a setting (a "
+    "first step of the whole load). One thread. *Wrong* is an end that the check refutes, or a stop for the wrong reason; "
     "*unstable* the load asked for on a branch that a real body leaves, as the message says; *gave up* a stop short of "
     "a load that can be reached, with a status that says no more than that; *unchecked* an end whose check took long."
 )
@@ -34,7 +34,7 @@ def row(verdict: Verdict) -> Row:
     """One line of the table."""
     numbers = (f"{verdict.unknowns:,}", str(verdict.steps), str(verdict.iterations), f"{verdict.seconds:.1f}")
     text = verdict.text.replace("|", "/").replace("\n", " ")
-    return (verdict.name, verdict.nasty, verdict.end, *numbers, text)
+    return (verdict.name, verdict.hard, verdict.end, *numbers, text)
 
 
 def summary(rows: Mapping[str, Row]) -> str:

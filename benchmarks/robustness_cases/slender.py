@@ -8,11 +8,11 @@ import numpy as np
 from scipy.special import ellipk
 
 import turgor as tg
-from nasty_cases import checks
-from nasty_cases.case import MM, OPTIONS, RUBBER, Case, Check, Found, one
+from robustness_cases import checks
+from robustness_cases.case import MM, OPTIONS, RUBBER, Case, Check, Found, one
 from turgor.materials.laws.homogeneous import nominal_stress, uniaxial
 
-import meshes  # isort: skip  (found where nasty_cases.case says)
+import meshes  # isort: skip  (found where robustness_cases.case says)
 import problems  # isort: skip
 from turgor.meshing.cells import HEXAHEDRON
 
@@ -86,13 +86,13 @@ def along(distance: float, axis: int) -> Callable[[np.ndarray, float], np.ndarra
     return lambda points, factor: np.tile(np.eye(3)[axis] * distance * factor, (len(points), 1))
 
 
-def stretched(stretch: float, name: str, nasty: str) -> Case:
+def stretched(stretch: float, name: str, hard: str) -> Case:
     """A free block pulled or pushed between smooth plates, in one step, against the closed form."""
     held = (tg.Fixed("x0", "x"), tg.Fixed("y0", "y"), tg.Fixed("z0", "z"))
     expected = float(nominal_stress(RUBBER.law, uniaxial(stretch))[0, 0]) * 1e-4
     model = bar(*held, tg.Displacement("x1", along(20 * MM * (stretch - 1), 0), "x"))
     check = checks.at_end("force", lambda state: float(problems.reaction(state, "x1")[0]), expected, 1e-4, " N")
-    return Case(name=name, nasty=nasty, model=model, procedure=LEAP, check=check)
+    return Case(name=name, hard=hard, model=model, procedure=LEAP, check=check)
 
 
 def no_energy(solution: tg.Solution) -> Found:
@@ -172,70 +172,70 @@ CRUSHED = (tg.Fixed("x0"), tg.Displacement("x1", along(-10 * MM, 0)))
 CASES = (
     Case(
         name="cantilever bent by 80 % of its length, one step",
-        nasty="slenderness 100, rotation of 82°, first_step = 1",
+        hard="slenderness 100, rotation of 82°, first_step = 1",
         model=beam((0, 0, -10 * BENDING / LENGTH**2)), procedure=LEAP,
         check=checks.at_end("deflection over length", sag, DEFLECTION_AT_10, 0.01),
     ),
     Case(
         name="cantilever bent by 80 %",
-        nasty="slenderness 100, as it comes", model=beam((0, 0, -10 * BENDING / LENGTH**2)),
+        hard="slenderness 100, as it comes", model=beam((0, 0, -10 * BENDING / LENGTH**2)),
         check=checks.at_end("deflection over length", sag, DEFLECTION_AT_10, 0.01),
     ),
     Case(
-        name="column bowed by 0.1 % of its length", nasty="1.5 times Euler's load, from its buckled shape",
+        name="column bowed by 0.1 % of its length", hard="1.5 times Euler's load, from its buckled shape",
         model=beam((-RATIO * EULER, 0, 0), bow=1e-3 * LENGTH),
         check=checks.at_end("deflection over length", sag, BUCKLED, 0.02),
     ),
     Case(
-        name="column bowed by 0.001 % of its length", nasty="almost a bifurcation",
+        name="column bowed by 0.001 % of its length", hard="almost a bifurcation",
         model=beam((-RATIO * EULER, 0, 0), bow=1e-5 * LENGTH),
         check=checks.at_end("deflection over length", sag, BUCKLED, 0.02),
     ),
     Case(
-        name="column bowed by 1 %, one step", nasty="first_step = 1 to 1.5 times Euler's load",
+        name="column bowed by 1 %, one step", hard="first_step = 1 to 1.5 times Euler's load",
         model=beam((-RATIO * EULER, 0, 0), bow=1e-2 * LENGTH), procedure=LEAP,
         check=checks.at_end("deflection over length", sag, BUCKLED, 0.03),
     ),
     Case(
-        name="perfect column", nasty="straight at 1.5 times Euler's load: unstable, to be said",
+        name="perfect column", hard="straight at 1.5 times Euler's load: unstable, to be said",
         model=beam((-1.5 * EULER, 0, 0)), check=loses_stability,
     ),
     Case(
-        name="arch, load control", nasty="snaps through", model=arch, check=as_driven(), stops=None,
+        name="arch, load control", hard="snaps through", model=arch, check=as_driven(), stops=None,
     ),
-    Case(name="arch by arc length", nasty="snaps through", model=arch, procedure=tg.ArcLength(), check=as_driven()),
-    Case(name="arch, procedure auto", nasty="snaps through; no cavity", model=arch, procedure=tg.Auto(),
+    Case(name="arch by arc length", hard="snaps through", model=arch, procedure=tg.ArcLength(), check=as_driven()),
+    Case(name="arch, procedure auto", hard="snaps through; no cavity", model=arch, procedure=tg.Auto(),
          check=as_driven()),
     Case(
-        name="bar twisted by 180°, one step", nasty="first_step = 1",
+        name="bar twisted by 180°, one step", hard="first_step = 1",
         model=bar(tg.Fixed("x0"), tg.Displacement("x1", rotated(np.pi))), procedure=LEAP,
         check=checks.small_steps(40),
     ),
     Case(
-        name="bar turned rigidly by 170°, one step", nasty="first_step = 1",
+        name="bar turned rigidly by 170°, one step", hard="first_step = 1",
         model=bar(*(tg.Displacement(face, rotated(np.deg2rad(170))) for face in ("x0", "x1"))), procedure=LEAP,
         check=no_energy,
     ),
     stretched(4.0, "block pulled to four times its length, one step", "first_step = 1"),
     stretched(0.3, "block squeezed to 30 %, one step", "first_step = 1"),
     Case(
-        name="clamped block squeezed to half, one step", nasty="bulging corners, first_step = 1", model=bar(*CRUSHED),
+        name="clamped block squeezed to half, one step", hard="bulging corners, first_step = 1", model=bar(*CRUSHED),
         procedure=LEAP, check=checks.small_steps(20),
     ),
     Case(
-        name="clamped block squeezed to half", nasty="bulging corners, as it comes", model=bar(*CRUSHED),
+        name="clamped block squeezed to half", hard="bulging corners, as it comes", model=bar(*CRUSHED),
         check=checks.small_steps(20),
     ),
     Case(
-        name="plate of 0.1 mm blown up, one step", nasty="span 400 times the thickness: no stiffness at first",
+        name="plate of 0.1 mm blown up, one step", hard="span 400 times the thickness: no stiffness at first",
         model=plate(0.1 * MM, 2e3), procedure=LEAP, check=checks.small_steps(20),
     ),
     Case(
-        name="plate of 0.1 mm blown up", nasty="span 400 times the thickness, as it comes", model=plate(0.1 * MM, 2e3),
+        name="plate of 0.1 mm blown up", hard="span 400 times the thickness, as it comes", model=plate(0.1 * MM, 2e3),
         check=checks.small_steps(20),
     ),
     Case(
-        name="plate of 10 µm blown up", nasty="span 4000 times the thickness", model=plate(0.01 * MM, 200.0),
+        name="plate of 10 µm blown up", hard="span 4000 times the thickness", model=plate(0.01 * MM, 200.0),
         check=checks.small_steps(20),
     ),
 )  # fmt: skip

@@ -1,11 +1,11 @@
 """Several cavities, weight, volumes, gas, histories, compressible rubber."""
 
 import turgor as tg
-from nasty_cases import checks
-from nasty_cases.actuators import BENDER, ELASTOSIL, LEAP, NO_CONTACT, SOFTEST, driven
-from nasty_cases.case import KPA, MM, RUBBER, Case, Found, one
+from robustness_cases import checks
+from robustness_cases.actuators import BENDER, ELASTOSIL, LEAP, NO_CONTACT, SOFTEST, driven
+from robustness_cases.case import KPA, MM, RUBBER, Case, Found, one
 
-import meshes  # isort: skip  (found where nasty_cases.case says)
+import meshes  # isort: skip  (found where robustness_cases.case says)
 
 UP_AND_DOWN = ((0, 0), (0.5, 1), (1, 0))
 TURNS = tg.BidirectionalBender(length=50 * MM)
@@ -76,21 +76,21 @@ VOLUMES = {"cavity_1": 0.2e-6, "cavity_2": -0.1e-6}
 
 CASES = (
     Case(
-        name="two voids, one up and one down", nasty="30 kPa and -30 kPa in one step", procedure=LEAP,
+        name="two voids, one up and one down", hard="30 kPa and -30 kPa in one step", procedure=LEAP,
         model=bar(tg.Pressure("cavity_1", 30 * KPA), tg.Pressure("cavity_2", -30 * KPA)), check=checks.small_steps(20),
     ),
     Case(
-        name="two voids up and down after each other", nasty="histories with kinks, back to nothing",
+        name="two voids up and down after each other", hard="histories with kinks, back to nothing",
         model=bar(tg.Pressure("cavity_1", 40 * KPA, ((0, 0), (0.3, 1), (0.6, -0.5), (1, 0))),
                   tg.Pressure("cavity_2", 40 * KPA, ((0, 0), (0.5, -0.5), (0.8, 1), (1, 0)))),
         check=checks.back_to_rest,
     ),
     Case(
-        name="two voids by volume, in and out", nasty="one is filled, one is emptied", model=bar(),
+        name="two voids by volume, in and out", hard="one is filled, one is emptied", model=bar(),
         procedure=tg.VolumeControl(volume=VOLUMES), check=checks.both(injected(VOLUMES), same_by_pressure),
     ),
     Case(
-        name="bender with two chambers, up and down", nasty="bends one way, then the other, back to nothing",
+        name="bender with two chambers, up and down", hard="bends one way, then the other, back to nothing",
         model=lambda: one(
             tg.mesh(TURNS.build(), size=6 * MM), RUBBER,
             [tg.Pressure("cavity_1", 15 * KPA, ((0, 0), (0.3, 1), (0.6, 0), (1, 0))),
@@ -100,50 +100,50 @@ CASES = (
         check=checks.back_to_rest,
     ),
     Case(
-        name="three chambers at three pressures", nasty="one pressed, one sucked, in one step", procedure=LEAP,
+        name="three chambers at three pressures", hard="one pressed, one sucked, in one step", procedure=LEAP,
         model=driven(tg.OmnidirectionalActuator(length=30 * MM), 8, 0,
                      pressures={"cavity_1": 40, "cavity_2": -10, "cavity_3": 15}),
         check=checks.small_steps(20),
     ),
     Case(
-        name="softest bender under its weight, one step", nasty="falls by most of its length", procedure=LEAP,
+        name="softest bender under its weight, one step", hard="falls by most of its length", procedure=LEAP,
         model=hanging((0, 0, -1), history=((0, 0), (1, 1))), check=checks.both(weighed, checks.small_steps(20)),
     ),
     Case(
         name="softest bender falls, then is filled",
-        nasty="weight first, then pressure", model=hanging((0, 0, -1), 800.0),
+        hard="weight first, then pressure", model=hanging((0, 0, -1), 800.0),
         check=checks.both(weighed, checks.small_steps(20)),
     ),
     Case(
-        name="softest bender stands on its end", nasty="buckles under three quarters of its weight",
+        name="softest bender stands on its end", hard="buckles under three quarters of its weight",
         model=hanging((-1, 0, 0), 800.0), check=buckles, stops=True,
     ),
     Case(
         name="bender by volume",
-        nasty="three times its volume", model=driven(BENDER, 6, 0, ELASTOSIL, contact=NO_CONTACT),
+        hard="three times its volume", model=driven(BENDER, 6, 0, ELASTOSIL, contact=NO_CONTACT),
         procedure=tg.VolumeControl(volume=6e-6), check=checks.both(checks.energy(), same_by_pressure),
     ),
     Case(
         name="softest bender by volume",
-        nasty="past its limit, a law that gives way", model=driven(BENDER, 6, 0, SOFTEST, contact=NO_CONTACT),
+        hard="past its limit, a law that gives way", model=driven(BENDER, 6, 0, SOFTEST, contact=NO_CONTACT),
         procedure=tg.VolumeControl(volume=9e-6), check=checks.law_gives_way(SOFTEST.law), stops=True,
     ),
     Case(
         name="sealed bender, air around taken away",
-        nasty="gas law, vacuum chamber", model=driven(BENDER, 6, 0, ELASTOSIL),
+        hard="gas law, vacuum chamber", model=driven(BENDER, 6, 0, ELASTOSIL),
         procedure=tg.GasMass(outside=20e3), check=checks.small_gas(101_325.0, 20e3),
     ),
     Case(
-        name="compressible bender", nasty="bulk modulus three times the shear modulus, one step", procedure=LEAP,
+        name="compressible bender", hard="bulk modulus three times the shear modulus, one step", procedure=LEAP,
         model=driven(BENDER, 6, 20, tg.Material(name="foam", law=tg.NeoHooke(C10=0.12e6), bulk_modulus=0.72e6)),
         check=checks.small_steps(20),
     ),
     Case(
-        name="bender under vacuum", nasty="walls pulled in to touch, -40 kPa", model=driven(BENDER, 6, -40, ELASTOSIL),
+        name="bender under vacuum", hard="walls pulled in to touch, -40 kPa", model=driven(BENDER, 6, -40, ELASTOSIL),
         check=checks.both(checks.energy(0.02), checks.not_through),
     ),
     Case(
-        name="bender up and down", nasty="a pressure that bends it by a quarter turn, back to nothing",
+        name="bender up and down", hard="a pressure that bends it by a quarter turn, back to nothing",
         model=lambda: one(tg.mesh(BENDER.build(), size=6 * MM), ELASTOSIL,
                           [tg.Pressure("cavity", 40 * KPA, UP_AND_DOWN)], [tg.Fixed("fixed")]),
         check=checks.back_to_rest,

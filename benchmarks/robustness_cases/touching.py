@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 
 import turgor as tg
-from nasty_cases import checks
-from nasty_cases.actuators import BENDER, ELASTOSIL, LEAP, PAPER
-from nasty_cases.case import KPA, MM, RUBBER, Case, Found, one
+from robustness_cases import checks
+from robustness_cases.actuators import BENDER, ELASTOSIL, LEAP, PAPER
+from robustness_cases.case import KPA, MM, RUBBER, Case, Found, one
 
-import contact_meshes  # isort: skip  (found where nasty_cases.case says)
+import contact_meshes  # isort: skip  (found where robustness_cases.case says)
 import meshes  # isort: skip
 import problems  # isort: skip
 from turgor.meshing.cells import HEXAHEDRON
@@ -90,25 +90,25 @@ ROD = tg.Cylinder(center=(35 * MM, 0, -8 * MM), axis=(0, 1, 0), radius=5 * MM)
 HELD = checks.both(carried("z0"), checks.not_through)
 
 CASES = (
-    Case(name="plate pressed 40 % into a block, one step", nasty="first_step = 1", procedure=LEAP,
+    Case(name="plate pressed 40 % into a block, one step", hard="first_step = 1", procedure=LEAP,
          model=under(TOP, down(2)), check=checks.both(HELD, checks.small_steps(20))),
     Case(name="plate that sticks, 40 %",
-         nasty="friction 1, corners roll over", model=under(TOP, down(2), 1.0), check=HELD),
-    Case(name="plate that drags", nasty="friction 0.5, 1 mm down, 4 mm sideways", check=HELD,
+         hard="friction 1, corners roll over", model=under(TOP, down(2), 1.0), check=HELD),
+    Case(name="plate that drags", hard="friction 0.5, 1 mm down, 4 mm sideways", check=HELD,
          model=under(TOP, ((0, (0, 0, 0)), (0.3, (0, 0, -1 * MM)), (1, (4 * MM, 0, -1 * MM))), 0.5)),
-    Case(name="ball pressed into a coarse block", nasty="as deep as its radius, 9 cells below it",
+    Case(name="ball pressed into a coarse block", hard="as deep as its radius, 9 cells below it",
          model=under(BALL, down(2.5)), check=HELD),
-    Case(name="ball under a plate", nasty="flattened by 40 % of its radius", model=ball(4.0), check=checks.not_through),
-    Case(name="walls meet in a gap", nasty="five times the pressure at which they meet", model=gap(100, 100),
+    Case(name="ball under a plate", hard="flattened by 40 % of its radius", model=ball(4.0), check=checks.not_through),
+    Case(name="walls meet in a gap", hard="five times the pressure at which they meet", model=gap(100, 100),
          check=checks.both(checks.not_through, checks.small_steps(20))),
-    Case(name="walls meet, one pressed", nasty="one wall pushes the other", model=gap(120, 0),
+    Case(name="walls meet, one pressed", hard="one wall pushes the other", model=gap(120, 0),
          check=checks.both(checks.not_through, checks.small_steps(20))),
-    Case(name="walls meet, one step", nasty="first_step = 1", model=gap(100, 100), procedure=LEAP,
+    Case(name="walls meet, one step", hard="first_step = 1", model=gap(100, 100), procedure=LEAP,
          check=checks.both(checks.not_through, checks.small_steps(20))),
     Case(name="bender on a floor",
-         nasty="lies down along its length", model=against(FLOOR, 60), check=checks.not_through),
-    Case(name="bender round a rod", nasty="slides around it", model=against(ROD, 80), check=checks.not_through),
-    Case(name="bender held by a plate", nasty="tip stopped from the start", procedure=tg.BlockedForce(),
+         hard="lies down along its length", model=against(FLOOR, 60), check=checks.not_through),
+    Case(name="bender round a rod", hard="slides around it", model=against(ROD, 80), check=checks.not_through),
+    Case(name="bender held by a plate", hard="tip stopped from the start", procedure=tg.BlockedForce(),
          model=lambda: tg.Model(mesh := tg.mesh(BENDER.build(), size=6 * MM),
                                 dict.fromkeys(mesh.regions, ELASTOSIL) | {"strain_limiting_layer": PAPER},
                                 [tg.Fixed("fixed")], [tg.Pressure("cavity", 50 * KPA)]),

@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 
 import turgor as tg
-from nasty_cases import checks
-from nasty_cases.case import KPA, MM, RUBBER, Case, Check, Found, one
+from robustness_cases import checks
+from robustness_cases.case import KPA, MM, RUBBER, Case, Check, Found, one
 
-import exact  # isort: skip  (found where nasty_cases.case says)
+import exact  # isort: skip  (found where robustness_cases.case says)
 import meshes  # isort: skip
 import problems  # isort: skip
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
@@ -56,7 +56,7 @@ def on_curve(law: Any, outer: float = OUTER, tolerance: float = 2e-3) -> Check:
     return check
 
 
-def stretch_at(law: Any, stretch: float, name: str, nasty: str, **more: Any) -> Case:
+def stretch_at(law: Any, stretch: float, name: str, hard: str, **more: Any) -> Case:
     """A sphere asked, in one step, for the exact pressure of a stretch that it must come to."""
     pressure = exact.sphere_pressure(law, stretch, INNER, more.get("outer", OUTER))
 
@@ -64,7 +64,7 @@ def stretch_at(law: Any, stretch: float, name: str, nasty: str, **more: Any) -> 
         return problems.mean_radius(state, "cavity", (0, 1, 2)) / INNER
 
     check = checks.at_end("inner stretch", got, stretch, 3e-3)
-    return Case(name=name, nasty=nasty, model=sphere(law, pressure, **more), procedure=LEAP, check=check)
+    return Case(name=name, hard=hard, model=sphere(law, pressure, **more), procedure=LEAP, check=check)
 
 
 def jump_said(law: Any, limit: float) -> Check:
@@ -102,7 +102,7 @@ def gas_pressure(ratio: float) -> Check:
     return check
 
 
-def tube(law: Any, stretch: float, outer: float, name: str, nasty: str) -> Case:
+def tube(law: Any, stretch: float, outer: float, name: str, hard: str) -> Case:
     """A tube in plane strain asked, in one step, for the pressure of a stretch."""
     pressure = exact.tube_pressure(law, stretch, 5 * MM, outer)
 
@@ -114,7 +114,7 @@ def tube(law: Any, stretch: float, outer: float, name: str, nasty: str) -> Case:
         return problems.mean_radius(state, "cavity", (0, 1)) / (5 * MM)
 
     check = checks.at_end("inner stretch", got, stretch, 5e-3)
-    return Case(name=name, nasty=nasty, model=model, procedure=LEAP, check=check)
+    return Case(name=name, hard=hard, model=model, procedure=LEAP, check=check)
 
 
 SOFTEST, STIFFEST = library("ecoflex-00-30", "yeoh-elsayed-2014"), library("fiberglass", "yeoh-polygerinos-2015")
@@ -132,54 +132,54 @@ CASES = (
                through=4),
     stretch_at(NEO, 0.8, "vacuum in a sphere", "inner stretch 0.8, one step"),
     Case(
-        name="sphere close below its limit point", nasty="99.9 % of the limit pressure",
+        name="sphere close below its limit point", hard="99.9 % of the limit pressure",
         model=sphere(NEO, 0.999 * NEO_LIMIT, through=3), check=checks.both(on_curve(NEO), checks.stable),
     ),
     Case(
-        name="sphere past its limit, load control", nasty="120 % of the limit pressure",
+        name="sphere past its limit, load control", hard="120 % of the limit pressure",
         model=sphere(NEO, 1.2 * NEO_LIMIT, through=3), check=checks.limit_at(NEO_LIMIT), stops=True,
     ),
     Case(
-        name="sphere at ten times its limit, one step", nasty="first_step = 1, no equilibrium there",
+        name="sphere at ten times its limit, one step", hard="first_step = 1, no equilibrium there",
         model=sphere(NEO, 10 * NEO_LIMIT, through=3), procedure=LEAP,
         check=checks.limit_at(NEO_LIMIT, below=0.005), stops=True,
     ),
     Case(
-        name="Ogden sphere past its limit, load control", nasty="no way there but a jump to a stretch of 2.4",
+        name="Ogden sphere past its limit, load control", hard="no way there but a jump to a stretch of 2.4",
         model=sphere(OGDEN, 0.0136e6, through=3), check=jump_said(OGDEN, OGDEN_LIMIT), stops=None,
     ),
     Case(
-        name="Ogden sphere, procedure auto", nasty="limit point on the way",
+        name="Ogden sphere, procedure auto", hard="limit point on the way",
         model=sphere(OGDEN, 0.0136e6, through=3), procedure=tg.Auto(), check=on_curve(OGDEN, tolerance=5e-3),
     ),
     Case(
-        name="sphere by arc length", nasty="120 % of the limit pressure", model=sphere(NEO, 1.2 * NEO_LIMIT, through=3),
+        name="sphere by arc length", hard="120 % of the limit pressure", model=sphere(NEO, 1.2 * NEO_LIMIT, through=3),
         procedure=tg.ArcLength(max_stretch=3.0), check=on_curve(NEO, tolerance=5e-3),
     ),
     Case(
-        name="thin balloon filled to five times its radius", nasty="wall of 1 %, far past the limit point",
+        name="thin balloon filled to five times its radius", hard="wall of 1 %, far past the limit point",
         model=sphere(NEO, outer=1.01 * INNER, around=3, through=1), procedure=injected(5.0),
         check=on_curve(NEO, 1.01 * INNER, 0.01),
     ),
     Case(
-        name="very thick sphere filled", nasty="outer radius 10 times the inner, stretch 2",
+        name="very thick sphere filled", hard="outer radius 10 times the inner, stretch 2",
         model=sphere(NEO, outer=10 * INNER, through=6), procedure=injected(2.0), check=on_curve(NEO, 10 * INNER, 0.02),
     ),
     Case(
-        name="sealed gas in a sphere", nasty="eight times the air of rest, past the limit point",
+        name="sealed gas in a sphere", hard="eight times the air of rest, past the limit point",
         model=sphere(NEO), procedure=tg.GasMass(mass_ratio=8.0),
         check=checks.both(gas_pressure(8.0), on_curve(NEO, tolerance=5e-3)),
     ),
     Case(
-        name="softest sphere up and down", nasty="pressure to 95 % of the limit and back to nothing",
+        name="softest sphere up and down", hard="pressure to 95 % of the limit and back to nothing",
         model=sphere(OGDEN, 0.95 * OGDEN_LIMIT, history=UP_AND_DOWN), check=checks.back_to_rest,
     ),
     Case(
-        name="compressible sphere", nasty="Poisson's ratio 0.3, one step",
+        name="compressible sphere", hard="Poisson's ratio 0.3, one step",
         model=sphere(NEO, 60 * KPA, bulk_modulus=0.52e6), procedure=LEAP, check=checks.small_steps(),
     ),
     Case(
-        name="sphere of one tetrahedron through the wall", nasty="coarsest mesh, first_step = 1",
+        name="sphere of one tetrahedron through the wall", hard="coarsest mesh, first_step = 1",
         model=sphere(RUBBER, 90 * KPA, around=1, through=1), procedure=LEAP, check=checks.small_steps(),
     ),
     tube(NEO, 1.5, 10 * MM, "thick tube, one step", "inner stretch 1.5, wall as thick as the bore"),

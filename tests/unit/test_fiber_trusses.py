@@ -10,7 +10,7 @@ import turgor as tg
 from turgor.engine.cells.reference import reference_nodes
 from turgor.engine.fibers.fiber_trusses import discrete_threads
 from turgor.engine.fibers.smeared import course_of, unit_axis
-from turgor.engine.fibers.surface_unrolling import develop, shape_values
+from turgor.engine.fibers.surface_unrolling import shape_values, unroll
 from turgor.engine.fibers.truss_bending import bending_energy, bending_forces, bending_tangents, joints_of
 from turgor.engine.system import System
 from turgor.errors import TurgorError
@@ -62,7 +62,7 @@ def test_shape_values_belong_to_the_nodes(nodes):
 @pytest.mark.parametrize("cells", ["hexahedra", "tetrahedra"])
 def test_development_of_a_tube_has_its_perimeter_and_finds_every_side(cells):
     body = tube(cells)
-    face = develop(body.points, body.face("outside"), np.array([1.0, 0, 0]), "outside")
+    face = unroll(body.points, body.face("outside"), np.array([1.0, 0, 0]), "outside")
     assert face.contour.closed
     assert face.contour.length == pytest.approx(2 * pi * RADIUS, rel=1e-4)
     generator = np.random.default_rng(1)
@@ -100,7 +100,7 @@ def test_threads_have_the_length_of_exact_helices(cells, angle):
 def test_every_piece_lies_in_its_side_and_begins_where_the_last_one_ended(cells):
     body = tube(cells)
     threads = discrete_threads(body, wound())
-    face = develop(body.points, body.face("outside"), np.array([1.0, 0, 0]), "outside")
+    face = unroll(body.points, body.face("outside"), np.array([1.0, 0, 0]), "outside")
     corners = reference_nodes(face.sides.shape[1])
     low, high = corners.min(axis=0) - 1e-5, corners.max(axis=0) + 1e-5
     for values in (threads.begin, threads.end):
