@@ -44,7 +44,7 @@ def rubber(name, law):
 
 def question(mesh, formulation):
     body = rubber("body", tg.Yeoh(C10=0.05 * MPa, C20=0.001 * MPa))
-    base = rubber("base", tg.NeoHooke(C10=1 * MPa))
+    base = rubber("base", tg.laws.NeoHooke(C10=1 * MPa))
     loads = [tg.Pressure("cavity", PRESSURE)]
     return tg.Model(mesh, {"body": body, "base": base}, [tg.Fixed("fixed")], loads, formulation)
 

@@ -43,7 +43,7 @@ LIMIT = 300.0
 
 def demo() -> tuple[tg.Model, tg.Static]:
     """The example at 4 mm, until shortly before its walls meet."""
-    job = tg.read_job(ROOT / "examples" / "fast_pneunet.toml")
+    job = tg.jobs.read_job(ROOT / "examples" / "fast_pneunet.toml")
     mesh = tg.mesh(job.actuator.build(), size=4 * mm, grading=job.mesh.grading)
     return tg.Model(mesh, job.materials, job.supports, [tg.Pressure("cavity", 6 * kPa)]), tg.Static()
 

@@ -1,7 +1,8 @@
 """Hard cases: which converge to the load asked for, which stop with the right diagnosis, which go wrong.
 
 `make robustness` runs all of them, each with a limit of CPU time, checks every end against something independent (a
-closed form, a known limit pressure, the energy balance, many small steps by plain Newton's method) and writes robustness.md.
+closed form, a known limit pressure, the energy balance, many small steps by plain Newton's method) and writes
+robustness.md.
 python benchmarks/robustness.py [word ...]   runs those whose name holds one of the words, and renews their lines.
 """
 
@@ -21,10 +22,12 @@ from turgor.engine.runtime import compile_kernels
 PAGE = Path(__file__).parent / "robustness.md"
 HEAD = ("case", "what is hard", "end", "unknowns", "steps", "iterations", "CPU s", "check")
 TEXT = (
-    "# Robustness\n\nWritten by `make robustness`. No setting is changed except where the difficulty is a setting (a "
-    "first step of the whole load). One thread. *Wrong* is an end that the check refutes, or a stop for the wrong reason; "
-    "*unstable* the load asked for on a branch that a real body leaves, as the message says; *gave up* a stop short of "
-    "a load that can be reached, with a status that says no more than that; *unchecked* an end whose check took long."
+    "# Robustness\n\n"
+    "Written by `make robustness`. No setting is changed except where the difficulty is a setting (a first step of "
+    "the whole load). One thread. *Wrong* is an end that the check refutes, or a stop for the wrong reason; "
+    "*unstable* the load asked for on a branch that a real body leaves, as the message says; *gave up* a stop short"
+    " of a load that can be reached, with a status that says no more than that; *unchecked* an end whose check took"
+    " long."
 )
 
 Row = tuple[str, ...]

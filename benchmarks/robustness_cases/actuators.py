@@ -33,7 +33,8 @@ def driven(actuator: Any, size: float, pressure: float, material: tg.Material = 
 
 
 NO_CONTACT = tg.Contact(self_contact=False)
-BENDER = tg.RectangularBender(length=50 * MM)
+THIN = tg.actuators.ExtendingCylinder(wall=0.2 * MM, length=15 * MM, cap=1 * MM)
+BENDER = tg.actuators.RectangularBender(length=50 * MM)
 #: More than what the bender on a stiff base holds at its largest pressure [m³].
 VOLUME_PAST_LIMIT = 6e-6
 KEVLAR = tg.Material(name="kevlar", law=Hooke(E=31.067e9, nu=0.36))
@@ -64,34 +65,34 @@ CASES = (
     ),
     Case(
         name="softest bender on a base of the stiffest row", hard="stiffness ratio of 1600, a law that gives way",
-        model=driven(tg.TwoMaterialBender(length=50 * MM), 6, 4, SOFTEST, regions={"base": STIFFEST}),
+        model=driven(tg.actuators.TwoMaterialBender(length=50 * MM), 6, 4, SOFTEST, regions={"base": STIFFEST}),
         check=checks.limit_of_volume_control(VOLUME_PAST_LIMIT), stops=True,
     ),
     Case(
         name="softest bender on a base of the stiffest row, hexahedra",
         hard="the same, of cells that keep their shape",
-        model=driven(tg.TwoMaterialBender(length=50 * MM), 6, 4, SOFTEST, regions={"base": STIFFEST},
+        model=driven(tg.actuators.TwoMaterialBender(length=50 * MM), 6, 4, SOFTEST, regions={"base": STIFFEST},
                      cells="hexahedra"),
         check=checks.limit_of_volume_control(VOLUME_PAST_LIMIT), stops=True,
     ),
     Case(
         name="slender closed tube", hard="length 40 times the radius",
-        model=driven(tg.ExtendingCylinder(inner_radius=3 * MM, wall=1 * MM, length=120 * MM), 4, 40),
+        model=driven(tg.actuators.ExtendingCylinder(inner_radius=3 * MM, wall=1 * MM, length=120 * MM), 4, 40),
         check=checks.energy(),
     ),
     Case(
         name="thin-walled closed tube, one step", hard="wall of 3 % of the radius, first_step = 1",
-        model=driven(tg.ExtendingCylinder(wall=0.2 * MM, length=15 * MM, cap=1 * MM), 0.8, 3, cells="hexahedra"),
+        model=driven(THIN, 0.8, 3, cells="hexahedra"),
         procedure=LEAP,
         check=steps_agree(),
     ),
     Case(
         name="closed tube past its limit, procedure auto", hard="a bulge forms and moves",
-        model=driven(tg.ExtendingCylinder(length=60 * MM), 6, 70), procedure=tg.Auto(), check=checks.energy(),
+        model=driven(tg.actuators.ExtendingCylinder(length=60 * MM), 6, 70), procedure=tg.Auto(), check=checks.energy(),
     ),
     Case(
         name="closed tube past its limit, load control", hard="limit point of a bulge", stops=True,
-        model=driven(tg.ExtendingCylinder(length=60 * MM), 6, 90),
+        model=driven(tg.actuators.ExtendingCylinder(length=60 * MM), 6, 90),
         check=checks.limit_of_volume_control(32e-6),
     ),
     Case(
@@ -116,30 +117,31 @@ CASES = (
     ),
     Case(
         name="slow PneuNet of the softest row", hard="a law that gives way",
-        model=driven(tg.SlowPneuNet(chambers=3, length=30 * MM), 5, 3, SOFTEST),
+        model=driven(tg.actuators.SlowPneuNet(chambers=3, length=30 * MM), 5, 3, SOFTEST),
         check=checks.law_gives_way(SOFTEST.law), stops=True,
     ),
     Case(
         name="slow PneuNet, fine mesh", hard="cells of 2 mm",
-        model=driven(tg.SlowPneuNet(chambers=1, length=12 * MM), 2, 30, ELASTOSIL), check=checks.energy(), limit=120,
+        model=driven(tg.actuators.SlowPneuNet(chambers=1, length=12 * MM), 2, 30, ELASTOSIL),
+        check=checks.energy(), limit=120,
     ),
     Case(
         name="bellows unfolded", hard="folds open, hexahedra, one step", procedure=LEAP,
-        model=driven(tg.BellowsOfRevolution(folds=1), 6, 10, cells="hexahedra"), check=steps_agree(),
+        model=driven(tg.actuators.BellowsOfRevolution(folds=1), 6, 10, cells="hexahedra"), check=steps_agree(),
     ),
     Case(
         name="bellows under vacuum", hard="the fold closes",
-        model=driven(tg.BellowsOfRevolution(folds=1), 6, -6, cells="hexahedra"),
+        model=driven(tg.actuators.BellowsOfRevolution(folds=1), 6, -6, cells="hexahedra"),
         check=checks.both(checks.energy(0.02), checks.not_through),
     ),
     Case(
         name="eccentric bender, hexahedra, one step", hard="first_step = 1", procedure=LEAP,
-        model=driven(tg.EccentricBender(length=50 * MM), 5, 30, cells="hexahedra"), check=steps_agree(),
+        model=driven(tg.actuators.EccentricBender(length=50 * MM), 5, 30, cells="hexahedra"), check=steps_agree(),
     ),
     Case(
         name="McKibben muscle", hard="kevlar 10,000 times stiffer than the tube, slack at first",
         model=driven(
-            tg.ContractingTube(length=40 * MM), 4, 60, regions={"cap": STIFFEST}, cells="hexahedra",
+            tg.actuators.ContractingTube(length=40 * MM), 4, 60, regions={"cap": STIFFEST}, cells="hexahedra",
             reinforcements=[
                 tg.Fibers(face="outside", material=KEVLAR, diameter=0.18 * MM,
                           winding=tg.Winding(angle_from_axis=0.5, spacing=1 * MM, hand="both"))

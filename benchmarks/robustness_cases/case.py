@@ -18,7 +18,7 @@ if str(SHARED) not in sys.path:
 
 MM, KPA = 1e-3, 1e3
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6), density=1100.0)
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6), density=1100.0)
 
 #: CPU seconds that a case may take unless it says otherwise; then it is interrupted.
 LIMIT = 30.0

@@ -14,7 +14,7 @@ from turgor.materials.laws.stability import first_instability
 from turgor.solvers.pressures import pressures_of
 
 
-def read(solution: tg.Solution, *measures: tg.Measure) -> list[np.ndarray]:
+def read(solution: tg.Solution, *measures: tg.measures.Measure) -> list[np.ndarray]:
     """Columns of a path."""
     response = tg.measure(solution, *measures, mesh_error=False)
     return [response.column(each.name) for each in measures]
@@ -65,7 +65,7 @@ def energy(tolerance: float = 0.01) -> Check:
         factors = np.array([state.load_factor for state in solution.states])
         work = 0.0
         for face in model.mesh.cavities:
-            (volume,) = read(solution, tg.volume_of(face))
+            (volume,) = read(solution, tg.measures.volume_of(face))
             pressure = np.array([pressures_of(state).get(face, 0.0) for state in solution.states])
             if not pressure.any():
                 continue
@@ -80,7 +80,7 @@ def energy(tolerance: float = 0.01) -> Check:
     return check
 
 
-def rises(measure: tg.Measure, scale: float = 1.0, unit: str = "") -> Check:
+def rises(measure: tg.measures.Measure, scale: float = 1.0, unit: str = "") -> Check:
     """A measure grows from state to state."""
 
     def check(solution: tg.Solution) -> Found:
@@ -161,7 +161,7 @@ def law_gives_way(law: Any) -> Check:
     first = min((stretch for stretch in found if stretch), default=np.inf)
 
     def check(solution: tg.Solution) -> Found:
-        largest = tg.maximum_principal_stretch(solution.states[-1])
+        largest = tg.measures.maximum_principal_stretch(solution.states[-1])
         return Found(largest >= 0.95 * first, f"stretch {largest:.3g}; the law gives way at {first:.3g}")
 
     return check

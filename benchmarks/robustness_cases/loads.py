@@ -8,7 +8,7 @@ from robustness_cases.case import KPA, MM, RUBBER, Case, Found, one
 import meshes  # isort: skip  (found where robustness_cases.case says)
 
 UP_AND_DOWN = ((0, 0), (0.5, 1), (1, 0))
-TURNS = tg.BidirectionalBender(length=50 * MM)
+TURNS = tg.actuators.BidirectionalBender(length=50 * MM)
 HEAVY = tg.Material(name="Ecoflex", law=SOFTEST.law, density=1070.0)
 
 
@@ -20,7 +20,7 @@ def bar(*loads, law=RUBBER):
 def weighed(solution: tg.Solution) -> Found:
     """The support carries the weight."""
     mesh, last = solution.model.mesh, solution.states[-1]
-    expected = tg.total_mass(solution.model) * 9.80665 / mesh.symmetry_factor
+    expected = tg.measures.total_mass(solution.model) * 9.80665 / mesh.symmetry_factor
     held = last.nodal_force[mesh.face_nodes("fixed")].sum(axis=0)
     return checks.value("force at the support", float(abs(held[2])), expected, 1e-3, " N")
 
@@ -29,7 +29,7 @@ def injected(volumes: dict[str, float]) -> checks.Check:
     """The cavities have taken what was injected."""
 
     def check(solution: tg.Solution) -> Found:
-        got = {name: checks.read(solution, tg.volume_of(name))[0] for name in volumes}
+        got = {name: checks.read(solution, tg.measures.volume_of(name))[0] for name in volumes}
         off = max(abs((v[-1] - v[0]) / volumes[name] - 1) for name, v in got.items())
         return Found(off < 1e-4, f"volumes {off:.0e} off")
 
@@ -62,7 +62,7 @@ def hanging(direction, pressure=0.0, history=((0, 0), (0.3, 1), (1, 1))):
     """A bender of the softest row that its weight bends far, then filled."""
 
     def model() -> tg.Model:
-        mesh = tg.mesh(tg.RectangularBender(length=80 * MM).build(), size=6 * MM)
+        mesh = tg.mesh(tg.actuators.RectangularBender(length=80 * MM).build(), size=6 * MM)
         loads = [tg.Gravity(direction, history=list(history))]
         if pressure:
             loads.append(tg.Pressure("cavity", pressure, history=[(0, 0), (0.3, 0), (1, 1)]))
@@ -101,7 +101,7 @@ CASES = (
     ),
     Case(
         name="three chambers at three pressures", hard="one pressed, one sucked, in one step", procedure=LEAP,
-        model=driven(tg.OmnidirectionalActuator(length=30 * MM), 8, 0,
+        model=driven(tg.actuators.OmnidirectionalActuator(length=30 * MM), 8, 0,
                      pressures={"cavity_1": 40, "cavity_2": -10, "cavity_3": 15}),
         check=checks.small_steps(20),
     ),
@@ -135,7 +135,7 @@ CASES = (
     ),
     Case(
         name="compressible bender", hard="bulk modulus three times the shear modulus, one step", procedure=LEAP,
-        model=driven(BENDER, 6, 20, tg.Material(name="foam", law=tg.NeoHooke(C10=0.12e6), bulk_modulus=0.72e6)),
+        model=driven(BENDER, 6, 20, tg.Material(name="foam", law=tg.laws.NeoHooke(C10=0.12e6), bulk_modulus=0.72e6)),
         check=checks.small_steps(20),
     ),
     Case(

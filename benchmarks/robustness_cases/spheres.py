@@ -118,7 +118,7 @@ def tube(law: Any, stretch: float, outer: float, name: str, hard: str) -> Case:
 
 
 SOFTEST, STIFFEST = library("ecoflex-00-30", "yeoh-elsayed-2014"), library("fiberglass", "yeoh-polygerinos-2015")
-LOCKING = tg.Gent(mu=0.24e6, Jm=2.0)
+LOCKING = tg.laws.Gent(mu=0.24e6, Jm=2.0)
 UP_AND_DOWN = [(0, 0), (0.5, 1), (1, 0)]
 
 CASES = (
@@ -127,7 +127,7 @@ CASES = (
     stretch_at(SOFTEST, 1.4, "softest row of the library", "shear modulus 10 kPa, one step"),
     stretch_at(STIFFEST, 1.3, "stiffest row of the library", "shear modulus 16 MPa, one step"),
     stretch_at(LOCKING, 1.35, "Gent, near locking", "Jm = 2, no energy beyond; one step", through=4),
-    stretch_at(tg.ArrudaBoyce(mu=0.24e6, locking_stretch=1.5), 1.6, "Arruda-Boyce, near locking",
+    stretch_at(tg.laws.ArrudaBoyce(mu=0.24e6, locking_stretch=1.5), 1.6, "Arruda-Boyce, near locking",
                "locking stretch 1.5; one step",
                through=4),
     stretch_at(NEO, 0.8, "vacuum in a sphere", "inner stretch 0.8, one step"),

@@ -39,7 +39,7 @@ def under(shape: Any, path: Any, friction: float = 0.0, size=(10, 10, 5), counts
 
     def model() -> tg.Model:
         mesh = meshes.box(tuple(np.array(size) * MM), counts, kind=HEXAHEDRON)
-        plate = tg.Obstacle(name="plate", shape=shape, path=path, friction=friction)
+        plate = tg.obstacles.Obstacle(name="plate", shape=shape, path=path, friction=friction)
         contact = tg.Contact(self_contact=False, obstacles=[plate])
         return one(mesh, RUBBER, [], [tg.Fixed("z0")], contact=contact)
 
@@ -51,8 +51,10 @@ def ball(depth: float) -> Callable[[], tg.Model]:
 
     def model() -> tg.Model:
         mesh = contact_meshes.ball(10 * MM, (3, 2, 2))
-        shape = tg.Plane(point=(0, 0, 10 * MM), normal=(0, 0, -1))
-        contact = tg.Contact(self_contact=False, obstacles=[tg.Obstacle(name="plate", shape=shape, path=down(depth))])
+        shape = tg.obstacles.Plane(point=(0, 0, 10 * MM), normal=(0, 0, -1))
+        contact = tg.Contact(
+            self_contact=False, obstacles=[tg.obstacles.Obstacle(name="plate", shape=shape, path=down(depth))]
+        )
         return one(mesh, RUBBER, [], [tg.Symmetry("middle")], contact=contact)
 
     return model
@@ -76,17 +78,17 @@ def against(shape: Any, pressure: float) -> Callable[[], tg.Model]:
     def model() -> tg.Model:
         mesh = tg.mesh(BENDER.build(), size=6 * MM)
         materials = dict.fromkeys(mesh.regions, ELASTOSIL) | {"strain_limiting_layer": PAPER}
-        contact = tg.Contact(self_contact=False, obstacles=[tg.Obstacle(name="plate", shape=shape)])
+        contact = tg.Contact(self_contact=False, obstacles=[tg.obstacles.Obstacle(name="plate", shape=shape)])
         loads = [tg.Pressure("cavity", pressure * KPA)]
         return tg.Model(mesh, materials, [tg.Fixed("fixed")], loads, contact=contact)
 
     return model
 
 
-TOP = tg.Plane(point=(0, 0, 5 * MM), normal=(0, 0, -1))
-BALL = tg.Sphere(center=(5 * MM, 5 * MM, 9 * MM), radius=4 * MM)
-FLOOR = tg.Plane(point=(0, 0, -3 * MM), normal=(0, 0, 1))
-ROD = tg.Cylinder(center=(35 * MM, 0, -8 * MM), axis=(0, 1, 0), radius=5 * MM)
+TOP = tg.obstacles.Plane(point=(0, 0, 5 * MM), normal=(0, 0, -1))
+BALL = tg.obstacles.Sphere(center=(5 * MM, 5 * MM, 9 * MM), radius=4 * MM)
+FLOOR = tg.obstacles.Plane(point=(0, 0, -3 * MM), normal=(0, 0, 1))
+ROD = tg.obstacles.Cylinder(center=(35 * MM, 0, -8 * MM), axis=(0, 1, 0), radius=5 * MM)
 HELD = checks.both(carried("z0"), checks.not_through)
 
 CASES = (

@@ -16,6 +16,22 @@ ROOMS = (
 #: The modules that every room stands on, with a room name in common.
 FOUNDATION = ("units", "errors", "source", "finding", "response")
 
+#: Modules that only gather names for users; no room imports from them.
+PUBLIC = (
+    "_lazy",
+    "actuators",
+    "bodies",
+    "cad",
+    "experiments",
+    "files",
+    "jobs",
+    "laws",
+    "measures",
+    "obstacles",
+    "pictures",
+    "solutions",
+)
+
 #: The modules of the command line, which is a client of the public names.
 COMMAND_LINE = ("cli", "__main__")
 
@@ -48,13 +64,12 @@ LARGE_FOLDERS = ("turgor.geometry.actuators", "turgor.solvers")
 
 
 def room_of(module: str) -> str | None:
-    """Room of a dotted module such as ``turgor.engine.cells.kernels``; None for the package itself and for other
-    packages.
+    """Room of a dotted module such as ``turgor.engine.system``; None for public modules and other packages.
 
-    The package's ``__init__`` gives the public names, so it is not a room that others may import from.
+    The package's ``__init__`` and its namespaces give the public names, so they are no rooms to import from.
     """
     parts = module.split(".")
-    if parts[0] != "turgor" or len(parts) == 1:
+    if parts[0] != "turgor" or len(parts) == 1 or parts[1] in PUBLIC:
         return None
     if parts[1] in FOUNDATION:
         return "foundation"

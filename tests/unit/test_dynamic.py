@@ -25,7 +25,7 @@ from turgor.solvers.time_integration import Motion, TimeStep, Weights
 from turgor.solvers.time_steps import TimeControl
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.5e5), density=1e3)
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.5e5), density=1e3)
 
 
 def finger(pressure: float = 2e3, history: object = ((0, 0), (1, 1)), symmetric: bool = True) -> tg.Model:
@@ -69,7 +69,7 @@ def test_a_wrong_stabilization_is_refused() -> None:
 
 
 def test_without_density_nothing_moves() -> None:
-    light = tg.Material(name="light rubber", law=tg.NeoHooke(C10=0.5e5))
+    light = tg.Material(name="light rubber", law=tg.laws.NeoHooke(C10=0.5e5))
     shape = finger()
     model = tg.Model(shape.mesh, {"body": RUBBER, "base": light}, shape.supports, shape.loads)
     with pytest.raises(TurgorError, match=r"materials.base: 'light rubber' has no density, and motion needs it"):

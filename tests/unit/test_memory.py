@@ -22,7 +22,7 @@ from turgor.solvers.procedures import Static
 from turgor.solvers.stabilized import Stabilized
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
-LAW = tg.MooneyRivlin(C10=0.4e5, C01=0.1e5)
+LAW = tg.laws.MooneyRivlin(C10=0.4e5, C01=0.1e5)
 PLAIN = tg.Material(name="rubber", law=LAW, density=1e3)
 SLOW = replace(PLAIN, viscoelasticity=Prony(g=(0.3,), tau=(0.05,), moduli="long_term"))
 QUICK = replace(PLAIN, viscoelasticity=Prony(g=(0.3,), tau=(0.05,), moduli="instantaneous"))

@@ -19,7 +19,7 @@ OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 
 def finger(loads: tuple = (), supports: tuple = (), bulk_modulus: float = np.inf) -> tg.Model:
     mesh = tg.mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.5e5), density=1e3, bulk_modulus=bulk_modulus)
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.5e5), density=1e3, bulk_modulus=bulk_modulus)
     return tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed"), *supports], loads)
 
 

@@ -27,7 +27,7 @@ STIFF = InBox((19 * mm, -8 * mm, -28 * mm), (100 * mm, 8 * mm, -22.5 * mm))
 
 
 def rubber(young):
-    return tg.Material(name="rubber", law=tg.NeoHooke(C10=young / 6))
+    return tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=young / 6))
 
 
 def solved(mesh, materials, pressure):

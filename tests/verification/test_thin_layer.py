@@ -30,7 +30,7 @@ from turgor.engine.cells.element import element_of
 from turgor.engine.system import System
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
-SOFT, STIFF = tg.NeoHooke(C10=0.1 * MPA), tg.NeoHooke(C10=5 * MPA)
+SOFT, STIFF = tg.laws.NeoHooke(C10=0.1 * MPA), tg.laws.NeoHooke(C10=5 * MPA)
 LENGTH, END = 20 * MM, 2.5 * MM
 LEVELS = np.array([0, 4, 5, 9]) * MM
 LOADS = {
@@ -105,7 +105,7 @@ def test_a_continuous_mean_stress_is_far_off(kind):
 def inf_sup_constant(kind, ratio):
     """Of 3 × 3 × 3 cells of 1.25 mm along and across, with outer layers that many times as stiff as the inner one."""
     mesh = box_of_layers(kind, (3.75 * MM, 3.75 * MM), (3, 3, 3))
-    laws = {"soft": SOFT, "stiff": tg.NeoHooke(C10=ratio * SOFT.C10)}
+    laws = {"soft": SOFT, "stiff": tg.laws.NeoHooke(C10=ratio * SOFT.C10)}
     materials = {name: problems.rubber(law) for name, law in laws.items()}
     system = System(tg.Model(mesh, materials, [tg.Fixed("x0")], []))
     displaced = 3 * system.node_count

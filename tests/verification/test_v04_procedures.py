@@ -19,7 +19,7 @@ from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeContr
 from turgor.solvers.pressures import pressure_text, pressures_of
 from turgor.units import kPa, mL
 
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6))
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 
 

@@ -26,7 +26,7 @@ LOAD, SKIN, HOOPS = 13.7201 * kPa, 1 * mm, OUTER
 
 def loaded(cells, formulation="mixed"):
     """State of the tube under its pressure."""
-    mesh = tg.mesh(tg.FiberReinforcedCylinder(length=40 * mm, skin=SKIN).build(), size=4 * mm, cells=cells)
+    mesh = tg.mesh(tg.actuators.FiberReinforcedCylinder(length=40 * mm, skin=SKIN).build(), size=4 * mm, cells=cells)
     rubber = problems.rubber(problems.NEO_HOOKE)
     supports = [tg.Fixed("fixed"), Radial("winding")]
     materials, loads = dict.fromkeys(mesh.regions, rubber), [tg.Pressure("cavity", LOAD)]

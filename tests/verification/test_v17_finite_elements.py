@@ -30,7 +30,7 @@ SERIES = Prony(g=(0.2, 0.1), tau=(1.0, 10.0), moduli="instantaneous")
 SLOW = replace(SERIES, moduli="long_term")
 MULLINS = Mullins(r=1.8, m=8e3, beta=0.1)
 OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))
-RIVLIN = tg.MooneyRivlin(C10=0.08e6, C01=0.03e6)
+RIVLIN = tg.laws.MooneyRivlin(C10=0.08e6, C01=0.03e6)
 
 
 def remembering(law, series=None, mullins=None, bulk_modulus=inf):

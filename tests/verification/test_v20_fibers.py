@@ -28,7 +28,7 @@ from turgor.model.fibers import Fibers, Winding
 from turgor.units import deg, kPa, mm
 
 KEVLAR = tg.Material(name="kevlar", law=Hooke(E=31067e6, nu=0.36))
-RUBBER = tg.NeoHooke(C10=0.12e6)
+RUBBER = tg.laws.NeoHooke(C10=0.12e6)
 LENGTHS = {False: 50 * mm, True: 100 * mm}
 
 #: At the second pressure the tube widens up to twofold, and what the ends hold back reaches farther: farthest where

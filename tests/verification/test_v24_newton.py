@@ -34,7 +34,7 @@ def _cantilever():
 
 LAWS = {
     "neo-Hookean": problems.NEO_HOOKE,
-    "Mooney-Rivlin": tg.MooneyRivlin(C10=1e4, C01=1.4e4),
+    "Mooney-Rivlin": tg.laws.MooneyRivlin(C10=1e4, C01=1.4e4),
     "Yeoh": problems.YEOH,
     "Yeoh, 4 terms": YeohN(coefficients=(1e5, 1e4, -5e2, 2e1)),
     "generalized Rivlin": GeneralizedRivlin.of(C10=-7.48e3, C01=19.6e3, C20=-198.0, C02=-539.0, C11=3.21e3),

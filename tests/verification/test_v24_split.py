@@ -24,7 +24,7 @@ from turgor.engine.system import System
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.meshing.surface import cell_sides
 
-SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.Hooke(E=5e6, nu=0.3)), 5e-4)
+SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
 KINDS = {"ten-node tetrahedra": TETRAHEDRON, "27-node hexahedra": HEXAHEDRON}
 BULK = {"incompressible": (np.inf, np.inf), "compressible": (1e6, 3e6), "one of each": (np.inf, 1e6)}
 
@@ -44,7 +44,9 @@ def two_rubbers(kind, bulk):
         regions={"soft": np.flatnonzero(~right), "stiff": np.flatnonzero(right)},
         faces={**flat.faces, "middle": middle[once]},
     )
-    soft, stiff = (problems.rubber(law, k) for law, k in zip((problems.YEOH, tg.NeoHooke(C10=1e6)), bulk, strict=True))
+    soft, stiff = (
+        problems.rubber(law, k) for law, k in zip((problems.YEOH, tg.laws.NeoHooke(C10=1e6)), bulk, strict=True)
+    )
     return tg.Model(mesh, {"soft": soft, "stiff": stiff, "middle": SHEET}, [tg.Fixed("x0")], [])
 
 
