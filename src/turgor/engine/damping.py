@@ -1,4 +1,4 @@
-"""Damping: forces in proportion to the rate of strain, which leave rigid motions alone."""
+"""Damping: viscous forces in proportion to the rate of strain; rigid motions are not damped."""
 
 import numpy as np
 from numpy.typing import NDArray

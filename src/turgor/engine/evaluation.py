@@ -1,4 +1,4 @@
-"""What is known of the equations at one point: the residual with all that the tangent needs again, and the stresses."""
+"""Evaluation: the residual at given unknowns, with what the tangent needs again, and the stresses."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ class Stresses:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Evaluation:
-    """The equations at one point: what the residual computed and the tangent needs again.
+    """The residual at given unknowns, and what the tangent needs again.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""System: the discrete equations of a model, residual and tangent.
+"""System: the discrete equilibrium equations of a model, with their residual and tangent.
 
 Inside, lengths are divided by the mean edge length and stresses by the stiffest rubber's shear modulus, so that the
 unknowns and the entries of the tangent are of the order of one whatever the units and the size of the actuator.

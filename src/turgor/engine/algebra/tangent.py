@@ -1,4 +1,4 @@
-"""Tangent: form, support, factor and solve, with the time that each takes."""
+"""Tangent: assemble it, apply the supports, factor it and solve, with the time that each takes."""
 
 from dataclasses import dataclass
 from time import perf_counter
@@ -127,7 +127,7 @@ class Tangent:
         return out
 
     def _with_rubbing(self, rubbing: sp.csc_matrix, right: Array) -> Array:
-        """Solve with the unsymmetric part of friction too: the factors leave few directions for GMRES to find."""
+        """Solve with the unsymmetric part of friction too, by GMRES preconditioned with the symmetric factors."""
         size, active = len(right), self._active
         operator = LinearOperator((size, size), matvec=lambda x: x + active.solve(rubbing @ x), dtype=np.float64)
         first = active.solve(right)

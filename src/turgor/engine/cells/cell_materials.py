@@ -105,7 +105,7 @@ class CellMaterials:
 
     @property
     def memory(self) -> Memory | None:
-        """What the last state remembers, where any rubber does; set it to go on from another one."""
+        """Internal variables of the last converged state; set them to continue from another state."""
         pairs = [(region.name, region.memory) for region in self._regions]
         return _memory(
             {name: memory.stress for name, memory in pairs if memory and memory.stress is not None},

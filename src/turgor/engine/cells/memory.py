@@ -1,4 +1,4 @@
-"""Memory of rubber that relaxes or softens: what its points have been through, region by region.
+"""Internal variables of rubber that relaxes or softens, at the Gauss points of each region.
 
 A step in time has a length Δt. `RegionMemory.begin_step` fixes what the history contributes to it, and until the next
 call the response is a plain function of the deformation, whatever is tried: Newton's method, predictors and line
@@ -30,7 +30,7 @@ _SIX = ([0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2])
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Memory:
-    """What the rubber of a state remembers, at the quadrature points of each region that relaxes or softens.
+    """Internal variables of a state, at the Gauss points of each region that relaxes or softens.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class Memory:
 
 @dataclass(slots=True, eq=False)
 class RegionMemory:
-    """Memory of one region, and what it contributes to the step that has begun.
+    """Internal variables of one region, and what they contribute to the step that has begun.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Layout: where the tangent's entries are, while contact ties unknowns of distant cells and lets them go again."""
+"""Layout: the sparsity pattern of the tangent, which changes as contact couples degrees of freedom of distant cells."""
 
 import numpy as np
 import scipy.sparse as sp

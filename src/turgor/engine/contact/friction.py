@@ -1,8 +1,9 @@
-"""Friction: points that touched in the last state stick there until Coulomb's limit, then slip.
+"""Friction: Coulomb's law at the quadrature points, regularized by an elastic slip, with a return mapping.
 
-The tangential traction grows with the slip since the last state and is cut off at the coefficient times the normal
-pressure. At a limit that is kept friction has a potential, and a symmetric tangent; that the limit follows the pressure
-adds an unsymmetric part, which `by_limit` gives and `turgor.engine.algebra.tangent` treats apart.
+A point sticks where it was in the last converged state. Its trial traction grows with the slip since then; beyond the
+limit, which is the coefficient times the contact pressure, the traction is returned to the limit and the point slips.
+While the limit is kept, friction has a potential and a symmetric tangent. A limit that follows the pressure adds an
+unsymmetric part, which `by_limit` gives and `turgor.engine.algebra.tangent` treats apart.
 """
 
 from dataclasses import dataclass
@@ -29,7 +30,7 @@ SETTLED = 1e-4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FrictionHistory:
-    """Points that touched in the last state, k of them.
+    """Internal variables of friction: the k points that touched in the last converged state.
 
     Parameters
     ----------
@@ -90,7 +91,7 @@ def by_limit(history: FrictionHistory, apart: Array) -> Array:
 
 
 def _trial(history: FrictionHistory, apart: Array) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
-    """Slips (k, 3) since the last state, tractions (k, 3) if everything stuck and their sizes (k,), and what slides."""
+    """Slips (k, 3) since the last state, trial tractions (k, 3), their magnitudes (k,), and which points slide."""
     n, moved = history.normal, apart - history.apart
     slip = moved - np.einsum("ki,ki->k", moved, n)[:, None] * n
     trial = history.traction + (history.limit / history.slip)[:, None] * slip
@@ -99,7 +100,7 @@ def _trial(history: FrictionHistory, apart: Array) -> tuple[Array, Array, Array,
 
 
 def taken(history: FrictionHistory, apart: Array, weights: Array) -> float:
-    """Energy that friction has taken since the last state, tractions by the trapezoidal rule."""
+    """Energy that friction has dissipated since the last state, by the trapezoidal rule."""
     now, _ = tractions(history, apart)
     n, moved = history.normal, apart - history.apart
     slip = moved - np.einsum("ki,ki->k", moved, n)[:, None] * n
@@ -107,7 +108,7 @@ def taken(history: FrictionHistory, apart: Array, weights: Array) -> float:
 
 
 def turned(traction: Array, normal: Array) -> Array:
-    """Tractions (k, 3) laid into the planes across new normals (k, 3) at their size."""
+    """Project tractions (k, 3) onto the planes with the given normals (k, 3); their magnitudes stay."""
     flat = traction - np.einsum("ki,ki->k", traction, normal)[:, None] * normal
     before, after = np.linalg.norm(traction, axis=1), np.linalg.norm(flat, axis=1)
     return np.asarray(flat * (before / np.maximum(after, 1e-300))[:, None])

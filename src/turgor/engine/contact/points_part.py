@@ -1,4 +1,9 @@
-"""PointsPart: what contacts share whose points press with a spring and rub from where they were."""
+"""PointsPart: penalty contact with Coulomb friction at the quadrature points of a surface.
+
+Every point that has penetrated is pushed back with a force in proportion to its depth (the penalty). Friction acts on
+its slip since the last converged state, by a return mapping (`turgor.engine.contact.friction`). What the points may
+touch is left to the subclasses: sides of cells in `PairPart`, shapes with a formula in `ShapePart`.
+"""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
@@ -18,7 +23,7 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rubbing:
-    """That tractions follow their limits: a matrix of rank one for each of k points.
+    """How the limit of friction changes with the contact pressure: a matrix of rank one for each of k points.
 
     Parameters
     ----------
@@ -53,9 +58,9 @@ class PointsPart(ABC):
     Attributes
     ----------
     penalty_scale : (s,) array
-        How much stiffer the sides are than at first.
+        Factor on the penalty of each side; it grows where the penetration exceeds the tolerance.
     friction_history : FrictionHistory or None
-        From where points slip.
+        Internal variables of friction at the last converged state: where points stood, and their tractions.
     limits_kept : bool
         Whether the limits of friction are those of the friction history, or follow the pressure.
     """
@@ -68,7 +73,7 @@ class PointsPart(ABC):
 
     @abstractmethod
     def tied_unknowns(self, keys: Ints) -> Ints:
-        """Unknowns of ties, in rows; −1 where nothing moves freely."""
+        """Degrees of freedom that each tie couples, in rows; −1 where nothing moves freely."""
 
     @abstractmethod
     def _press(self, position: Array, found: Found) -> Array:
@@ -134,7 +139,7 @@ class PointsPart(ABC):
         return Ties(self.tied_unknowns(keys), local)
 
     def rubbing(self, position: Array, found: Found) -> Rubbing | None:
-        """How the limits of friction follow the pressure; None where nothing rubs or they are kept."""
+        """Change of the limits of friction with the contact pressure; None without friction, or where they are kept."""
         a = None if self.limits_kept else self.bound(found)
         if a is None:
             return None

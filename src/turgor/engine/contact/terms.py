@@ -1,4 +1,4 @@
-"""ContactTerms: everything in a model that touches, in scaled units."""
+"""ContactTerms: forces, tangent and history of all contacts of a model, in scaled units."""
 
 from dataclasses import dataclass
 
@@ -81,7 +81,7 @@ class ContactTerms:
 
     @property
     def friction_history(self) -> tuple[FrictionHistory | None, ...]:
-        """From where the points of each part slip."""
+        """Friction history of each part: internal variables at the last converged state."""
         return tuple(part.friction_history for part in self.parts)
 
     @friction_history.setter
@@ -131,7 +131,7 @@ class ContactTerms:
         return float(stored + 0.5 * (self.bodies.springs[:, None] * springs**2).sum())
 
     def prepare(self, layout: Layout, at: Contacts) -> None:
-        """Give the tangent room for what touches."""
+        """Extend the sparsity pattern of the tangent by the degrees of freedom that contact couples."""
         offset, needed = 0, []
         for part, found in zip(self.parts, at.found, strict=True):
             needed.append(part.keys(found) + offset)
@@ -194,7 +194,7 @@ class ContactTerms:
         return any(changed)
 
     def accept(self, at: Contacts) -> None:
-        """Take a state as the one from which points slip in the next step."""
+        """Store the friction history of a converged state, from which points slip in the next step."""
         for part, found in zip(self.parts, at.found, strict=True):
             if part.coefficient > 0:
                 part.friction_history = part.anchored(at.position, found)
@@ -208,7 +208,7 @@ class ContactTerms:
         return np.asarray(np.maximum(-found.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height))
 
     def stiffen(self, at: Contacts) -> bool:
-        """Raise the stiffness of sides that are penetrated too far; whether there were any that could be raised."""
+        """Raise the penalty of sides that are penetrated beyond the tolerance; return whether any could be raised."""
         raised = False
         for part, found in zip(self.parts, at.found, strict=True):
             depth = self._shares(part, found)

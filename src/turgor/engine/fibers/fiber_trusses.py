@@ -106,7 +106,7 @@ def lay(mesh: Mesh, fibers: Fibers) -> FiberTrusses | Pieces:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Where:
-    """Tells the side under points of the development, −1 outside the face or the box of the winding."""
+    """Tells the side under points of the unrolled face, −1 outside the face or the box of the winding."""
 
     mesh: Mesh
     face: UnrolledSurface

@@ -1,4 +1,4 @@
-"""Lines: where the threads of a winding run in the development of their face."""
+"""Lines: where the threads of a winding run on their unrolled face."""
 
 from dataclasses import dataclass
 from math import cos, pi, sin
@@ -21,7 +21,7 @@ NUDGE = (1.7e-7, 2.3e-7)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lines:
-    """Straight lines in the development.
+    """Straight lines on the unrolled face.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""UnrolledSurface: a face that runs along an axis, unrolled into the plane of contour length and axial coordinate.
+"""Unrolls a face that runs along an axis into the plane of contour length and axial coordinate.
 
 Helices, hoops and axial threads are straight lines there. Every side of the face keeps its quadratic shape functions,
 with the contour lengths and axial coordinates of its nodes in place of their positions, so that neighboring sides fit

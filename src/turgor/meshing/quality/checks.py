@@ -1,4 +1,4 @@
-"""What to doubt about a mesh before solving on it."""
+"""Checks of a mesh before a solve, each a finding."""
 
 import numpy as np
 from numpy.typing import NDArray
