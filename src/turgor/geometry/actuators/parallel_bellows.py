@@ -24,7 +24,7 @@ MOST_RIBS = 9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParallelBellows:
-    """Three parallel bellows between two plates, in an equilateral triangle (Xavier et al. 2021, figure 1g).
+    """Three parallel bellows between two plates, in an equilateral triangle (Xavier et al. 2021, fig. 1g).
 
     The bellows under pressure gets longer and tilts the upper plate away from it; equal pressures push the plate
     straight on. No published drawing is at hand; all dimensions are chosen here.

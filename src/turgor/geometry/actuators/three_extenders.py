@@ -17,7 +17,7 @@ from turgor.units import m, mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ThreeExtenders:
-    """Three parallel extending cylinders between two plates, in an equilateral triangle (Xavier et al. 2021, figure 1g).
+    """Three parallel extending cylinders between two plates, in an equilateral triangle (Xavier et al. 2021, fig. 1g).
 
     The cylinder under pressure gets longer and tilts the upper plate away from it; equal pressures push the plate
     straight on. Radius, wall, length and caps of the cylinders are the reference extender of that review (6.35 mm, 2
