@@ -20,7 +20,7 @@ def test_there_are_enough_cases_with_names_of_their_own_and_checks():
     assert len(CASES) >= 40
     assert len(CASE) == len(CASES)
     for case in CASES:
-        assert case.difficulty
+        assert case.hard
         assert callable(case.model)
         assert callable(case.check)
 
@@ -38,16 +38,16 @@ def test_quick_cases_end_as_they_state(name, end):
 
 def test_an_end_that_the_check_refutes_is_wrong():
     case = CASE["sphere of hexahedra, one step"]
-    refuted = Case(name="x", difficulty="x", model=case.model, check=lambda solution: Found(False, "no"))
+    refuted = Case(name="x", hard="x", model=case.model, check=lambda solution: Found(False, "no"))
     assert run(refuted).end == WRONG
-    broken = Case(name="x", difficulty="x", model=lambda: 1 / 0, check=case.check)
+    broken = Case(name="x", hard="x", model=lambda: 1 / 0, check=case.check)
     assert run(broken).text == "ZeroDivisionError: division by zero"
 
 
 def test_a_limit_point_where_none_is_counts_as_wrong():
     case = CASE["sphere past its limit, load control"]
     solution = tg.solve(case.model(), case.procedure, options=OPTIONS, throw=False)
-    reachable = Case(name="x", difficulty="x", model=case.model, check=case.check)
+    reachable = Case(name="x", hard="x", model=case.model, check=case.check)
     assert judge(reachable, solution)[0] == WRONG
 
 
