@@ -16,25 +16,26 @@ from turgor.errors import TurgorError
 from turgor.geometry import Geometry
 from turgor.geometry.shapes.solids import box, cut, face_names, name_plane, name_rest
 from turgor.job.job import Job
-from turgor.job.lock import lock_text
-from turgor.job.material_findings import laws_beyond_their_tests
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
+from turgor.job.output.material_findings import laws_beyond_their_tests
 from turgor.job.read import read_job
+from turgor.job.text.problems import JobError
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.proximity import find_facing_walls, smallest_gap
+from turgor.meshing.quality.proximity import find_facing_walls, smallest_gap
 from turgor.meshing.surface import check_surface
 from turgor.model.contact import Contact
 from turgor.model.drive import common_pressure, drive_text, kinks, pressed_together, pressures_at
 from turgor.model.loads import Gravity, Load, Pressure
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.results import describe, measure
-from turgor.results.measures import cavity_volume, find_measure
-from turgor.results.pictures import picture_title
-from turgor.results.plots import response_figure
-from turgor.results.report import Report, write_report
-from turgor.results.vtu import write_series
+from turgor.results import measure
+from turgor.results.files.vtu import write_series
+from turgor.results.measures.measures import cavity_volume, find_measure
+from turgor.results.pictures.state_picture import picture_title
+from turgor.results.plots.response_plots import response_figure
+from turgor.results.report import describe
+from turgor.results.report.page import Report, write_report
 from turgor.solvers import static_run
 from turgor.solvers.checks import unloaded_cavities
 from turgor.solvers.contact_checks import meeting_walls
@@ -338,7 +339,7 @@ history = [[0, 0], [0.5, 1], [1, 0.5]]
 @pytest.fixture
 def family(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(turgor.job.job, "ACTUATORS", {"twin": Twin})
-    monkeypatch.setattr("turgor.job.sections.ACTUATORS", {"twin": Twin})
+    monkeypatch.setattr("turgor.job.tables.sections.ACTUATORS", {"twin": Twin})
 
 
 def read(folder: Path, loads: str, at: str = "0.1") -> Job:

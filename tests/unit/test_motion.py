@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.mass import mass_data
 from turgor.engine.runtime import use_threads
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.geometry import FastPneuNet
 from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.dynamic_run import Listeners, follow_motion
@@ -19,7 +19,7 @@ OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 
 def finger(loads: tuple = (), supports: tuple = (), bulk_modulus: float = np.inf) -> tg.Model:
     mesh = tg.mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.5e5), density=1e3, bulk_modulus=bulk_modulus)
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.5e5), density=1e3, bulk_modulus=bulk_modulus)
     return tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed"), *supports], loads)
 
 

@@ -23,7 +23,7 @@ def mesh():
 
 def found(mesh, shape, **given):
     """Findings about one obstacle."""
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=1e5))
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=1e5))
     contact = Contact(obstacles=[Obstacle(name="stone", shape=shape, **given)])
     model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], [], contact=contact)
     return overlapping_obstacles(model)

@@ -13,8 +13,8 @@ from turgor.model.model import Model
 from turgor.model.obstacles import Cylinder, Obstacle, Plane
 from turgor.model.supports import Fixed
 from turgor.response import read_response
-from turgor.results import contact_measures as of
-from turgor.results.measures import STANDARD_MEASURES, check_measures, find_measure, measure
+from turgor.results.measures import contact_measures as of
+from turgor.results.measures.measures import STANDARD_MEASURES, check_measures, find_measure, measure
 from turgor.solvers.blocked_force import BlockedForce
 from turgor.solvers.blocking import HeldTip
 from turgor.solvers.driver import solve

@@ -19,11 +19,11 @@ YOUNG = 6 * 0.12e6
 #: Load of a column of 100 × 1 × 1 mm, clamped at one end [N].
 EULER = np.pi**2 * YOUNG * 1e-12 / 12 / 0.04
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
-MOONEY_RIVLIN = tg.MooneyRivlin(C10=0.1e6, C01=0.02e6)
+MOONEY_RIVLIN = tg.laws.MooneyRivlin(C10=0.1e6, C01=0.02e6)
 
 
 def sphere(pressure, law=None, around=1):
-    material = tg.Material(name="rubber", law=law or tg.NeoHooke(C10=0.12e6))
+    material = tg.Material(name="rubber", law=law or tg.laws.NeoHooke(C10=0.12e6))
     load = tg.Pressure("cavity", pressure * KPA)
     return tg.Model(meshes.sphere_octant(10e-3, 15e-3, around, 2), {"body": material}, [], [load])
 
@@ -39,7 +39,7 @@ def column(bow=0.0, cells=6):
         return points + np.outer(bow * (1 - np.cos(np.pi * points[:, 0] / 0.2)), [0, 0, 1])
 
     mesh = meshes.box((0.1, 1e-3, 1e-3), (cells, 1, 1), place, kind=meshes.HEXAHEDRON)
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6))
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
     load = tg.Traction("x1", (-2 * EULER / 1e-6, 0.0, 0.0))
     return tg.Model(mesh, {"body": rubber}, [tg.Fixed("x0")], [load])
 
@@ -152,7 +152,7 @@ def test_a_way_back_is_no_path_that_was_followed(monkeypatch):
 @pytest.mark.slow
 def test_a_soft_bender_on_a_stiff_base_does_not_walk_back_to_rest():
     """One cell of this mesh collapses at 1.7 kPa; finer meshes and hexahedra find the maximum at 2.64 kPa."""
-    mesh = tg.mesh(tg.TwoMaterialBender(length=50e-3).build(), size=6e-3)
+    mesh = tg.mesh(tg.actuators.TwoMaterialBender(length=50e-3).build(), size=6e-3)
     soft = tg.from_library("ecoflex-00-30", record="yeoh-elsayed-2014")
     stiff = tg.from_library("fiberglass", record="yeoh-polygerinos-2015")
     materials = dict.fromkeys(mesh.regions, soft) | {"base": stiff}
@@ -191,7 +191,7 @@ def test_a_squeezed_cell_is_named_with_its_place():
 
 def sponge(state):
     """The same state of a material that may change its volume."""
-    foam = tg.Material(name="foam", law=tg.NeoHooke(C10=0.12e6), bulk_modulus=0.5e6)
+    foam = tg.Material(name="foam", law=tg.laws.NeoHooke(C10=0.12e6), bulk_modulus=0.5e6)
     model = tg.Model(state.model.mesh, {"body": foam}, [], state.model.loads)
     return tg.State(
         model=model, load_factor=1.0, displacement=state.displacement, mean_stress=state.mean_stress,

@@ -16,8 +16,8 @@ import pytest
 import contact_cases
 import turgor as tg
 from problems import MM
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Obstacle, Plane
@@ -26,7 +26,7 @@ from turgor.solvers.dynamic_run import Listeners
 from turgor.solvers.energies import imbalance, too_viscous
 from turgor.solvers.moving import follow_moving
 
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=50e3), density=1100.0, bulk_modulus=5e6)
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=50e3), density=1100.0, bulk_modulus=5e6)
 WEIGHT = 1100 * 9.80665 * 10 * 10 * 5 * MM**3
 GROWS = ((0, 0), (0.3, 1), (1, 1))
 AWAY, PUSHED = (0.0, 0.0, 0.0), (1.5 * MM, 0.0, 0.0)

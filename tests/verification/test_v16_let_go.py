@@ -16,8 +16,8 @@ import contact_cases
 import problems
 import turgor as tg
 from problems import MM
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.model.obstacles import Obstacle, Plane, Sphere
 from turgor.solvers.downhill import FELL, downhill
 from turgor.solvers.newton import NewtonSettings, Start
@@ -176,8 +176,8 @@ def test_downhill_needs_a_touch_and_stays_near():
 
 @pytest.mark.slow
 def test_a_fold_closes_under_vacuum(record_verification):
-    mesh = tg.mesh(tg.BellowsOfRevolution(folds=1).build(), size=6 * MM, cells="hexahedra")
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6), density=1100.0)
+    mesh = tg.mesh(tg.actuators.BellowsOfRevolution(folds=1).build(), size=6 * MM, cells="hexahedra")
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6), density=1100.0)
     model = tg.Model(mesh, dict.fromkeys(mesh.regions, rubber), [tg.Fixed("fixed")], [tg.Pressure("cavity", -6e3)])
     solution = tg.solve(model, throw=False)
     record_verification(

@@ -5,10 +5,10 @@ from functools import partial
 from turgor.adaptivity.mesh_error import MeshError, estimate_mesh_error, procedure_of
 from turgor.engine.runtime import EngineOptions
 from turgor.response import MESH_ERROR, Column, Response
-from turgor.results.fields import StateFields
-from turgor.results.measures import chosen_measures
-from turgor.results.measures import measure as read
-from turgor.results.reading import Measure
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.measures.measures import chosen_measures
+from turgor.results.measures.measures import measure as read
+from turgor.results.measures.reading import Measure
 from turgor.solvers.path_procedures import ArcLength, Auto
 from turgor.solvers.pressures import pressures_of
 from turgor.solvers.solution import Solution

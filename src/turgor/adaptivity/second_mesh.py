@@ -6,13 +6,13 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.chambers import Chambers
-from turgor.engine.linear import SingularTangentError
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.engine.transfer import Transfer
-from turgor.meshing.refinement import Refinement
+from turgor.meshing.refining.refinement import Refinement
 from turgor.model.model import Model
 from turgor.solvers.bordered import BorderedStart, bordered_newton
 from turgor.solvers.controls import CavityPressures, Control, LoadFactor, VolumeTarget, WorkTarget, acting_pressures
@@ -164,7 +164,7 @@ def _at_volume(
         chambers = Chambers(system, controlled)
         volumes = chambers.volumes(unknowns)
         control = Control(CavityPressures(system), VolumeTarget(chambers, volumes, np.zeros_like(volumes)))
-        scalars = np.array([state.pressures[name] for name in controlled]) / system.stress
+        scalars = np.array([state.pressures[name] for name in controlled]) / system.stress_scale
         parameter = state.load_factor
     else:
         weights = {load.face: load.pressure for load in state.model.pressures}
@@ -196,7 +196,7 @@ def _state(
         load_factor=at.load_factor,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
+        nodal_force=system.split(at.residual)[0] * system.stress_scale * system.length**2,
         unstable_modes=modes,
         touches=touches(system, at),
         pressures=pressures,

@@ -10,8 +10,8 @@ from turgor.geometry.mold import casting_mold
 from turgor.geometry.write_step import write_step
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
+from turgor.meshing.exchange.formats.write_stl import write_stl
 from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.meshing.exchange.write_stl import write_stl
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.model.write_inp import PROGRAMS, compressible, write_inp

@@ -9,17 +9,17 @@ from turgor.adaptivity.measure import mesh_error_of, with_mesh_error
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding
-from turgor.job.folder import claimed, default_folder
 from turgor.job.job import Job
-from turgor.job.material_findings import constants_in_doubt, laws_beyond_their_tests
 from turgor.job.meshes import mesh_of
-from turgor.job.outcome import RunOutcome
-from turgor.job.versions import versions
-from turgor.job.write import write_results
-from turgor.meshing.checks import check_mesh
+from turgor.job.output.folder import claimed, default_folder
+from turgor.job.output.material_findings import constants_in_doubt, laws_beyond_their_tests
+from turgor.job.output.outcome import RunOutcome
+from turgor.job.output.versions import versions
+from turgor.job.output.write import write_results
+from turgor.meshing.quality.checks import check_mesh
 from turgor.model.model import Model
 from turgor.response import Response
-from turgor.results.measures import check_measures, find_measure, measure
+from turgor.results.measures.measures import check_measures, find_measure, measure
 from turgor.solvers.checks import check_supports, may_be_free, unloaded_cavities
 from turgor.solvers.contact_checks import check_contact
 from turgor.solvers.driver import Progress, solve

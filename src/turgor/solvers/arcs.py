@@ -6,8 +6,8 @@ from math import inf
 
 import numpy as np
 
+from turgor.engine.algebra.linear import SingularTangentError
 from turgor.engine.fields import cell_fields
-from turgor.engine.linear import SingularTangentError
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.model.history import is_straight, share_at

@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import surfaces
+from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.faces import surfaces
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import outer_triangles

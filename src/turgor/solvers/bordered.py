@@ -13,11 +13,11 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.terms import Contacts
-from turgor.engine.linear import SingularTangentError
 from turgor.engine.system import Evaluation, Stresses
-from turgor.engine.tangent import Tangent
 from turgor.solvers.controls import NUDGE, Conditions, Control
 from turgor.solvers.newton import (
     KEEP_FACTORS_BELOW,

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.system import System
 from turgor.solvers.pressures import pressures_of
 from turgor.solvers.solution import State
@@ -19,7 +19,7 @@ class CarriedContact:
 
     name: str
     sides: NDArray[np.int64]
-    anchors: Anchors | None
+    anchors: FrictionHistory | None
     boost: Array
 
 
@@ -43,7 +43,8 @@ class Carried:
         return Carried(
             state=state,
             contacts=tuple(
-                CarriedContact(part.name, part.surface.sides, part.anchors, part.boost) for part in system.contact.parts
+                CarriedContact(part.name, part.surface.sides, part.friction_history, part.penalty_scale)
+                for part in system.contact.parts
             ),
         )
 
@@ -52,14 +53,14 @@ class Carried:
         for part in system.contact.parts:
             for known in self.contacts:
                 if known.name == part.name and np.array_equal(known.sides, part.surface.sides):
-                    part.anchors, part.boost = known.anchors, known.boost
+                    part.friction_history, part.penalty_scale = known.anchors, known.boost
         system.materials.memory = self.state.memory
         system.materials.begin_step(0.0)  # which leaves the stress of the state as it was
 
     def pressures(self, system: System) -> Array:
         """Scaled pressures (k,) of the controlled faces."""
         acting = pressures_of(self.state)
-        return np.array([acting.get(name, 0.0) for name in system.controlled]) / system.stress
+        return np.array([acting.get(name, 0.0) for name in system.controlled]) / system.stress_scale
 
 
 def unknowns_of(system: System, state: State | None) -> Array:

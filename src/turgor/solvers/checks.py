@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from turgor.engine.boundary import Held, held_components
+from turgor.engine.algebra.boundary import Held, held_components
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
-from turgor.meshing.bodies import Body, find_bodies
+from turgor.meshing.bodies.bodies import Body, find_bodies
 from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
 from turgor.solvers.dynamic import Dynamic

@@ -6,9 +6,9 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 
 from turgor.finding import Finding, Severity
-from turgor.meshing.mirror_gap import find_mirror_walls, mirror_gap
-from turgor.meshing.overlaps import find_overlaps
-from turgor.meshing.proximity import find_facing_walls, smallest_gap
+from turgor.meshing.quality.mirror_gap import find_mirror_walls, mirror_gap
+from turgor.meshing.quality.overlaps import find_overlaps
+from turgor.meshing.quality.proximity import find_facing_walls, smallest_gap
 from turgor.model.contact import SELF
 from turgor.model.drive import common_pressure, drive_text, pressed_together, rises
 from turgor.model.model import Model

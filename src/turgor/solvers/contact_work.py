@@ -41,7 +41,7 @@ def pushing(system: System, at: Evaluation) -> Pushing:
         if part.obstacle is not None:
             force[k] = -part.forces(at.contacts.position, found)[: system.node_count].sum(axis=0)
             place[k] = part.obstacle.displacement(at.load_factor) / system.length
-    return Pushing(force, place, at.contacts.found, tuple(part.boost.copy() for part in parts))
+    return Pushing(force, place, at.contacts.found, tuple(part.penalty_scale.copy() for part in parts))
 
 
 def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
@@ -52,11 +52,11 @@ def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
     work = 0.5 * float(((before.force + now.force) * (now.place - before.place)).sum())
     for part, boost, old, new in zip(system.contact.parts, before.boosts, before.found, now.found, strict=True):
         work += part.stiffened(boost, old, new)
-    return work * system.stress * system.length**3
+    return work * system.stress_scale * system.length**3
 
 
 def taken_by_friction(system: System, at: Evaluation) -> float:
     """Energy that friction has taken since the last accepted state [J]."""
     parts, contacts = system.contact.parts, at.contacts
     taken = sum(part.rubbed(contacts.position, found) for part, found in zip(parts, contacts.found, strict=True))
-    return float(taken) * system.stress * system.length**3
+    return float(taken) * system.stress_scale * system.length**3

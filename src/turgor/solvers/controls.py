@@ -352,4 +352,4 @@ def displacement_of(system: System, unknowns: Array) -> Array:
 
 def acting_pressures(system: System, scalars: Array) -> Mapping[str, float]:
     """Gauge pressures [Pa] of the controlled faces."""
-    return {name: float(p) * system.stress for name, p in zip(system.controlled, scalars, strict=True)}
+    return {name: float(p) * system.stress_scale for name, p in zip(system.controlled, scalars, strict=True)}

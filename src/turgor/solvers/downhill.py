@@ -10,10 +10,10 @@ convergence is that of Newton's method.
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.contact.terms import Contacts
-from turgor.engine.linear import SingularTangentError
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Report, evaluate, relative_residual
 
 Array = NDArray[np.float64]

@@ -5,10 +5,10 @@ from functools import partial
 from math import inf
 from time import perf_counter
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.contact.build import may_touch
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.model.drive import kinks
 from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.carried import Carried

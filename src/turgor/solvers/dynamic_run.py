@@ -7,12 +7,12 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.additions import Addition, Linear, Together
+from turgor.engine.algebra.additions import Addition, Linear, Together
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.damping import StrainRateDamping
 from turgor.engine.energy import contact_energy, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.model.drive import kinks
 from turgor.solvers.carried import unknowns_of
@@ -150,7 +150,7 @@ def _restarted(system: System, start: State | None) -> tuple[Array, Array]:
 
 def _unit(system: System) -> float:
     """Joule of a scaled force times a scaled length."""
-    return system.stress * system.length**3
+    return system.stress_scale * system.length**3
 
 
 def _largest(system: System, unknowns: Array) -> float:
@@ -307,7 +307,7 @@ def _state(run: _Run) -> State:
         load_factor=run.time / run.procedure.duration,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.split(run.at.residual)[0] * system.stress * system.length**2,
+        nodal_force=system.split(run.at.residual)[0] * system.stress_scale * system.length**2,
         time=run.time,
         velocity=system.split(run.motion.velocity)[0] * system.length,
         energies=run.energies,

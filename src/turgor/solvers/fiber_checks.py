@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from turgor.engine.smeared import Course, course_of, wound_sides
-from turgor.engine.surfaces import area
-from turgor.engine.threads import discrete_threads
+from turgor.engine.faces.surfaces import area
+from turgor.engine.fibers.fiber_trusses import discrete_threads
+from turgor.engine.fibers.smeared import Course, course_of, wound_sides
 from turgor.finding import Finding, Severity
 from turgor.model.fibers import DISCRETE, SMEARED, Fibers
 from turgor.model.model import Model

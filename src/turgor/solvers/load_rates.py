@@ -9,9 +9,9 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.linear import SingularTangentError
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 
 Array = NDArray[np.float64]
 

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
-from turgor.engine.linear import LinearSolver, SingularTangentError, linear_solver
+from turgor.engine.algebra.linear import LinearSolver, SingularTangentError, linear_solver
+from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.mass import mass_data
-from turgor.engine.pattern import Pattern
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
 from turgor.errors import TurgorError
@@ -119,7 +119,9 @@ def natural_frequencies(
         if state is not None:
             unknowns = system.unknowns(state.displacement, state.mean_stress)
         load_factor = 0.0 if state is None else state.load_factor
-        at = system.evaluate(unknowns, load_factor, np.array(list(found.values())) / system.stress if found else None)
+        at = system.evaluate(
+            unknowns, load_factor, np.array(list(found.values())) / system.stress_scale if found else None
+        )
         if at is None:
             raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
         stiffness, mass = system.tangent_data(at), mass_data(system)
@@ -211,7 +213,7 @@ def _modes(system: System, at: tuple[float, Array], eigenvalues: Array, vectors:
         largest = float(size.max()) * (1 if shape[size.argmax()].sum() >= 0 else -1)
         shapes.append(shape / largest)
         masses.append(motion @ system.layout.base.product(mass, motion) / largest**2)
-    scale = system.stress * system.length * system.model.mesh.symmetry_factor
+    scale = system.stress_scale * system.length * system.model.mesh.symmetry_factor
     return Modes(
         model=system.model,
         load_factor=load_factor,

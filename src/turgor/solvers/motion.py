@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.linear import LinearSolver, linear_solver
+from turgor.engine.algebra.linear import LinearSolver, linear_solver
 from turgor.engine.system import Evaluation, System
 
 Array = NDArray[np.float64]

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.finding import Finding
 from turgor.solvers.dynamic import Dynamic
 from turgor.solvers.dynamic_run import Listeners, follow_motion

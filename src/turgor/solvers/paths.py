@@ -155,13 +155,13 @@ def _gas(chambers: Chambers, procedure: GasMass, ratios: Array, now: tuple[Array
     for name, volume in zip(system.controlled, volumes, strict=True):
         if volume <= 0:
             raise TurgorError(f"{name} encloses no volume at rest, so it holds no gas; use volume control.")
-    first = procedure.pressure / system.stress
+    first = procedure.pressure / system.stress_scale
     return GasTarget(
         chambers=chambers,
         volume=volumes,
         mass_ratio=ratios,
-        ambient=procedure.ambient / system.stress,
-        outside=procedure.final_outside / system.stress,
+        ambient=procedure.ambient / system.stress_scale,
+        outside=procedure.final_outside / system.stress_scale,
         exponent=procedure.exponent,
         pressure=np.full(len(volumes), first) if first else pressures,
         seal=procedure.seal if first else 0.0,

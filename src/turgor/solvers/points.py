@@ -6,9 +6,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.contact.part import Look
 from turgor.engine.system import Evaluation, Stresses, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.bordered import BorderedResult, BorderedStart, bordered_newton, rates
 from turgor.solvers.controls import Control, acting_pressures
 from turgor.solvers.newton import NewtonSettings, Start, newton
@@ -148,7 +148,7 @@ def state_of(
         load_factor=at.load_factor,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
+        nodal_force=system.split(at.residual)[0] * system.stress_scale * system.length**2,
         unstable_modes=modes,
         pressures=pressures,
         driven=driven,

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, Stresses, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.newton import Start, evaluate, relative_residual
 
 Array = NDArray[np.float64]

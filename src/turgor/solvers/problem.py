@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.carried import Carried
 from turgor.solvers.controls import Control
 from turgor.solvers.newton import NewtonSettings

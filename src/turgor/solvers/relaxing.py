@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.additions import Linear
+from turgor.engine.algebra.additions import Linear
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Report, Start, newton
 from turgor.solvers.touching import newton_with_contact
 
@@ -64,7 +64,7 @@ def relaxed(
     at = system.evaluate(unknowns, load_factor)
     if at is None:
         return _restless(0)
-    mass = mass_data(system, np.full(len(system.cells), system.stress / system.length**2))
+    mass = mass_data(system, np.full(len(system.cells), system.stress_scale / system.length**2))
     motion = _Motion(at, _first_viscosity(system, at, mass))
     smallest, failures = FADED * motion.viscosity, 0
     rough = replace(settings, tolerance=max(ROUGH, settings.tolerance), mixed_points=False)

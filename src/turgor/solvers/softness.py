@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.linear import SingularTangentError
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.model.drive import extremes
 
 Array = NDArray[np.float64]

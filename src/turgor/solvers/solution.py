@@ -7,7 +7,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.memory import Memory
+from turgor.engine.cells.memory import Memory
 from turgor.finding import Finding
 from turgor.model.model import Model
 from turgor.solvers.energies import Energies
@@ -73,7 +73,7 @@ class State:
         Displacement of every node.
     mean_stress : (m,) array [Pa]
         Multipliers of the volume constraint (tension positive): at each vertex, then more where it jumps at a vertex
-        (`turgor.engine.element`); none in the displacement formulation.
+        (`turgor.engine.cells.element`); none in the displacement formulation.
     nodal_force : (n, 3) array [N]
         Internal minus external force at every node: zero where it is free, the support's reaction where it is held.
     unstable_modes : int or None

@@ -7,11 +7,11 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.additions import Linear
+from turgor.engine.algebra.additions import Linear
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.energy import contact_energy, softening_loss, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.model.drive import kinks
 from turgor.solvers.carried import unknowns_of
 from turgor.solvers.checks import free_motions
@@ -104,7 +104,9 @@ def _begin(
     system.materials.begin_step(inf)
     at = system.evaluate(unknowns, 0.0)
     assert at is not None
-    even = np.full(len(system.cells), system.stress / system.length**2)  # a scaled mass of 1 for a scaled volume of 1
+    even = np.full(
+        len(system.cells), system.stress_scale / system.length**2
+    )  # a scaled mass of 1 for a scaled volume of 1
     mass = mass_data(system, even)
     strain = stored_energy(system, unknowns) + contact_energy(system, at)
     free = free_motions(system.model) > 0
@@ -251,7 +253,7 @@ def _come_to_rest(run: _Run) -> Outcome:
 
 def _energies(run: _Run, at: Evaluation, viscous: Array) -> Energies:
     """Energies at the end of a step; work by the trapezoidal rule."""
-    system, before, unit = run.system, run.energies, run.system.stress * run.system.length**3
+    system, before, unit = run.system, run.energies, run.system.stress_scale * run.system.length**3
     moved = at.unknowns - run.at.unknowns
     moved[3 * system.node_count :] = 0.0
     pushed = work_of_contacts(system, run.pushed, pushing(system, at))
@@ -274,7 +276,7 @@ def _state(run: _Run, at: Evaluation, modes: int | None) -> State:
         load_factor=at.load_factor,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
+        nodal_force=system.split(at.residual)[0] * system.stress_scale * system.length**2,
         unstable_modes=modes,
         energies=run.energies,
         touches=touches(system, at),

@@ -6,8 +6,8 @@ from itertools import pairwise
 from math import inf
 from time import perf_counter
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.carried import Carried, unknowns_of
 from turgor.solvers.distortion import distortion_text
 from turgor.solvers.doubts import doubt, roundabout
@@ -97,7 +97,7 @@ def _advance(run: StaticRun, control: StepControl) -> StepControl | Outcome:
     """Attempt one step; return the control for the next one, or how the run ends."""
     system, path = run.system, run.path
     now = path.history[-1][0]
-    load, anchors = _next_load(run, control), system.contact.anchors
+    load, anchors = _next_load(run, control), system.contact.friction_history
     shorter = control.failed(load - now)
     system.materials.begin_step(run.procedure.time_between(now, load))
     began = perf_counter()
@@ -112,7 +112,7 @@ def _advance(run: StaticRun, control: StepControl) -> StepControl | Outcome:
     if result.converged and not doubtful:
         path.lost_stability, path.rate = False, rate
         return _accept(run, result, control)
-    system.contact.anchors = anchors
+    system.contact.friction_history = anchors
     path.lost_stability |= bool(result.unstable_modes)
     return shorter or _relax(run, control)
 
@@ -137,7 +137,7 @@ def _relax(run: StaticRun, control: StepControl) -> StepControl | Outcome:
     path.relaxations += 1
     for share in (1.0, SHORTER_REACH):
         _, here, _ = path.history[-1]
-        load, anchors, began = _reach(run, control, share), system.contact.anchors, perf_counter()
+        load, anchors, began = _reach(run, control, share), system.contact.friction_history, perf_counter()
         system.materials.begin_step(run.procedure.time_between(path.history[-1][0], load))
         result = relaxed(system, run.tangent, here, load, run.settings, _reporter(run, load))
         doubtful = doubt(system, path.states, path.history, result) if result.converged else ""
@@ -145,7 +145,7 @@ def _relax(run: StaticRun, control: StepControl) -> StepControl | Outcome:
         if result.converged and not doubtful:
             path.rate = inf
             return _accept(run, result, control)
-        system.contact.anchors = anchors
+        system.contact.friction_history = anchors
     return ending
 
 
@@ -200,7 +200,7 @@ def _accept(run: StaticRun, result: NewtonResult, control: StepControl) -> StepC
 def _state(run: StaticRun, at: Evaluation, modes: int | None) -> State:
     system = run.system
     displacement, mean_stress = system.physical(at.unknowns)
-    force = system.split(at.residual)[0] * system.stress * system.length**2
+    force = system.split(at.residual)[0] * system.stress_scale * system.length**2
     return State(
         model=system.model,
         load_factor=at.load_factor,

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.pressure import nodal_pressure, touched_area
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.solvers.downhill import downhill
 from turgor.solvers.newton import NewtonResult, NewtonSettings, Report, Start, newton, relative_residual
 from turgor.solvers.solution import Touch
@@ -41,7 +41,7 @@ def until_settled(
     contact = system.contact
     if not contact.parts:
         return result
-    before, iterations, hardest = contact.anchors, result.iterations, result.iterations
+    before, iterations, hardest = contact.friction_history, result.iterations, result.iterations
     for number in range(PASSES):
         at = look(result) if result.converged else None
         if at is None:
@@ -58,7 +58,7 @@ def until_settled(
     if result.converged:
         reason = f"what touches did not settle in {PASSES} passes"
         result = replace(result, converged=False, reason=reason)
-    contact.anchors = before
+    contact.friction_history = before
     return replace(result, iterations=iterations)
 
 
@@ -90,7 +90,7 @@ def newton_with_contact(
 
 def touches(system: System, at: Evaluation) -> dict[str, Touch]:
     """What every contact does in a state, in SI units, by its name."""
-    length, stress = system.length, system.stress
+    length, stress = system.length, system.stress_scale
     count = system.node_count
     out: dict[str, Touch] = {}
     for part, found in zip(system.contact.parts, at.contacts.found, strict=True):
