@@ -153,7 +153,7 @@ def draw(name: str, family: Any) -> None:
     from turgor.meshing.generate import mesh
     from turgor.results.mesh_picture import write_mesh_picture
     from turgor.results.pictures import shared_view, write_picture
-    from turgor.solvers.driver import solve
+    from turgor.solvers.solve import solve
 
     made = mesh(_cut(family).build())
     faces = {side.replace("symmetry_", "cut_"): triangles for side, triangles in made.faces.items()}

@@ -5,7 +5,7 @@ A neo-Hookean rubber balloons; one that stiffens at large stretches, as most sil
 
 import turgor as tg
 from turgor.geometry import ExtendingCylinder
-from turgor.solvers.path_procedures import VolumeControl
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import kPa, mL, mm
 
 tube = ExtendingCylinder(length=60 * mm)

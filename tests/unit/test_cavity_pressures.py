@@ -35,14 +35,14 @@ from turgor.results.pictures import picture_title
 from turgor.results.plots import response_figure
 from turgor.results.report import Report, write_report
 from turgor.results.vtu import write_series
-from turgor.solvers import static_run
-from turgor.solvers.checks import unloaded_cavities
-from turgor.solvers.contact_checks import meeting_walls
-from turgor.solvers.driver import solve
-from turgor.solvers.predictor import predicted
-from turgor.solvers.procedures import Static
+from turgor.solvers.checks.contact import meeting_walls
+from turgor.solvers.checks.supports import unloaded_cavities
+from turgor.solvers.continuation import load_control as static_run
+from turgor.solvers.continuation.predictor import predicted
+from turgor.solvers.continuation.step_control import StepControl
+from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import Solution
-from turgor.solvers.stepping import StepControl
+from turgor.solvers.solve import solve
 from turgor.units import kPa, mL, mm
 
 UP_AND_DOWN = ((0, 0), (0.5, 1), (1, 0.5))

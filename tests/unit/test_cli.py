@@ -11,7 +11,7 @@ import pytest
 
 import turgor.job.run
 from turgor.cli import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, main
-from turgor.solvers.driver import solve
+from turgor.solvers.solve import solve
 
 JOB = """\
 [actuator]

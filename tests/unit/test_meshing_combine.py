@@ -30,7 +30,7 @@ from turgor.results.cavities import enclosed_volume
 from turgor.results.fields import StateFields
 from turgor.results.mesh_text import describe_mesh
 from turgor.results.mesh_vtu import write_mesh_vtu
-from turgor.solvers.checks import check_supports
+from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 

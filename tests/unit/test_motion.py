@@ -9,10 +9,11 @@ from turgor.engine.runtime import use_threads
 from turgor.engine.system import System
 from turgor.engine.tangent import Tangent
 from turgor.geometry import FastPneuNet
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.dynamic_run import Listeners, follow_motion
+from turgor.solvers.dynamics.initial_motion import Accelerations
+from turgor.solvers.dynamics.time_stepping import follow_motion
 from turgor.solvers.energies import imbalance
-from turgor.solvers.motion import Accelerations
+from turgor.solvers.listeners import Listeners
+from turgor.solvers.procedures.dynamic import Dynamic
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 

@@ -5,12 +5,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from turgor.solvers import continuity
-from turgor.solvers.continuity import CUTS, JUMPS, TURNS, judged, orientation, straightness
-from turgor.solvers.controls import ArcTarget, Control
-from turgor.solvers.points import Point
-from turgor.solvers.retracing import retraces
-from turgor.solvers.scaling import go_onward
+from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.load_factor import ArcTarget
+from turgor.solvers.continuation import continuity
+from turgor.solvers.continuation.arc_scaling import go_onward
+from turgor.solvers.continuation.continuity import CUTS, JUMPS, TURNS, judged, orientation, straightness
+from turgor.solvers.continuation.path_points import Point
+from turgor.solvers.continuation.path_reversal import retraces
 
 
 def point(parameter, place, direction, modes):

@@ -12,10 +12,10 @@ from turgor.model.loads import Gravity, Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Sphere
 from turgor.model.supports import Fixed
-from turgor.solvers.blocked_force import HOLDS, BlockedForce
-from turgor.solvers.blocking import NEAR_TIP, HeldTip, first_direction
-from turgor.solvers.grasp import Grasp, Grasped
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.blocked_force import HOLDS, BlockedForce
+from turgor.solvers.procedures.grasp import Grasp, Grasped
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.setups.blocked_tip import NEAR_TIP, HeldTip, first_direction
 from turgor.units import kPa, mm
 
 BAR = Cylinder(center=(30 * mm, 0, -12 * mm), axis=(0, 1, 0), radius=6 * mm)

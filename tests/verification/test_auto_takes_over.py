@@ -7,12 +7,14 @@ import pytest
 
 import meshes
 import turgor as tg
-from turgor.solvers import arcs, following
-from turgor.solvers.continuity import JUMPS, TURNS, Verdict
-from turgor.solvers.distortion import distortion_text, worst_volume
-from turgor.solvers.doubts import LOST
-from turgor.solvers.load_rates import LEAPT, UNSTABLE
-from turgor.solvers.path_procedures import ArcLength, Auto
+from turgor.solvers.checks.distortion import distortion_text, worst_volume
+from turgor.solvers.continuation import arc_length as arcs
+from turgor.solvers.continuation import path_follower as following
+from turgor.solvers.continuation.continuity import JUMPS, TURNS, Verdict
+from turgor.solvers.continuation.step_acceptance import LOST
+from turgor.solvers.continuation.tangent_response import LEAPT, UNSTABLE
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
 
 KPA = 1e3
 YOUNG = 6 * 0.12e6

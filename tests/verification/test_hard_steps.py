@@ -16,9 +16,9 @@ import turgor as tg
 from turgor.engine.system import System
 from turgor.engine.tangent import Tangent
 from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.load_rates import LEAPT
-from turgor.solvers.newton import NewtonSettings, relative_residual
-from turgor.solvers.relaxing import relaxed
+from turgor.solvers.continuation.tangent_response import LEAPT
+from turgor.solvers.newton.newton import NewtonSettings, relative_residual
+from turgor.solvers.newton.pseudo_transient import relaxed
 from turgor.units import kPa, mm
 
 LAW = tg.NeoHooke(C10=0.12e6)

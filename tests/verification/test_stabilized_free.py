@@ -21,10 +21,10 @@ from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Obstacle, Plane
-from turgor.solvers.checks import check_supports, free_motions, may_be_free
-from turgor.solvers.dynamic_run import Listeners
+from turgor.solvers.checks.supports import check_supports, free_motions, may_be_free
+from turgor.solvers.dynamics.moving import follow_moving
 from turgor.solvers.energies import imbalance, too_viscous
-from turgor.solvers.moving import follow_moving
+from turgor.solvers.listeners import Listeners
 
 RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=50e3), density=1100.0, bulk_modulus=5e6)
 WEIGHT = 1100 * 9.80665 * 10 * 10 * 5 * MM**3

@@ -19,10 +19,10 @@ from problems import MM
 from turgor.engine.system import System
 from turgor.engine.tangent import Tangent
 from turgor.model.obstacles import Obstacle, Plane, Sphere
-from turgor.solvers.downhill import FELL, downhill
-from turgor.solvers.newton import NewtonSettings, Start
-from turgor.solvers.points import silent
-from turgor.solvers.touching import newton_with_contact
+from turgor.solvers.continuation.path_points import silent
+from turgor.solvers.newton.contact_newton import newton_with_contact
+from turgor.solvers.newton.inertia_correction import FELL, downhill
+from turgor.solvers.newton.newton import NewtonSettings, Start
 
 PATH = ((0, (0, 0, 0)), (0.3, (0, 0, -1 * MM)), (1, (4 * MM, 0, -1 * MM)))
 TOP = Plane(point=(0, 0, 5 * MM), normal=(0, 0, -1))

@@ -9,8 +9,9 @@ from turgor.results.fields import StateFields
 from turgor.results.measures import chosen_measures
 from turgor.results.measures import measure as read
 from turgor.results.reading import Measure
-from turgor.solvers.path_procedures import ArcLength, Auto
 from turgor.solvers.pressures import pressures_of
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.solution import Solution
 
 

@@ -14,13 +14,18 @@ from turgor.engine.tangent import Tangent
 from turgor.engine.transfer import Transfer
 from turgor.meshing.refinement import Refinement
 from turgor.model.model import Model
-from turgor.solvers.bordered import BorderedStart, bordered_newton
-from turgor.solvers.controls import CavityPressures, Control, LoadFactor, VolumeTarget, WorkTarget, acting_pressures
-from turgor.solvers.newton import NewtonSettings, Start, relative_residual
-from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
+from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget, acting_pressures
+from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.load_factor import LoadFactor, WorkTarget
+from turgor.solvers.newton.bordered import BorderedStart, bordered_newton
+from turgor.solvers.newton.contact_newton import newton_with_contact, touches
+from turgor.solvers.newton.newton import NewtonSettings, Start, relative_residual
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.stages import OneProcedure
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.solution import State
-from turgor.solvers.stages import OneProcedure
-from turgor.solvers.touching import newton_with_contact, touches
 
 Array = NDArray[np.float64]
 

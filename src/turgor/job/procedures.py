@@ -12,13 +12,16 @@ from turgor.job.loads import only_pressure, requested_factors
 from turgor.job.problems import Problems
 from turgor.job.tables import Table, chosen_kind, default_of, fields_of_table, read_table, shown
 from turgor.model.loads import Gravity, Load, Pressure
-from turgor.solvers.blocked_force import BlockedForce
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.grasp import Grasp
-from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
-from turgor.solvers.procedures import Static
-from turgor.solvers.stabilized import Stabilized
-from turgor.solvers.stages import OneProcedure, Sealed
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.blocked_force import BlockedForce
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.solvers.procedures.stages import OneProcedure, Sealed
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import format_quantity, kPa, parse_quantity
 
 #: Procedures by the name that job files use. A new one is one line here; its keys are its fields.

@@ -22,7 +22,7 @@ from turgor.job.stages import STAGES, Around, first_duration, read_stages, with_
 from turgor.job.supports import read_supports
 from turgor.job.tables import shown
 from turgor.model.loads import Gravity, Pressure
-from turgor.solvers.stages import OneProcedure, Stages
+from turgor.solvers.procedures.stages import OneProcedure, Stages
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
 SECTIONS = (

@@ -20,16 +20,16 @@ from turgor.meshing.checks import check_mesh
 from turgor.model.model import Model
 from turgor.response import Response
 from turgor.results.measures import check_measures, find_measure, measure
-from turgor.solvers.checks import check_supports, may_be_free, unloaded_cavities
-from turgor.solvers.contact_checks import check_contact
-from turgor.solvers.driver import Progress, solve
-from turgor.solvers.fiber_checks import check_fibers
-from turgor.solvers.in_turn import questions
-from turgor.solvers.obstacle_checks import overlapping_obstacles
-from turgor.solvers.paths import controlled_faces
-from turgor.solvers.procedures import question_of
+from turgor.solvers.checks.contact import check_contact
+from turgor.solvers.checks.fibers import check_fibers
+from turgor.solvers.checks.obstacles import overlapping_obstacles
+from turgor.solvers.checks.supports import check_supports, may_be_free, unloaded_cavities
+from turgor.solvers.continuation.cavity_control import controlled_faces
+from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.setups.question import question_of
 from turgor.solvers.solution import Procedure, Solution
-from turgor.solvers.stages import Stages
+from turgor.solvers.solve import Progress, solve
+from turgor.solvers.stage_sequence import questions
 
 Notify = Callable[[str], None]
 

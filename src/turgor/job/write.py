@@ -16,8 +16,8 @@ from turgor.results.pictures import picture_title, shared_view, write_picture
 from turgor.results.plots import write_plot
 from turgor.results.report import Picture, Report, write_report
 from turgor.results.vtu import write_series
+from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution
-from turgor.solvers.stages import Stages
 
 #: What each file holds, for the report.
 CONTENTS: Mapping[str, str] = {

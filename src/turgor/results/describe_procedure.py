@@ -7,8 +7,8 @@ from typing import Any
 from turgor.model.loads import RAMP, Load
 from turgor.model.supports import Displacement, Shift
 from turgor.results.describe import Rows, history_text, in_mm, load_text
+from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.solution import Procedure, Status
-from turgor.solvers.stages import OneProcedure, Stages
 from turgor.units import kPa, mL, mm
 
 

@@ -38,8 +38,8 @@ from turgor.results.fields import MeshFacts, StateFields
 from turgor.results.reading import Measure as Measure
 from turgor.results.rotations import face_rotation, twist
 from turgor.solvers.pressures import pressures_of
+from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, State
-from turgor.solvers.stages import Stages
 from turgor.source import Source
 
 Array = NDArray[np.float64]

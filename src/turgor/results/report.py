@@ -23,8 +23,8 @@ from turgor.results.headlines import headlines, in_regions, with_parts
 from turgor.results.measures import MEASURES, find_measure
 from turgor.results.percentiles import PERCENTILE
 from turgor.results.plots import response_svg
+from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, Timing
-from turgor.solvers.stages import Stages
 
 #: Largest width and height of a picture on the page, in its pixels.
 PAGE_WIDTH, PICTURE_HEIGHT = 984, 760

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 
 from turgor.finding import Finding, Severity
-from turgor.solvers.continuity import JUMPS
-from turgor.solvers.distortion import distortion_text
-from turgor.solvers.outcome import Outcome
-from turgor.solvers.path_procedures import Auto
-from turgor.solvers.points import Bifurcation, Run
+from turgor.solvers.checks.distortion import distortion_text
+from turgor.solvers.continuation.continuity import JUMPS
+from turgor.solvers.continuation.path_points import Bifurcation, Run
+from turgor.solvers.outcomes import Outcome
 from turgor.solvers.pressures import pressure_text
+from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.solution import LimitPoint, Procedure, State, Status, Step
 from turgor.units import kPa, mL
 

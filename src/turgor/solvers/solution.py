@@ -11,7 +11,7 @@ from turgor.engine.memory import Memory
 from turgor.finding import Finding
 from turgor.model.model import Model
 from turgor.solvers.energies import Energies
-from turgor.solvers.stages import OneProcedure, Stages
+from turgor.solvers.procedures.stages import OneProcedure, Stages
 
 Procedure = OneProcedure | Stages
 

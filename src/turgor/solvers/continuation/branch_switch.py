@@ -1,0 +1,201 @@
+"""Going past: what `Auto` does before, at and beyond a limit point."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
+
+from turgor.engine.chambers import Chambers
+from turgor.engine.system import Stresses
+from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.load_factor import ArcTarget, LoadFactor, WorkTarget, displacement_of
+from turgor.solvers.continuation.arc_length import arc_run, bounds, displacement_scale, from_rest, nothing, start_of
+from turgor.solvers.continuation.branch_jump import LEAP, leap_to
+from turgor.solvers.continuation.path_follower import follow
+from turgor.solvers.continuation.path_points import Point, Run
+from turgor.solvers.continuation.problem import Array, Problem, begin, run_of
+from turgor.solvers.continuation.step_control import CUT, StepControl
+from turgor.solvers.continuation.tangent_response import LEAPT, UNSTABLE, leapt, rate_at
+from turgor.solvers.outcomes import Outcome
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.restart import Carried, unknowns_of
+from turgor.solvers.solution import State, Status
+
+History = Sequence[tuple[float, Array, Stresses]]
+
+#: Longest step by volume, in the injected volume at which it takes over, over the longest step of the load.
+FARTHER = 4.0
+
+#: First step by volume at most, in the same measure: the load has failed to go on, so something turns ahead.
+FIRST_BY_VOLUME = 0.05
+
+#: Longest arc over the longest step of the load.
+LONGEST = 2.0
+
+#: Smallest step of load control before `Auto` lets something else drive.
+AUTO_MIN_STEP = 2e-3
+
+
+def load_control(procedure: Auto) -> Static:
+    """The part of `Auto` before a limit point."""
+    smallest = min(max(procedure.min_step, AUTO_MIN_STEP), procedure.first_step)
+    return Static(
+        first_step=procedure.first_step,
+        max_step=procedure.max_step,
+        min_step=smallest,
+        at=procedure.at,
+        tolerance=procedure.tolerance,
+        max_iterations=procedure.max_iterations,
+        max_steps=procedure.max_steps,
+    )
+
+
+@dataclass(slots=True, eq=False)
+class Watch:
+    """Looks at every state of load control, and ends it at the first that no load could have led to.
+
+    That is one that could not be held, or one beyond a leap. The last state before is kept to go on from, and what
+    contact knew there.
+
+    Parameters
+    ----------
+    problem : Problem
+        Whose list of states load control fills, the state in question last.
+    history : sequence
+        Load factors, unknowns and stresses of the last states.
+    good : Carried or None
+        The last state without fault; None where there was none but rest.
+    rate : float
+        How far its nodes move with the load factor.
+    reason : str
+        Why load control was ended; empty where it was not.
+    """
+
+    problem: Problem
+    history: History
+    good: Carried | None = None
+    rate: float = inf
+    reason: str = ""
+
+    @staticmethod
+    def at_rest(problem: Problem, history: History) -> "Watch":
+        """Know how the body moves for a small load, so that a leap in the first step shows too."""
+        at = problem.system.evaluate(start_of(problem), 0.0)
+        assert at is not None
+        return Watch(problem, history, rate=rate_at(problem.system, problem.tangent, at)[0])
+
+    def __call__(self, state: State) -> str | None:
+        """End load control with a reason: of its own, or of the caller."""
+        system, (load, unknowns, _) = self.problem.system, self.history[-1]
+        at = system.evaluate(unknowns, load)
+        assert at is not None
+        rate, modes = rate_at(system, self.problem.tangent, at)
+        if modes is not None and modes != state.unstable_modes:
+            state = replace(state, unstable_modes=modes)
+            self.problem.states[-1] = state
+        self.reason = self._why(state, rate)
+        if self.reason:
+            return self.reason
+        self.good, self.rate = Carried.of(system, state), rate
+        return None if self.problem.stop is None else self.problem.stop(state)
+
+    def _why(self, state: State, rate: float) -> str:
+        if state.unstable_modes:
+            return UNSTABLE
+        (before, first, _), (now, second, _) = self.history[-2:]
+        rates = self.rate, rate
+        faster = leap_to(self.problem.states, len(self.problem.states) - 1) > LEAP
+        return LEAPT if faster or leapt(self.problem.system, second - first, now - before, rates) else ""
+
+
+def lost(outcome: Outcome, watch: Watch) -> bool:
+    """Whether load control ended at what may be a limit point."""
+    return bool(watch.reason) or outcome.status in (Status.LIMIT_POINT, Status.STEP_TOO_SMALL)
+
+
+def go_past(problem: Problem, watch: Watch) -> Outcome:
+    """Go on from the last good state of load control with what can drive past a limit point."""
+    system, procedure = problem.system, problem.procedure
+    assert isinstance(procedure, Auto)
+    if watch.reason:
+        problem.states.pop()
+        problem.steps[-1] = replace(problem.steps[-1], accepted=False, reason=watch.reason)
+    ends = bounds(procedure.max_stretch)
+    if watch.good is None:
+        return from_rest(problem, CUT * procedure.first_step, LONGEST * procedure.max_step, ends)
+    watch.good.restore(system)
+    system.materials.begin_step(inf)
+    unknowns, load = unknowns_of(system, watch.good.state), watch.good.state.load_factor
+    faces = [load.face for load in system.model.pressures]
+    other = len(faces) < len(system.model.loads) or not set(faces) <= set(system.model.mesh.cavities)
+    if other or problem.carried is not None:
+        return follow(arc_run(problem, unknowns, load, _arcs(problem, unknowns, load), ends))
+    volume = _by_volume(problem, unknowns, load)
+    outcome = follow(volume)
+    if outcome.status is not Status.STEP_TOO_SMALL or volume.history[-1].change is None:
+        return outcome
+    return follow(_by_arc(problem, volume))  # the volume turns too
+
+
+def _arcs(problem: Problem, unknowns: Array, load: float) -> tuple[float, float]:
+    """First and longest arc from a state of load control on: the first is shorter than the last step of the load."""
+    system, procedure, before = problem.system, problem.procedure, problem.states[-2]
+    moved = displacement_of(system, unknowns - unknowns_of(system, before))
+    size = displacement_scale(problem, unknowns, load)
+    step = float(np.hypot(np.linalg.norm(moved) / size, load - before.load_factor))
+    return CUT * step, LONGEST * procedure.max_step
+
+
+def _by_volume(problem: Problem, unknowns: Array, load: float) -> Run:
+    """A run by the volume of the cavities, weighted with their pressures, from a state of load control on."""
+    system, procedure = problem.system, problem.procedure
+    assert isinstance(procedure, Auto)
+    chambers = Chambers(system, [load.face for load in system.model.pressures])
+    weights = np.array([load.pressure for load in system.model.pressures])
+    weights /= np.abs(weights).max()
+    rest, first = (float(weights @ chambers.volumes(at)) for at in (np.zeros(system.size), unknowns))
+    target = WorkTarget(chambers, weights, first, first + (first - rest))
+    stepping = StepControl(
+        length=min(procedure.first_step, FIRST_BY_VOLUME),
+        max_step=FARTHER * procedure.max_step,
+        min_step=min(procedure.min_step, FIRST_BY_VOLUME),
+        targets=(inf,),
+    )
+
+    def enough(now: Point, run: Run) -> bool:
+        if not run.limits:
+            return False
+        state = run.states[run.limits[0].state]
+        turn = float(weights @ chambers.volumes(system.unknowns(state.displacement, state.mean_stress)))
+        return float(weights @ chambers.volumes(now.unknowns)) - rest >= procedure.past * (turn - rest)
+
+    ends = bounds(procedure.max_stretch, enough)
+    run = run_of(problem, Control(LoadFactor(system), target), stepping, nothing, ends)
+    run.size = displacement_scale(problem, unknowns, load)
+    begin(run, 0.0, unknowns, np.array([load]))
+    return run
+
+
+def _by_arc(problem: Problem, volume: Run) -> Run:
+    """A run by the arc length from where the volume turned too, onward as it grew until then."""
+    system, procedure = problem.system, problem.procedure
+    last, before = volume.history[-1], volume.history[-2:][0]
+    here = replace(last, parameter=0.0)
+    blank = np.zeros(system.size)
+    target = ArcTarget(system, volume.size, 0.0, last.unknowns, last.scalars, blank, 1.0).onward(before, here)
+    longest = LONGEST * procedure.max_step
+    chord = displacement_of(system, last.unknowns - before.unknowns)
+    step = float(np.hypot(np.linalg.norm(chord) / volume.size, (last.scalars - before.scalars)[0]))
+    stepping = StepControl(
+        length=min(max(step, procedure.min_step), longest),
+        max_step=longest,
+        min_step=procedure.min_step,
+        targets=(inf,),
+    )
+    run = run_of(problem, Control(LoadFactor(system), target), stepping, nothing, volume.task.finished)
+    run.size = volume.size
+    run.bifurcations += volume.bifurcations
+    begin(run, 0.0, last.unknowns, last.scalars)
+    return run

@@ -1,0 +1,315 @@
+"""The loop of `Dynamic`: predict, find the end of the step, count the energies, choose the next step."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.additions import Addition, Linear, Together
+from turgor.engine.damping import StrainRateDamping
+from turgor.engine.energy import contact_energy, stored_energy
+from turgor.engine.mass import mass_data
+from turgor.engine.system import Evaluation, System
+from turgor.engine.tangent import Tangent
+from turgor.errors import TurgorError
+from turgor.model.drive import kinks
+from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
+from turgor.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
+from turgor.solvers.dynamics.initial_motion import Accelerations
+from turgor.solvers.dynamics.motion_outcomes import moved, no_motion, out_of_time_steps
+from turgor.solvers.dynamics.time_step_control import TimeControl
+from turgor.solvers.energies import Energies
+from turgor.solvers.listeners import Listeners
+from turgor.solvers.newton.contact_newton import newton_with_contact, touches
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start, relative_residual
+from turgor.solvers.outcomes import Outcome, interrupted, stopped_by
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.restart import unknowns_of
+from turgor.solvers.solution import Iteration, State, Step
+
+Array = NDArray[np.float64]
+
+#: The error of a step is compared with the largest displacement so far, at least with this share of the body's size.
+SMALL_DISPLACEMENT = 1e-5
+
+#: Factors of the tangent are used again in a step whose length differs by no more than this share.
+SAME_LENGTH = 0.02
+
+
+@dataclass(slots=True, eq=False)
+class _Run:
+    """What stays the same, and how far it has come."""
+
+    system: System
+    tangent: Tangent
+    procedure: Dynamic
+    listeners: Listeners
+    states: list[State]
+    steps: list[Step]
+    mass: Array
+    moving: Array
+    motion: Motion
+    at: Evaluation
+    pushed: Pushing
+    damping: Array
+    energies: Energies
+    internal: Array
+    time: float = 0.0
+    largest: float = 0.0
+    accepted: int = 0
+    factored: float = 0.0
+    weights: Weights = field(default_factory=lambda: Weights.of(1.0))
+
+
+def follow_motion(
+    system: System,
+    tangent: Tangent,
+    procedure: Dynamic,
+    listeners: Listeners,
+    path: tuple[list[State], list[Step]],
+    start: State | None = None,
+) -> Outcome:
+    """Step from time 0 to the end; states and steps are added to ``path`` as they are found.
+
+    The motion begins at rest without loads, or at ``start`` with its velocity.
+    """
+    control = TimeControl.of(procedure, kinks(system.model))
+    run = _begin(system, tangent, procedure, listeners, path, start)
+    try:
+        while run.time < procedure.duration:
+            if len(run.steps) >= procedure.max_steps:
+                return out_of_time_steps(run.time, run.procedure)
+            following = _advance(run, control)
+            if isinstance(following, Outcome):
+                return following
+            control = following
+    except KeyboardInterrupt:
+        return interrupted(system.model, path[0][-1])
+    finally:
+        system.addition = None
+    return moved(run.states, run.steps, run.time, run.accepted)
+
+
+def _begin(
+    system: System,
+    tangent: Tangent,
+    procedure: Dynamic,
+    listeners: Listeners,
+    path: tuple[list[State], list[Step]],
+    start: State | None,
+) -> _Run:
+    unknowns, velocity = _restarted(system, start)
+    at = system.evaluate(unknowns, 0.0)
+    if at is None:
+        raise TurgorError("the start turns a cell inside out; it is no state of this model.")
+    mass = mass_data(system)
+    accelerations = Accelerations(system, at, mass)
+    if procedure.velocity is not None:
+        given = np.broadcast_to(np.asarray(procedure.velocity(system.model.mesh.points)), system.points.shape)
+        velocity = accelerations.velocity(system.joined(given / system.length))
+    damping = np.zeros(system.size)
+    if velocity.any():
+        damping = procedure.mass_damping * system.layout.base.product(mass, velocity)
+        if procedure.stiffness_damping:
+            damping += StrainRateDamping(system, procedure.stiffness_damping, 0.0, velocity).forces(unknowns)
+    acceleration, stress = accelerations.acceleration(velocity, damping)
+    moving = np.zeros(system.size)
+    moving[: 3 * system.node_count] = 1.0
+    kinetic = _unit(system) * 0.5 * float(velocity @ system.layout.base.product(mass, velocity))
+    strain = stored_energy(system, unknowns) + contact_energy(system, at)
+    run = _Run(
+        system=system, tangent=tangent, procedure=procedure, listeners=listeners, states=path[0], steps=path[1],
+        mass=mass, moving=moving, motion=Motion(unknowns + stress, velocity, acceleration, acceleration), at=at,
+        pushed=pushing(system, at), damping=damping,
+        energies=Energies(kinetic=kinetic, strain=strain, dissipated=0.0, work=kinetic + strain),
+        internal=at.residual + at.external, largest=_largest(system, unknowns),
+        weights=Weights.of(procedure.spectral_radius),
+    )  # fmt: skip
+    run.states.append(_state(run))
+    return run
+
+
+def _restarted(system: System, start: State | None) -> tuple[Array, Array]:
+    """Unknowns and velocity of a start, at rest by default; the rubber remembers what it did there."""
+    system.materials.memory = None if start is None else start.memory
+    system.materials.begin_step(0.0)
+    if start is None:
+        return np.zeros(system.size), np.zeros(system.size)
+    velocity = np.zeros_like(start.displacement) if start.velocity is None else start.velocity
+    return unknowns_of(system, start), system.joined(velocity / system.length)
+
+
+def _unit(system: System) -> float:
+    """Joule of a scaled force times a scaled length."""
+    return system.stress * system.length**3
+
+
+def _largest(system: System, unknowns: Array) -> float:
+    """Largest scaled displacement of a node."""
+    return float(np.linalg.norm(system.split(unknowns)[0], axis=1).max())
+
+
+def _advance(run: _Run, control: TimeControl) -> TimeControl | Outcome:
+    """Attempt one step; return the control for the next one, or how the run ends."""
+    system, procedure, began = run.system, run.procedure, perf_counter()
+    time = control.next_time(run.time)
+    rule = TimeStep(run.weights, run.motion, time - run.time, run.moving)
+    damping = _damping(run, rule)
+    system.materials.begin_step(rule.length)
+    system.addition = Together([_inertia(run, rule), *damping])
+    result = _equilibrium(run, rule, time / procedure.duration)
+    accepted, reason = result.converged, result.reason
+    following: TimeControl | None = control
+    if not result.converged:
+        following = control.failed(rule.length)
+    else:
+        assert result.evaluation is not None
+        unknowns = result.evaluation.unknowns
+        floor = SMALL_DISPLACEMENT * float(np.ptp(system.points, axis=0).max())
+        error = rule.error(unknowns) / max(run.largest, _largest(system, unknowns), floor)
+        following, taken_back = control.after(rule.length, error)
+        if taken_back:
+            accepted, reason = False, f"an error of {error:.1e} of the displacement"
+    run.steps.append(
+        Step(
+            load_factor=time / procedure.duration,
+            increment=rule.length / procedure.duration,
+            iterations=result.iterations,
+            residual=result.residual,
+            accepted=accepted,
+            seconds=perf_counter() - began,
+            reason=reason,
+        )
+    )
+    if following is None:
+        return no_motion(run.time, run.steps[-1])
+    if not accepted:
+        return following
+    return _accept(run, rule, time, result, damping) or following
+
+
+def _inertia(run: _Run, rule: TimeStep) -> Linear:
+    """M a + α M v as a function of the unknowns at the end."""
+    pattern, alpha, nothing = run.system.layout.base, run.procedure.mass_damping, np.zeros(run.system.size)
+    constant = rule.acceleration(nothing) + alpha * rule.velocity(nothing)
+    factor = rule.stiffness + alpha * rule.rate
+    return Linear(pattern, factor * run.mass, pattern.product(run.mass, constant))
+
+
+def _damping(run: _Run, rule: TimeStep) -> Sequence[Addition]:
+    tau = run.procedure.stiffness_damping
+    if not tau:
+        return ()
+    return (StrainRateDamping(run.system, tau, rule.rate, rule.velocity(np.zeros(run.system.size))),)
+
+
+def _equilibrium(run: _Run, rule: TimeStep, load_factor: float) -> NewtonResult:
+    """Newton's method from the prediction."""
+    system, procedure, listeners = run.system, run.procedure, run.listeners
+    number = len(run.steps) + 1
+
+    def report(iteration: int, residual: float, correction: float, length: float) -> None:
+        if listeners.progress is not None:
+            listeners.progress(_iteration(number, load_factor, iteration, residual, correction, length), None)
+
+    predicted = _prediction(run, rule, load_factor)
+    stresses = system.stresses(run.at, predicted - run.at.unknowns)
+    fresh = abs(rule.length / run.factored - 1) > SAME_LENGTH if run.factored else True
+    run.factored = rule.length
+    settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
+    return newton_with_contact(
+        system, run.tangent, Start(predicted, stresses, fresh=fresh), load_factor, settings, report
+    )
+
+
+def _prediction(run: _Run, rule: TimeStep, load_factor: float) -> Array:
+    """The motion goes on as before, or stays: where rubber turns from loading to unloading, that may be nearer."""
+    system, here = run.system, run.motion.unknowns
+    predicted = rule.prediction()
+    predicted[system.held] = here[system.held]  # Newton moves the supports
+    ahead = system.evaluate(predicted, load_factor)
+    if ahead is None:
+        return here
+    if not system.materials.remembers:
+        return predicted
+    still = system.evaluate(here, load_factor)
+    stays = still is not None and relative_residual(system, still) < relative_residual(system, ahead)
+    return here if stays else predicted
+
+
+def _accept(
+    run: _Run, rule: TimeStep, time: float, result: NewtonResult, damping: Sequence[Addition]
+) -> Outcome | None:
+    """Move on to the end of a step; return how the run ends if the caller wants that."""
+    at = result.evaluation
+    assert at is not None
+    motion = rule.motion(at.unknowns)
+    forces = run.procedure.mass_damping * run.system.layout.base.product(run.mass, motion.velocity)
+    for part in damping:
+        forces = forces + part.forces(at.unknowns)
+    pushed = pushing(run.system, at)
+    addition = run.system.addition
+    assert addition is not None
+    internal = at.residual + at.external - addition.forces(at.unknowns)
+    run.energies = _energies(run, (motion, at, pushed), (forces, internal))
+    run.internal, run.system.materials.memory = internal, run.system.remembered(at)
+    run.motion, run.at, run.pushed, run.damping, run.time = motion, at, pushed, forces, time
+    run.largest = max(run.largest, _largest(run.system, at.unknowns))
+    run.accepted += 1
+    state, procedure = _state(run), run.procedure
+    run.system.contact.accept(at.contacts)  # after the state has been read
+    asked = any(abs(time - factor * procedure.duration) < 1e-12 * procedure.duration for factor in (*procedure.at, 1.0))
+    if run.accepted % procedure.keep == 0 or asked:
+        run.states.append(state)
+    if run.listeners.progress is not None:
+        last = _iteration(len(run.steps), state.load_factor, result.iterations, result.residual, 0.0, 1.0)
+        run.listeners.progress(last, state)
+    reason = run.listeners.stop(state) if run.listeners.stop is not None else None
+    return None if reason is None else stopped_by(run.system.model, state, reason)
+
+
+def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[Array, Array]) -> Energies:
+    """Energies at the end of a step; work by the trapezoidal rule, that of damping and of the stresses alike."""
+    system, before, (motion, at, pushed) = run.system, run.energies, end
+    damping, internal = forces
+    moved = run.moving * (at.unknowns - run.at.unknowns)
+    support = np.where(system.held, 0.5 * (run.at.residual + at.residual), 0.0)
+    work = float((0.5 * (run.at.external + at.external) + support) @ moved)
+    unit, strain = _unit(system), stored_energy(system, at.unknowns) + contact_energy(system, at)
+    by_contacts = work_of_contacts(system, run.pushed, pushed)
+    taken = 0.5 * unit * float((run.damping + damping) @ moved)
+    if system.materials.remembers:  # what the rubber took up and will not give back
+        taken += 0.5 * unit * float((run.internal + internal) @ moved) - (strain - before.strain) + by_contacts
+    else:
+        taken += taken_by_friction(system, at)
+    return Energies(
+        kinetic=0.5 * unit * float(motion.velocity @ system.layout.base.product(run.mass, motion.velocity)),
+        strain=strain,
+        dissipated=before.dissipated + taken,
+        work=before.work + unit * work + by_contacts,
+    )
+
+
+def _state(run: _Run) -> State:
+    system = run.system
+    displacement, mean_stress = system.physical(run.motion.unknowns)
+    return State(
+        model=system.model,
+        load_factor=run.time / run.procedure.duration,
+        displacement=displacement,
+        mean_stress=mean_stress,
+        nodal_force=system.split(run.at.residual)[0] * system.stress * system.length**2,
+        time=run.time,
+        velocity=system.split(run.motion.velocity)[0] * system.length,
+        energies=run.energies,
+        touches=touches(system, run.at),
+        memory=system.materials.memory,
+    )
+
+
+def _iteration(step: int, load: float, iteration: int, residual: float, correction: float, length: float) -> Iteration:
+    return Iteration(
+        step=step, iteration=iteration, load_factor=load, residual=residual, correction=correction, step_length=length
+    )

@@ -1,0 +1,134 @@
+"""Downhill: where points touch and let go in turn, an equilibrium is found that Newton's method misses.
+
+Where a point lets go, the tangent may lose its stability at once, and Newton's method then goes to and fro between two
+states of contact, neither of which holds. While the limits of friction are kept, forces have a potential: the signs of
+the pivots tell its curvature, and a shift of the diagonal makes it positive, so that every update goes down (inertia
+correction, Wächter and Biegler 2006, doi 10.1007/s10107-004-0559-y). Near a stable state no shift is needed, and
+convergence is that of Newton's method.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.contact.terms import Contacts
+from turgor.engine.linear import SingularTangentError
+from turgor.engine.system import Evaluation, System
+from turgor.engine.tangent import Tangent
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, evaluate, relative_residual
+
+Array = NDArray[np.float64]
+
+#: What a step says that ended here.
+FELL = "found downhill, where Newton's method went astray"
+
+#: Updates before it gives up, and how far a node may come from the start, in mean edge lengths: what lies farther is no
+#: matter of a few points that let go.
+MOST, FARTHEST = 40, 0.5
+
+#: The first shift of the diagonal, in scaled units, in which a cube of rubber has a stiffness of about 3; the factor
+#: from one to the next, and the largest.
+FIRST_SHIFT, FACTOR, LARGEST_SHIFT = 0.016, 4.0, 100.0
+
+#: No shift is tried first once the residual is this small.
+SMALL_RESIDUAL = 1e-3
+
+#: An update is too long where the force along it turns around, to more than this share of before.
+TURNED = 0.5
+
+#: Shortest share of an update that is tried, and the smallest factor from one to the next.
+SHORTEST, LEAST = 0.005, 0.1
+
+#: The partners of contact are kept from this update on: at a wedge they may change forever.
+KEEP_PARTNERS_AFTER = 20
+
+
+def downhill(
+    system: System, tangent: Tangent, unknowns: Array, load_factor: float, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Find a stable equilibrium at a load factor, downhill from a state in which something touches.
+
+    The limits of friction are kept meanwhile: look whether the result holds where they follow the pressure. Forces
+    without a potential, of pressure on open surfaces, lead nowhere.
+    """
+    if not system.faces.symmetric:
+        return _failed(None, 0, np.inf)
+    start = unknowns.copy()
+    start[system.held] = system.prescribed(load_factor)
+    system.contact.limits_kept = True
+    try:
+        at = evaluate(system, tangent, start, load_factor)
+        if at is None or not any(found.inside.any() for found in at.contacts.found):
+            return _failed(at, 0, np.inf)
+        return _descend(system, tangent, at, settings, report)
+    finally:
+        system.contact.limits_kept = False
+
+
+def _descend(
+    system: System, tangent: Tangent, at: Evaluation, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    shift, residual, start, free = 0.0, relative_residual(system, at), at.unknowns, 3 * system.node_count
+    for iteration in range(1, MOST + 1):
+        steepened = _factored(tangent, at, shift)
+        if steepened is None:
+            return _failed(at, iteration, residual)
+        shift = steepened
+        update = tangent.solve(np.where(system.held, 0.0, -at.residual))
+        new, length = _shortened(system, tangent, at, update, None if iteration <= KEEP_PARTNERS_AFTER else at.contacts)
+        if new is None or float(np.abs(new.unknowns - start)[:free].max()) > FARTHEST:
+            return _failed(at, iteration, residual)
+        residual = relative_residual(system, new)
+        correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
+        report(iteration, residual, correction, length)
+        if residual <= settings.tolerance and shift == 0:
+            return NewtonResult(
+                evaluation=new,
+                iterations=iteration,
+                residual=residual,
+                converged=True,
+                unstable_modes=tangent.unstable_modes(),
+                reason=FELL,
+            )
+        if length == 1:
+            shift = 0.0 if residual < SMALL_RESIDUAL or shift <= FIRST_SHIFT else shift / FACTOR
+        at = new
+    return _failed(at, MOST, residual)
+
+
+def _failed(at: Evaluation | None, iterations: int, residual: float) -> NewtonResult:
+    reason = "no stable equilibrium was found downhill"
+    return NewtonResult(evaluation=at, iterations=iterations, residual=residual, converged=False, reason=reason)
+
+
+def _factored(tangent: Tangent, at: Evaluation, shift: float) -> float | None:
+    """Factor the tangent with at least this shift, and enough to have no unstable mode; None if none will do."""
+    while shift <= LARGEST_SHIFT:
+        try:
+            tangent.factor(at, shift=shift)
+            if tangent.unstable_modes() == 0:
+                return shift
+        except SingularTangentError:
+            pass
+        shift = max(FACTOR * shift, FIRST_SHIFT)
+    return None
+
+
+def _shortened(
+    system: System, tangent: Tangent, at: Evaluation, update: Array, kept: Contacts | None
+) -> tuple[Evaluation | None, float]:
+    """Shorten an update until it presses nothing too deep and goes no further than to the bottom of the valley."""
+    free = ~system.held[: 3 * system.node_count]
+    along = update[: len(free)][free]
+    before = float(at.residual[: len(free)][free] @ along)
+    found, length = None, 1.0
+    while length > SHORTEST:
+        new = evaluate(system, tangent, at.unknowns + length * update, at.load_factor, kept)
+        if new is None:
+            length *= 0.5
+            continue
+        found, share = (new, length), system.contact.shortening(at.contacts, new.contacts)
+        after = float(new.residual[: len(free)][free] @ along)
+        if share == 1 and (after * before >= 0 or abs(after) <= TURNED * abs(before)):
+            break
+        length *= share if share < 1 else max(LEAST, abs(before) / (abs(after) + abs(before)))
+    return found or (None, 0.0)

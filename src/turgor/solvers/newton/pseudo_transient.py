@@ -1,0 +1,119 @@
+"""Relaxing: reach an equilibrium that Newton's method does not find, as a body in a viscous liquid would.
+
+The residual drives a motion against viscous forces in proportion to the mass, by implicit steps that get longer while
+it fades (pseudo-transient continuation, Kelley and Keyes 1998, doi 10.1137/S0036142996304796). Where it comes to rest
+nothing viscous is left: the equilibrium is that of the model, and a stable one.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.additions import Linear
+from turgor.engine.mass import mass_data
+from turgor.engine.system import Evaluation, System
+from turgor.engine.tangent import Tangent
+from turgor.solvers.newton.contact_newton import newton_with_contact
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+
+Array = NDArray[np.float64]
+
+#: The first viscous step moves no node by more than about this many edge lengths.
+FIRST_MOVE = 0.1
+
+#: After a step of few iterations the viscosity falls by the first factor, after others by the second; where a step
+#: fails it rises by the third.
+QUICK, EASIER, EASY, HARDER = 4, 0.1, 0.3, 8.0
+
+#: Iterations at most, and failures in a row.
+ITERATIONS, FAILURES = 150, 6
+
+#: Without viscosity it is tried once the viscosity has fallen to this share of the first one.
+FADED = 1e-3
+
+#: Relative residual of a viscous step: it is on the way only.
+ROUGH = 1e-3
+
+
+@dataclass(slots=True, eq=False)
+class _Motion:
+    """How far the motion has come."""
+
+    at: Evaluation
+    viscosity: float
+    iterations: int = 0
+
+
+def relaxed(
+    system: System, tangent: Tangent, unknowns: Array, load_factor: float, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Find the equilibrium at a load factor to which a body moves from where it is.
+
+    Parameters
+    ----------
+    system, tangent
+    unknowns : (size,) array
+        From where it starts, such as the last equilibrium.
+    load_factor : float
+    settings : NewtonSettings
+        Of the equilibrium; viscous steps are solved roughly.
+    report : callable
+        Called after every iteration.
+    """
+    at = system.evaluate(unknowns, load_factor)
+    if at is None:
+        return _restless(0)
+    mass = mass_data(system, np.full(len(system.cells), system.stress / system.length**2))
+    motion = _Motion(at, _first_viscosity(system, at, mass))
+    smallest, failures = FADED * motion.viscosity, 0
+    rough = replace(settings, tolerance=max(ROUGH, settings.tolerance), mixed_points=False)
+    try:
+        while motion.iterations < ITERATIONS and failures <= FAILURES:
+            system.addition = _drag(system, mass, motion)
+            start = Start(motion.at.unknowns, system.stresses(motion.at))
+            result = newton(system, tangent, start, load_factor, rough, report)
+            motion.iterations += result.iterations
+            if not result.converged or result.evaluation is None:
+                failures += 1
+                motion.viscosity *= HARDER
+                continue
+            failures, motion.at = 0, result.evaluation
+            motion.viscosity *= EASIER if result.iterations <= QUICK else EASY
+            if motion.viscosity > smallest:
+                continue
+            system.addition = None
+            last = _without(system, tangent, motion, settings, report)
+            if last.converged and not last.unstable_modes:
+                return replace(last, iterations=motion.iterations)
+    finally:
+        system.addition = None
+    return _restless(motion.iterations)
+
+
+def _without(
+    system: System, tangent: Tangent, motion: _Motion, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Try to find the equilibrium itself."""
+    start = Start(motion.at.unknowns, system.stresses(motion.at))
+    result = newton_with_contact(system, tangent, start, motion.at.load_factor, settings, report)
+    motion.iterations += result.iterations
+    return result
+
+
+def _restless(iterations: int) -> NewtonResult:
+    reason = "against viscous forces it did not come to rest either"
+    return NewtonResult(evaluation=None, iterations=iterations, residual=np.inf, converged=False, reason=reason)
+
+
+def _first_viscosity(system: System, at: Evaluation, mass: Array) -> float:
+    """The viscosity against which the residual moves the fastest node by the first move."""
+    lumped = system.layout.base.product(mass, np.ones(system.size))[: 3 * system.node_count]
+    force = np.where(system.held, 0.0, at.residual)[: 3 * system.node_count]
+    fastest = float(np.abs(force / np.maximum(np.abs(lumped), 1e-3 * np.abs(lumped).max())).max())
+    return max(fastest / FIRST_MOVE, 1e-9)
+
+
+def _drag(system: System, mass: Array, motion: _Motion) -> Linear:
+    drag = motion.viscosity * mass
+    return Linear(system.layout.base, drag, -system.layout.base.product(drag, motion.at.unknowns))
