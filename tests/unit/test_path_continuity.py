@@ -5,13 +5,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget
 from turgor.solvers.continuation import continuity
 from turgor.solvers.continuation.arc_scaling import go_onward
-from turgor.solvers.continuation.continuity import CUTS, JUMPS, TURNS, judged, orientation, straightness
+from turgor.solvers.continuation.continuity import CUTS, judged, orientation, straightness
 from turgor.solvers.continuation.path_points import Point
 from turgor.solvers.continuation.path_reversal import retraces
+from turgor.solvers.reasons import Cause
 
 
 def point(parameter, place, direction, modes):
@@ -55,13 +56,13 @@ def verdict(path, function, start=0.0, end=1.0):
 
 
 def test_a_step_along_a_smooth_path_is_one():
-    assert judged(run(), point(0, (0, 0), (1, 1), 0), point(1, (1, 0.9), (1, 0.8), 0)).reason == ""
+    assert judged(run(), point(0, (0, 0), (1, 1), 0), point(1, (1, 0.9), (1, 0.8), 0)).reason is None
 
 
 def test_where_modes_come_while_the_load_rises_is_a_bifurcation(path):
     found = verdict(path, lambda p: point(p, (p, p), (1, 1), int(p > 0.37)))
     (passed,) = found.passed
-    assert found.reason == ""
+    assert found.reason is None
     assert passed.load_factor == pytest.approx(0.37, abs=1e-3)
     assert passed.modes == 1
 
@@ -80,7 +81,7 @@ def test_a_double_bifurcation_counts_both_modes(path):
 
 def test_a_limit_point_is_none(path):
     found = verdict(path, lambda p: point(p, (p, p - p * p), (1, 1 - 2 * p), int(p > 0.5)), 0.3, 0.7)
-    assert found.reason == ""
+    assert found.reason is None
     assert not found.passed
 
 
@@ -92,20 +93,20 @@ def test_a_maximum_and_a_minimum_in_a_step_are_none(path):
         return point(p, (p, 0.5), (1, 0.2 if modes != 1 else -0.1), modes)
 
     found = verdict(path, snap)
-    assert found.reason == ""
+    assert found.reason is None
     assert not found.passed
 
 
 def test_a_jump_to_another_branch_is_no_step(path):
     """However short the step, the point beyond lies as far away; the chord itself is straight."""
     found = verdict(path, lambda p: point(p, (p + 0.1 * (p > 0.5), p), (1, 1), int(p > 0.5)))
-    assert found.reason == JUMPS
+    assert found.reason.cause is Cause.OTHER_BRANCH
 
 
 def test_a_step_that_leads_back_is_none(path):
     """Unloading without an unstable mode: the way it came, or another that no limit point leads to."""
     found = verdict(path, lambda p: point(p, (p, 0.1 * p), (1, 0.1 if p < 0.5 else -0.1), 0))
-    assert found.reason == JUMPS
+    assert found.reason.cause is Cause.OTHER_BRANCH
 
 
 def test_a_sharp_turn_is_cut_and_a_corner_taken_in_the_end():
@@ -113,11 +114,11 @@ def test_a_sharp_turn_is_cut_and_a_corner_taken_in_the_end():
     going = run()
     assert straightness(going, last, now) == pytest.approx(np.sqrt(0.5))
     for _ in range(CUTS):
-        assert judged(going, last, now).reason == TURNS
-        going.steps.append(SimpleNamespace(reason=TURNS))
-    assert judged(going, last, now).reason == ""
+        assert judged(going, last, now).reason.cause is Cause.SHARP_TURN
+        going.steps.append(SimpleNamespace(cause=Cause.SHARP_TURN))
+    assert judged(going, last, now).reason is None
     back = point(1, (0.1, 1), (0, 1), 0)  # far from where the path was going
-    assert judged(going, last, back).reason == TURNS
+    assert judged(going, last, back).reason.cause is Cause.SHARP_TURN
 
 
 def test_displacements_count_by_their_size():
@@ -126,7 +127,7 @@ def test_displacements_count_by_their_size():
 
 
 def test_paths_without_a_sought_load_factor_are_not_judged():
-    assert judged(run(size=0.0), point(0, (0, 0), (1, 1), 0), point(1, (1, 1), (-1, -1), 0)).reason == ""
+    assert judged(run(size=0.0), point(0, (0, 0), (1, 1), 0), point(1, (1, 1), (-1, -1), 0)).reason is None
 
 
 def test_orientation_is_unknown_without_a_count_of_modes():
@@ -146,7 +147,7 @@ def test_the_scale_of_arcs_grows_with_the_body_and_the_history_with_it():
     places = [point(p, (10 * p, p), (10, 1), 0) for p in (0.0, 0.5, 1.0)]
     going = run([place.state for place in places])
     target = ArcTarget(going.task.system, 1.0, 0.5, np.zeros(3), np.zeros(1), np.zeros(3), 1.0)
-    going.control, going.history = Control(None, target), list(places)
+    going.control, going.history = Constraint(None, target), list(places)
     go_onward(going, places[1], places[2])
     target = going.control.target
     assert going.size == target.size == pytest.approx(2.5)

@@ -15,11 +15,12 @@ from turgor.engine.transfer import Transfer
 from turgor.meshing.refinement import Refinement
 from turgor.model.model import Model
 from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget, acting_pressures
-from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import LoadFactor, WorkTarget
-from turgor.solvers.newton.bordered import BorderedStart, bordered_newton
+from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.newton.contact_newton import newton_with_contact, touches
-from turgor.solvers.newton.newton import NewtonSettings, Start, relative_residual
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.newton import NewtonSettings, Start, newton
 from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.gas_mass import GasMass
@@ -151,8 +152,8 @@ def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, ex
 
 def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -> State | None:
     """Equilibrium by Newton's method with all its care: where walls touch, or where simple updates go astray."""
-    start = Start(at.unknowns, system.stresses(at), at)
-    result = newton_with_contact(system, tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
+    start = Start(at.unknowns, system.stresses(at), evaluation=at)
+    result = newton_with_contact(load_control(system), tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
     if not result.converged or result.evaluation is None:
         return None
     moved = (result.evaluation.unknowns - at.unknowns)[: 3 * system.node_count]
@@ -168,7 +169,7 @@ def _at_volume(
     if controlled:
         chambers = Chambers(system, controlled)
         volumes = chambers.volumes(unknowns)
-        control = Control(CavityPressures(system), VolumeTarget(chambers, volumes, np.zeros_like(volumes)))
+        constraint = Constraint(CavityPressures(system), VolumeTarget(chambers, volumes, np.zeros_like(volumes)))
         scalars = np.array([state.pressures[name] for name in controlled]) / system.stress
         parameter = state.load_factor
     else:
@@ -178,10 +179,10 @@ def _at_volume(
         chambers = Chambers(system, tuple(weights))
         shares = np.array(list(weights.values())) / max(map(abs, weights.values()))
         now, rest = (float(shares @ chambers.volumes(x)) for x in (unknowns, np.zeros(system.size)))
-        control = Control(LoadFactor(system), WorkTarget(chambers, shares, rest, now))
+        constraint = Constraint(LoadFactor(system), WorkTarget(chambers, shares, rest, now))
         scalars, parameter = np.array([state.load_factor]), 1.0
-    start = BorderedStart(unknowns, scalars, None)
-    result = bordered_newton(control, tangent, start, parameter, SETTINGS, _unheard)
+    start = Start(unknowns, None, scalars)
+    result = newton(constraint, tangent, start, parameter, SETTINGS, _unheard)
     if not result.converged or result.evaluation is None:
         return None
     found = acting_pressures(system, result.scalars) if controlled else {}

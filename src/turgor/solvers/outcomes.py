@@ -11,9 +11,9 @@ from turgor.model.model import Model
 from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.continuation.branch_jump import first_leap, leap_to
 from turgor.solvers.continuation.extrema import extremum_ahead
-from turgor.solvers.newton.inertia_correction import FELL
 from turgor.solvers.pressures import pressure_text
 from turgor.solvers.procedures.stages import OneProcedure
+from turgor.solvers.reasons import Cause
 from turgor.solvers.solution import State, Status, Step
 
 #: A maximum of the load this near ahead of the last state, relative to it, is where the path ended, whatever the
@@ -80,7 +80,7 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
 
 def _falls(model: Model, steps: Sequence[Step]) -> str:
     """Where what touched let go, and the body fell."""
-    falls = [step.load_factor for step in steps if step.accepted and step.reason == FELL]
+    falls = [step.load_factor for step in steps if step.accepted and step.cause is Cause.INERTIA_CORRECTED]
     if not falls:
         return ""
     more = f", first of {len(falls)} times" if len(falls) > 1 else ""

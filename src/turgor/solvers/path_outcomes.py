@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 from turgor.finding import Finding, Severity
 from turgor.solvers.checks.distortion import distortion_text
-from turgor.solvers.continuation.continuity import JUMPS
 from turgor.solvers.continuation.path_points import Bifurcation, Run
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.pressures import pressure_text
 from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.reasons import Cause
 from turgor.solvers.solution import LimitPoint, Procedure, State, Status, Step
 from turgor.units import kPa, mL
 
@@ -58,7 +58,7 @@ def lost_path(run: Run) -> Outcome:
     """No arc is short enough to go on along the same path."""
     last, step = run.states[-1], run.steps[-1]
     return Outcome(
-        Status.TURNED_BACK if step.reason == JUMPS else Status.STEP_TOO_SMALL,
+        Status.TURNED_BACK if step.cause is Cause.OTHER_BRANCH else Status.STEP_TOO_SMALL,
         f"The path could not be followed beyond {_where(last, run.states[0])}{_effort(run.states, run.steps)}: "
         f"{step.reason}, down to steps of {step.increment:.2g}."
         f"{_turns(run.limits)}{_branches(run.bifurcations)}{distortion_text(last)}",

@@ -12,6 +12,7 @@ from turgor.finding import Finding
 from turgor.model.model import Model
 from turgor.solvers.energies import Energies
 from turgor.solvers.procedures.stages import OneProcedure, Stages
+from turgor.solvers.reasons import Cause, Reason
 
 Procedure = OneProcedure | Stages
 
@@ -25,7 +26,6 @@ class Status(StrEnum):
     LIMIT_POINT = "limit_point"
     TURNED_BACK = "turned_back"
     STEP_LIMIT = "step_limit"
-    SINGULAR = "singular"
     STOPPED = "stopped"
     INTERRUPTED = "interrupted"
 
@@ -161,8 +161,18 @@ class Step:
     residual: float
     accepted: bool
     seconds: float
-    reason: str = ""
+    why: Reason | None = None
     stage: str = ""
+
+    @property
+    def reason(self) -> str:
+        """Why it was cut back, or how it was found in spite of a failure; empty where nothing is to be said."""
+        return "" if self.why is None else str(self.why)
+
+    @property
+    def cause(self) -> Cause | None:
+        """The cause of the reason, which programs compare."""
+        return None if self.why is None else self.why.cause
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

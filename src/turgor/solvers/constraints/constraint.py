@@ -92,13 +92,13 @@ class Target(Protocol):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Control:
+class Constraint:
     """What is sought, what it must fulfill, and how long it takes."""
 
     sought: Sought
     target: Target
     clock: Clock = field(default_factory=Clock)
 
-    def onward(self, last: Place, now: Place) -> "Control":
+    def onward(self, last: Place, now: Place) -> "Constraint":
         """The control beyond a state that was found after another one."""
-        return Control(self.sought, self.target.onward(last, now), self.clock.onward(now.parameter))
+        return Constraint(self.sought, self.target.onward(last, now), self.clock.onward(now.parameter))

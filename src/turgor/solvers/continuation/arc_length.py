@@ -12,18 +12,20 @@ from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.model.history import is_straight, share_at
 from turgor.model.model import Model
-from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget, LoadFactor, displacement_of
+from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import follow
 from turgor.solvers.continuation.path_points import Point, Run, fixed_load, silent, state_of
 from turgor.solvers.continuation.path_reversal import retraces
 from turgor.solvers.continuation.problem import Array, Problem, begin, run_of
 from turgor.solvers.continuation.step_control import CUT, StepControl
-from turgor.solvers.continuation.tangent_response import LEAPT, UNSTABLE, leapt, load_response, rate_at
+from turgor.solvers.continuation.tangent_response import leapt, load_response, rate_at
 from turgor.solvers.newton.newton import NewtonSettings, Start, newton
 from turgor.solvers.outcomes import Outcome, stuck
 from turgor.solvers.path_outcomes import followed, reached, turned_back
 from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import Step
 
@@ -72,14 +74,15 @@ def from_rest(problem: Problem, load: float, longest: float, ends: Ending) -> Ou
     assert at_rest is not None
     stresses, (rate, modes) = system.stresses(at_rest), rate_at(system, tangent, at_rest)
     while True:
-        first = newton(system, tangent, Start(rest, stresses), load, settings, silent)
+        first = newton(load_control(system), tangent, Start(rest, stresses), load, settings, silent)
         reason = first.reason
         if first.evaluation is not None and first.converged:
             faster, unstable = rate_at(system, tangent, first.evaluation)
-            reason = LEAPT if leapt(system, first.evaluation.unknowns - rest, load, (rate, faster)) else ""
-            reason = UNSTABLE if (unstable or 0) > (modes or 0) else reason
+            leaps = leapt(system, first.evaluation.unknowns - rest, load, (rate, faster))
+            reason = Reason(Cause.BRANCH_JUMP) if leaps else None
+            reason = Reason(Cause.UNSTABLE) if (unstable or 0) > (modes or 0) else reason
         problem.steps.append(_first_step(load, first.iterations, first.residual, reason))
-        if first.converged and not reason:
+        if first.converged and reason is None:
             break
         load *= CUT
         if load < procedure.min_step:
@@ -96,7 +99,7 @@ def arc_run(problem: Problem, unknowns: Array, load: float, steps: tuple[float, 
     target = ArcTarget(system, size, 0.0, unknowns, here, along, rise)
     length, longest = steps
     stepping = StepControl(length=min(length, longest), max_step=longest, min_step=procedure.min_step, targets=(inf,))
-    run = run_of(problem, Control(LoadFactor(system), target), stepping, nothing, ends)
+    run = run_of(problem, Constraint(LoadFactor(system), target), stepping, nothing, ends)
     run.size = size
     begin(run, 0.0, unknowns, here)
     if len(run.states) == 1:
@@ -127,15 +130,15 @@ def _direction(problem: Problem, unknowns: Array, load: float, size: float) -> t
     return response / (norm * size**2), 1 / norm
 
 
-def _first_step(load: float, iterations: int, residual: float, reason: str) -> Step:
+def _first_step(load: float, iterations: int, residual: float, reason: Reason | None) -> Step:
     return Step(
         load_factor=load,
         increment=load,
         iterations=iterations,
         residual=residual,
-        accepted=not reason,
+        accepted=reason is None,
         seconds=0.0,
-        reason=reason,
+        why=reason,
     )
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget
 from turgor.solvers.continuation.path_points import Point, Run
 
@@ -23,7 +23,7 @@ def go_onward(run: Run, last: Point, now: Point) -> None:
         run.size = max(run.size, _moved(run, now) / (GROWN * _largest_load(run, now)))
         target = replace(target, size=run.size)
     following = target.onward(last, now)
-    run.control = Control(run.control.sought, following, run.control.clock.onward(now.parameter))
+    run.control = Constraint(run.control.sought, following, run.control.clock.onward(now.parameter))
     if not isinstance(following, ArcTarget) or now.change is None or now.slope is None:
         return
     measure = float(following.along @ now.change + following.rise * now.slope[0])

@@ -8,7 +8,7 @@ import numpy as np
 
 from turgor.engine.chambers import Chambers
 from turgor.engine.system import Stresses
-from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget, LoadFactor, WorkTarget, displacement_of
 from turgor.solvers.continuation.arc_length import arc_run, bounds, displacement_scale, from_rest, nothing, start_of
 from turgor.solvers.continuation.branch_jump import LEAP, leap_to
@@ -16,10 +16,11 @@ from turgor.solvers.continuation.path_follower import follow
 from turgor.solvers.continuation.path_points import Point, Run
 from turgor.solvers.continuation.problem import Array, Problem, begin, run_of
 from turgor.solvers.continuation.step_control import CUT, StepControl
-from turgor.solvers.continuation.tangent_response import LEAPT, UNSTABLE, leapt, rate_at
+from turgor.solvers.continuation.tangent_response import leapt, rate_at
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.static import Static
+from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import Carried, unknowns_of
 from turgor.solvers.solution import State, Status
 
@@ -69,15 +70,15 @@ class Watch:
         The last state without fault; None where there was none but rest.
     rate : float
         How far its nodes move with the load factor.
-    reason : str
-        Why load control was ended; empty where it was not.
+    reason : Reason or None
+        Why load control was ended; None where it was not.
     """
 
     problem: Problem
     history: History
     good: Carried | None = None
     rate: float = inf
-    reason: str = ""
+    reason: Reason | None = None
 
     @staticmethod
     def at_rest(problem: Problem, history: History) -> "Watch":
@@ -96,32 +97,33 @@ class Watch:
             state = replace(state, unstable_modes=modes)
             self.problem.states[-1] = state
         self.reason = self._why(state, rate)
-        if self.reason:
-            return self.reason
+        if self.reason is not None:
+            return str(self.reason)
         self.good, self.rate = Carried.of(system, state), rate
         return None if self.problem.stop is None else self.problem.stop(state)
 
-    def _why(self, state: State, rate: float) -> str:
+    def _why(self, state: State, rate: float) -> Reason | None:
         if state.unstable_modes:
-            return UNSTABLE
+            return Reason(Cause.UNSTABLE)
         (before, first, _), (now, second, _) = self.history[-2:]
         rates = self.rate, rate
         faster = leap_to(self.problem.states, len(self.problem.states) - 1) > LEAP
-        return LEAPT if faster or leapt(self.problem.system, second - first, now - before, rates) else ""
+        jumped = faster or leapt(self.problem.system, second - first, now - before, rates)
+        return Reason(Cause.BRANCH_JUMP) if jumped else None
 
 
 def lost(outcome: Outcome, watch: Watch) -> bool:
     """Whether load control ended at what may be a limit point."""
-    return bool(watch.reason) or outcome.status in (Status.LIMIT_POINT, Status.STEP_TOO_SMALL)
+    return watch.reason is not None or outcome.status in (Status.LIMIT_POINT, Status.STEP_TOO_SMALL)
 
 
 def go_past(problem: Problem, watch: Watch) -> Outcome:
     """Go on from the last good state of load control with what can drive past a limit point."""
     system, procedure = problem.system, problem.procedure
     assert isinstance(procedure, Auto)
-    if watch.reason:
+    if watch.reason is not None:
         problem.states.pop()
-        problem.steps[-1] = replace(problem.steps[-1], accepted=False, reason=watch.reason)
+        problem.steps[-1] = replace(problem.steps[-1], accepted=False, why=watch.reason)
     ends = bounds(procedure.max_stretch)
     if watch.good is None:
         return from_rest(problem, CUT * procedure.first_step, LONGEST * procedure.max_step, ends)
@@ -172,7 +174,7 @@ def _by_volume(problem: Problem, unknowns: Array, load: float) -> Run:
         return float(weights @ chambers.volumes(now.unknowns)) - rest >= procedure.past * (turn - rest)
 
     ends = bounds(procedure.max_stretch, enough)
-    run = run_of(problem, Control(LoadFactor(system), target), stepping, nothing, ends)
+    run = run_of(problem, Constraint(LoadFactor(system), target), stepping, nothing, ends)
     run.size = displacement_scale(problem, unknowns, load)
     begin(run, 0.0, unknowns, np.array([load]))
     return run
@@ -194,7 +196,7 @@ def _by_arc(problem: Problem, volume: Run) -> Run:
         min_step=procedure.min_step,
         targets=(inf,),
     )
-    run = run_of(problem, Control(LoadFactor(system), target), stepping, nothing, volume.task.finished)
+    run = run_of(problem, Constraint(LoadFactor(system), target), stepping, nothing, volume.task.finished)
     run.size = volume.size
     run.bifurcations += volume.bifurcations
     begin(run, 0.0, last.unknowns, last.scalars)

@@ -14,7 +14,7 @@ from turgor.model.drive import kinks
 from turgor.model.model import Model
 from turgor.solvers.constraints.cavities import CavityPressures, GasTarget, VolumeTarget
 from turgor.solvers.constraints.clock import Clock
-from turgor.solvers.constraints.constraint import Control, Target
+from turgor.solvers.constraints.constraint import Constraint, Target
 from turgor.solvers.continuation.arc_length import check_proportional, check_still, follow_arc
 from turgor.solvers.continuation.branch_switch import History, Watch, go_past, load_control, lost
 from turgor.solvers.continuation.path_follower import follow
@@ -135,7 +135,7 @@ def _follow_cavities(problem: Problem, procedure: VolumeControl | GasMass) -> Ou
         driven = _amounts("gas_mass_ratio", system.controlled, np.ones(len(volumes)), ratios, target.seal)
     seal = (target.seal,) if isinstance(target, GasTarget) and not target.sealed else ()
     turns = tuple(sorted({*kinks(system.model), *seal}))
-    control = Control(CavityPressures(system), target, Clock(procedure.duration))
+    control = Constraint(CavityPressures(system), target, Clock(procedure.duration))
     run = run_of(problem, control, StepControl.of(procedure, turns), driven, _at_the_end, turns)
     begin(run, 0.0, start, pressures)
     return follow(run)

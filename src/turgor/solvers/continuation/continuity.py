@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from turgor.solvers.continuation.path_points import Bifurcation, Point, Run, between, point_at, silent, solve_at
+from turgor.solvers.reasons import Cause, Reason
 
 #: The chord of a step has this cosine at least with the directions of the path at both of its ends.
 STRAIGHT = 0.8
@@ -26,15 +27,12 @@ FEWEST, HALVINGS, CLOSE = 6, 10, 1e-3
 #: The piece that is left is longer than it would be along an even path by less than this factor, or there is a jump.
 JUMP = 4.0
 
-TURNS = "the path turns too sharply for the arc"
-JUMPS = "the arc leads back or to another branch"
-
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """Why a step is no piece of the path, empty where it is one; and the bifurcations that it passes."""
+    """Why a step is no piece of the path, None where it is one; and the bifurcations that it passes."""
 
-    reason: str = ""
+    reason: Reason | None = None
     passed: tuple[Bifurcation, ...] = ()
 
 
@@ -44,18 +42,18 @@ def judged(run: Run, last: Point, now: Point) -> Verdict:
         return Verdict()
     straight = straightness(run, last, now)
     if straight < STRAIGHT and (straight < CORNER or _cuts(run) < CUTS):
-        return Verdict(TURNS)
+        return Verdict(Reason(Cause.SHARP_TURN))
     passed: list[Bifurcation] = []
     while _differ(last, now):
         found = _bifurcation(run, last, now)
         if found is None:
-            return Verdict(JUMPS)
+            return Verdict(Reason(Cause.OTHER_BRANCH))
         before, beyond = found
         if before is beyond:  # two limit points after all
             break
         passed.append(_passed(before, beyond))
         last = beyond
-    return Verdict("", tuple(passed))
+    return Verdict(None, tuple(passed))
 
 
 def straightness(run: Run, last: Point, now: Point) -> float:
@@ -85,7 +83,7 @@ def _cuts(run: Run) -> int:
     """How often the step was cut in a row because the path turned."""
     count = 0
     for step in reversed(run.steps):
-        if step.reason != TURNS:
+        if step.cause is not Cause.SHARP_TURN:
             break
         count += 1
     return count

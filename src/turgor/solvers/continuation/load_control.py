@@ -9,6 +9,7 @@ from time import perf_counter
 from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
 from turgor.solvers.checks.distortion import distortion_text
+from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.predictor import HISTORY, Known, predicted
 from turgor.solvers.continuation.step_acceptance import doubt, roundabout
 from turgor.solvers.continuation.step_control import StepControl
@@ -16,9 +17,10 @@ from turgor.solvers.continuation.tangent_response import rate_at, rate_in_step
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.newton.contact_newton import newton_with_contact, touches
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings
-from turgor.solvers.newton.pseudo_transient import relaxed
+from turgor.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.solvers.outcomes import Outcome, converged, interrupted, stopped_by, stuck, too_many_steps
 from turgor.solvers.procedures.static import Static
+from turgor.solvers.reasons import Reason
 from turgor.solvers.restart import Carried, unknowns_of
 from turgor.solvers.solution import Iteration, LimitPoint, State, Status, Step
 
@@ -102,14 +104,14 @@ def _advance(run: StaticRun, control: StepControl) -> StepControl | Outcome:
     system.materials.begin_step(run.procedure.time_between(now, load))
     began = perf_counter()
     start = predicted(system, run.tangent, path.history, load)
-    result = newton_with_contact(system, run.tangent, start, load, run.settings, _reporter(run, load))
-    doubtful, rate = "", inf
+    result = newton_with_contact(load_control(system), run.tangent, start, load, run.settings, _reporter(run, load))
+    doubtful, rate = None, inf
     if result.converged and result.evaluation is not None:
         rate = rate_in_step(system, run.tangent, result.evaluation.unknowns, now, load)
         if shorter is not None:
             doubtful = doubt(system, path.states, path.history, result, (path.rate, rate))
     _note(run, result, load, perf_counter() - began, doubtful)
-    if result.converged and not doubtful:
+    if result.converged and doubtful is None:
         path.lost_stability, path.rate = False, rate
         return _accept(run, result, control)
     system.contact.anchors = anchors
@@ -139,10 +141,10 @@ def _relax(run: StaticRun, control: StepControl) -> StepControl | Outcome:
         _, here, _ = path.history[-1]
         load, anchors, began = _reach(run, control, share), system.contact.anchors, perf_counter()
         system.materials.begin_step(run.procedure.time_between(path.history[-1][0], load))
-        result = relaxed(system, run.tangent, here, load, run.settings, _reporter(run, load))
-        doubtful = doubt(system, path.states, path.history, result) if result.converged else ""
+        result = pseudo_transient(load_control(system), run.tangent, here, load, run.settings, _reporter(run, load))
+        doubtful = doubt(system, path.states, path.history, result) if result.converged else None
         _note(run, result, load, perf_counter() - began, doubtful)
-        if result.converged and not doubtful:
+        if result.converged and doubtful is None:
             path.rate = inf
             return _accept(run, result, control)
         system.contact.anchors = anchors
@@ -157,16 +159,16 @@ def _reach(run: StaticRun, control: StepControl, share: float) -> float:
     return min(now + share * min(taken, REACH), *(target for target in control.targets if target > now))
 
 
-def _note(run: StaticRun, result: NewtonResult, load: float, seconds: float, doubtful: str = "") -> None:
+def _note(run: StaticRun, result: NewtonResult, load: float, seconds: float, doubtful: Reason | None = None) -> None:
     run.path.steps.append(
         Step(
             load_factor=load,
             increment=load - run.path.history[-1][0],
             iterations=result.iterations,
             residual=result.residual,
-            accepted=result.converged and not doubtful,
+            accepted=result.converged and doubtful is None,
             seconds=seconds,
-            reason=result.reason or doubtful,
+            why=result.reason or doubtful,
         )
     )
 

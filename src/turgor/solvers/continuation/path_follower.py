@@ -10,7 +10,7 @@ from turgor.solvers.continuation.continuity import Verdict, judged
 from turgor.solvers.continuation.limit_points import insert_limit_points
 from turgor.solvers.continuation.path_points import Point, Run, between, point_at, solve_at
 from turgor.solvers.continuation.predictor import HISTORY
-from turgor.solvers.newton.bordered import BorderedResult, BorderedStart
+from turgor.solvers.newton.newton import NewtonResult, Start
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, stuck, too_many_steps
 from turgor.solvers.path_outcomes import lost_path
 from turgor.solvers.solution import Iteration, Step
@@ -46,12 +46,12 @@ def _advance(run: Run) -> Outcome | None:
             increment=increment,
             iterations=result.iterations,
             residual=result.residual,
-            accepted=now is not None and not verdict.reason,
+            accepted=now is not None and verdict.reason is None,
             seconds=perf_counter() - began,
-            reason=verdict.reason,
+            why=verdict.reason,
         )
     )
-    if now is None or verdict.reason:
+    if now is None or verdict.reason is not None:
         shorter = run.stepping.failed(increment)
         if shorter is None:
             return _stuck(run)
@@ -70,7 +70,7 @@ def _stuck(run: Run) -> Outcome:
     return stuck(run.task.system.model, run.states, run.steps, False)
 
 
-def _accept(run: Run, last: Point, now: Point, result: BorderedResult) -> Outcome | None:
+def _accept(run: Run, last: Point, now: Point, result: NewtonResult) -> Outcome | None:
     task = run.task
     run.history.append(now)
     del run.history[:-HISTORY]
@@ -102,7 +102,7 @@ def _turn(run: Run, now: Point) -> None:
     run.stepping = run.stepping.turned(run.task.procedure.first_step)
 
 
-def _start(run: Run, parameter: float) -> BorderedStart:
+def _start(run: Run, parameter: float) -> Start:
     """Extrapolate with the order that a lower one does not improve, judged by the conditions and the residual."""
     best, smallest = between(run.history[-1:], parameter), np.inf
     for count in range(len(run.history), 0, -1):

@@ -6,16 +6,16 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.contact.part import Look
 from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.tangent import Tangent
 from turgor.solvers.constraints.cavities import acting_pressures
-from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.predictor import lagrange_weights
 from turgor.solvers.continuation.step_control import StepControl
-from turgor.solvers.newton.bordered import BorderedResult, BorderedStart, bordered_newton, rates
-from turgor.solvers.newton.contact_newton import touches, until_settled
-from turgor.solvers.newton.newton import NewtonSettings, Start, newton
+from turgor.solvers.newton.border import rates
+from turgor.solvers.newton.contact_newton import newton_with_contact, touches
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start, newton
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.auto import Auto
@@ -100,7 +100,7 @@ class Run:
     """
 
     task: Task
-    control: Control
+    control: Constraint
     stepping: StepControl
     states: list[State]
     steps: list[Step]
@@ -111,24 +111,11 @@ class Run:
 
 
 def solve_at(
-    run: Run, parameter: float, start: BorderedStart, report: Callable[[int, float, float, float], None]
-) -> BorderedResult:
+    run: Run, parameter: float, start: Start, report: Callable[[int, float, float, float], None]
+) -> NewtonResult:
     """Find the state at a parameter, with all that touches."""
     run.control.clock.begin(run.task.system, parameter)
-
-    def solve(start: BorderedStart) -> BorderedResult:
-        return bordered_newton(run.control, run.task.tangent, start, parameter, run.task.settings, report)
-
-    def look(result: BorderedResult) -> Evaluation | None:
-        last = result.evaluation
-        assert last is not None
-        return run.control.sought.evaluate(last.unknowns, parameter, result.scalars, last.contacts, Look.ANEW)
-
-    def again(at: Evaluation, result: BorderedResult) -> BorderedResult:
-        return solve(BorderedStart(at.unknowns, result.scalars, run.task.system.stresses(at)))
-
-    settled: BorderedResult = until_settled(run.task.system, solve(start), look, again, run.task.settings.tolerance)
-    return settled
+    return newton_with_contact(run.control, run.task.tangent, start, parameter, run.task.settings, report)
 
 
 def point_at(run: Run, at: Evaluation, parameter: float, scalars: Array, ahead: bool = False) -> Point:
@@ -161,13 +148,13 @@ def state_of(
     )
 
 
-def between(points: Sequence[Point], parameter: float) -> BorderedStart:
+def between(points: Sequence[Point], parameter: float) -> Start:
     """The polynomial through points, at a parameter."""
     weights = lagrange_weights([point.parameter for point in points], parameter)
     pairs = list(zip(weights, points, strict=True))
     unknowns = np.asarray(sum(w * p.unknowns for w, p in pairs))
     scalars = np.asarray(sum(w * p.scalars for w, p in pairs))
-    return BorderedStart(unknowns, scalars, Stresses.combine([(w, p.stresses) for w, p in pairs]))
+    return Start(unknowns, Stresses.combine([(w, p.stresses) for w, p in pairs]), scalars)
 
 
 def fixed_load(run: Run, before: Point, after: Point, load_factor: float) -> State | None:
@@ -176,8 +163,9 @@ def fixed_load(run: Run, before: Point, after: Point, load_factor: float) -> Sta
     low, high = float(before.scalars[0]), float(after.scalars[0])
     share = (load_factor - low) / (high - low)
     near = between([before, after], before.parameter + share * (after.parameter - before.parameter))
-    assert near.stresses is not None
-    result = newton(system, tangent, Start(near.unknowns, near.stresses), load_factor, run.task.settings, silent)
+    result = newton(
+        load_control(system), tangent, Start(near.unknowns, near.stresses), load_factor, run.task.settings, silent
+    )
     if not result.converged or result.evaluation is None:
         return None
     return state_of(system, result.evaluation, result.unstable_modes, {}, {})

@@ -7,7 +7,10 @@ from numpy.typing import NDArray
 
 from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.tangent import Tangent
-from turgor.solvers.newton.newton import Start, evaluate, relative_residual
+from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.line_search import evaluate
+from turgor.solvers.newton.newton import Start
 
 Array = NDArray[np.float64]
 
@@ -45,14 +48,14 @@ def lagrange_weights(load_factors: Sequence[float], load_factor: float) -> list[
 def predicted(system: System, tangent: Tangent, history: Sequence[Known], load: float) -> Start:
     """Extrapolate with the highest order whose residual a lower order does not improve."""
     _, unknowns, stresses = history[-1]
-    best, smallest = Start(unknowns, stresses), np.inf
+    constraint, best, smallest = load_control(system), Start(unknowns, stresses), np.inf
     if tangent.plain:
         return best
     for count in range(len(history), 0, -1):
         used = history[-count:]
         weights = lagrange_weights([factor for factor, _, _ in used], load)
         trial = np.asarray(sum(w * x for w, (_, x, _) in zip(weights, used, strict=True)))
-        at = evaluate(system, tangent, trial, load)
+        at = evaluate(constraint, tangent, (trial, best.scalars), load)
         if at is not None and system.contact.parts and count > 1:
             trial, at = _not_deeper(system, tangent, unknowns, at)
         residual = np.inf if at is None else relative_residual(system, at)
@@ -60,7 +63,7 @@ def predicted(system: System, tangent: Tangent, history: Sequence[Known], load: 
             break
         if residual < smallest:
             stresses = Stresses.combine([(w, s) for w, (_, _, s) in zip(weights, used, strict=True)])
-            best = Start(trial, stresses, at)
+            best = Start(trial, stresses, evaluation=at)
             smallest = residual
         if smallest <= GOOD_PREDICTION:
             break
@@ -69,7 +72,8 @@ def predicted(system: System, tangent: Tangent, history: Sequence[Known], load: 
 
 def _not_deeper(system: System, tangent: Tangent, last: Array, at: Evaluation) -> tuple[Array, Evaluation | None]:
     """Shorten an extrapolation until it presses no wall much deeper into another."""
-    here = evaluate(system, tangent, last, at.load_factor)
+    constraint, nothing = load_control(system), np.empty(0)
+    here = evaluate(constraint, tangent, (last, nothing), at.load_factor)
     found: Evaluation | None = at
     for _ in range(SHORTENINGS):
         if found is None or here is None:
@@ -77,5 +81,6 @@ def _not_deeper(system: System, tangent: Tangent, last: Array, at: Evaluation) -
         share = system.contact.shortening(here.contacts, found.contacts)
         if share == 1:
             return found.unknowns, found
-        found = evaluate(system, tangent, last + share * (found.unknowns - last), at.load_factor)
+        place = last + share * (found.unknowns - last)
+        found = evaluate(constraint, tangent, (place, nothing), at.load_factor)
     return (last, here) if found is None else (found.unknowns, found)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.system import System
 from turgor.engine.tangent import Tangent
-from turgor.solvers.constraints.constraint import Control
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, Run, Task, point_at
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.newton.newton import NewtonSettings
@@ -40,7 +40,7 @@ class Problem:
 
 def run_of(
     problem: Problem,
-    control: Control,
+    control: Constraint,
     stepping: StepControl,
     driven: Callable[[float], dict[str, float]],
     finished: Callable[[Point, Point, Run], Outcome | None],

@@ -8,15 +8,14 @@ import numpy as np
 from turgor.engine.system import System
 from turgor.solvers.continuation.branch_jump import LEAP, STILL, leap
 from turgor.solvers.continuation.predictor import Known
-from turgor.solvers.continuation.tangent_response import LEAPT, leapt
+from turgor.solvers.continuation.tangent_response import leapt
 from turgor.solvers.newton.newton import NewtonResult
+from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.solution import State
 
 #: In one step no support leaves the straight way to its next place by more than this share of the way: on a circle it
 #: is a quarter turn that does.
 ASIDE = 0.2
-
-LOST = "stability was lost"
 
 
 def roundabout(system: System, before: float, after: float) -> bool:
@@ -35,8 +34,8 @@ def doubt(
     history: Sequence[Known],
     result: NewtonResult,
     rates: tuple[float, float] = (inf, inf),
-) -> str:
-    """Say why an equilibrium may be another than the next one of a path; nothing where it is not in doubt.
+) -> Reason | None:
+    """Say why an equilibrium may be another than the next one of a path; None where it is not in doubt.
 
     ``rates`` say how far the nodes move with the load factor before the step and at its end. A shorter step dispels the
     doubt or shows what is the matter: a body that buckles bends before it is unstable, and one that jumps has no
@@ -45,12 +44,13 @@ def doubt(
     at = result.evaluation
     assert at is not None
     if result.unstable_modes and not states[-1].unstable_modes:
-        return LOST
+        return Reason(Cause.STABILITY_LOST)
     moved = 3 * system.node_count
     points = [(factor, unknowns[:moved]) for factor, unknowns, _ in history[-2:]]
     ratio = leap([*points, (at.load_factor, at.unknowns[:moved])])
     if ratio > LEAP:
-        return f"it moved {ratio:.3g} times as much for the load as in the step before"
+        return Reason(Cause.LONG_MOVE, ratio)
     change = at.unknowns - history[-1][1]
     still = np.linalg.norm(change[:moved]) <= STILL * np.linalg.norm(at.unknowns[:moved])
-    return LEAPT if not still and leapt(system, change, at.load_factor - history[-1][0], rates) else ""
+    jumped = not still and leapt(system, change, at.load_factor - history[-1][0], rates)
+    return Reason(Cause.BRANCH_JUMP) if jumped else None

@@ -18,9 +18,6 @@ Array = NDArray[np.float64]
 #: A step that moves a body this many times as far as the faster of the rates at its ends has left the path.
 FARTHER_THAN_RATES = 2.0
 
-UNSTABLE = "the equilibrium is unstable"
-LEAPT = "the step may have leapt to another branch"
-
 
 def load_response(system: System, tangent: Tangent, unknowns: Array, before: float = 0.0, after: float = 1.0) -> Array:
     """Change (size,) of the unknowns with the load factor, for loads from one to another, by the last factors."""

@@ -14,6 +14,7 @@ from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
 from turgor.model.drive import kinks
 from turgor.solvers.checks.supports import free_motions
+from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.solvers.dynamics.initial_stiffness import softness
@@ -21,9 +22,11 @@ from turgor.solvers.dynamics.motion_outcomes import came_to_rest, no_state, rest
 from turgor.solvers.energies import Energies
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.newton.contact_newton import newton_with_contact, touches
-from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start, relative_residual
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
 from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import Iteration, State, Step
 
@@ -155,7 +158,7 @@ def _attempt(run: _Run, load: float, length: float) -> NewtonResult:
     system.materials.begin_step(inf)
     system.addition = _drag(run, length)
     settings = NewtonSettings(tolerance=run.procedure.tolerance, max_iterations=run.procedure.max_iterations)
-    result = newton_with_contact(system, run.tangent, _start(run, load, length), load, settings, report)
+    result = newton_with_contact(load_control(system), run.tangent, _start(run, load, length), load, settings, report)
     run.steps.append(
         Step(
             load_factor=load,
@@ -164,7 +167,7 @@ def _attempt(run: _Run, load: float, length: float) -> NewtonResult:
             residual=result.residual,
             accepted=result.converged,
             seconds=perf_counter() - began,
-            reason=result.reason,
+            why=result.reason,
         )
     )
     return result
@@ -191,8 +194,8 @@ def _too_far(run: _Run, result: NewtonResult) -> bool:
     most = max(after.strain, run.energies.strain, after.dissipated if run.free else 0.0)  # a fall strains little
     if moved < SMALL_MOVE or lost <= ENERGY_ERROR * most:
         return False
-    reason = f"{100 * lost / most:.2g} % of the energy unaccounted for"
-    run.steps[-1] = replace(run.steps[-1], accepted=False, reason=reason)
+    why = Reason(Cause.ENERGY_ERROR, 100 * lost / most)
+    run.steps[-1] = replace(run.steps[-1], accepted=False, why=why)
     return True
 
 

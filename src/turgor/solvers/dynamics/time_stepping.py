@@ -15,6 +15,7 @@ from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.model.drive import kinks
+from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
 from turgor.solvers.dynamics.initial_motion import Accelerations
@@ -23,9 +24,11 @@ from turgor.solvers.dynamics.time_step_control import TimeControl
 from turgor.solvers.energies import Energies
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.newton.contact_newton import newton_with_contact, touches
-from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start, relative_residual
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by
 from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import Iteration, State, Step
 
@@ -171,7 +174,7 @@ def _advance(run: _Run, control: TimeControl) -> TimeControl | Outcome:
         error = rule.error(unknowns) / max(run.largest, _largest(system, unknowns), floor)
         following, taken_back = control.after(rule.length, error)
         if taken_back:
-            accepted, reason = False, f"an error of {error:.1e} of the displacement"
+            accepted, reason = False, Reason(Cause.TIME_ERROR, error)
     run.steps.append(
         Step(
             load_factor=time / procedure.duration,
@@ -180,7 +183,7 @@ def _advance(run: _Run, control: TimeControl) -> TimeControl | Outcome:
             residual=result.residual,
             accepted=accepted,
             seconds=perf_counter() - began,
-            reason=reason,
+            why=reason,
         )
     )
     if following is None:
@@ -220,7 +223,7 @@ def _equilibrium(run: _Run, rule: TimeStep, load_factor: float) -> NewtonResult:
     run.factored = rule.length
     settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
     return newton_with_contact(
-        system, run.tangent, Start(predicted, stresses, fresh=fresh), load_factor, settings, report
+        load_control(system), run.tangent, Start(predicted, stresses, fresh=fresh), load_factor, settings, report
     )
 
 

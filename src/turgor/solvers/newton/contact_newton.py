@@ -1,8 +1,6 @@
 """Newton's method where things touch: friction and the contact stiffness are renewed until nothing changes."""
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -10,8 +8,11 @@ from turgor.engine.contact.part import Look
 from turgor.engine.contact.pressure import nodal_pressure, touched_area
 from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
-from turgor.solvers.newton.inertia_correction import downhill
-from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton, relative_residual
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.inertia_correction import inertia_corrected
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.solution import Touch
 
 #: Times that friction and stiffness are renewed at most.
@@ -25,67 +26,53 @@ SEARCHED_ANEW = 10.0
 PATIENCE, WEDGED = 3, 1e-3
 
 
-def until_settled(
-    system: System,
-    result: Any,
-    look: Callable[[Any], Evaluation | None],
-    again: Callable[[Evaluation, Any], Any],
-    tolerance: float,
-) -> Any:
-    """Search anew what touches and renew friction and stiffness, until a result holds; iterations of all passes count.
+def newton_with_contact(
+    constraint: Constraint, tangent: Tangent, start: Start, parameter: float, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Find equilibrium at a parameter with all that touches; iterations of all passes count.
 
-    ``look(result)`` evaluates a result with a whole search, ``again(at, result)`` finds equilibrium from there.
-    Results are `NewtonResult` or the like: dataclasses with ``evaluation``, ``converged``, ``iterations``, ``hardest``
-    and ``reason``.
+    After each pass what touches is searched for anew and friction and contact stiffness are renewed, until nothing
+    changes. The parameters are those of `newton`.
     """
-    contact = system.contact
+
+    def find(start: Start) -> NewtonResult:
+        result = newton(constraint, tangent, start, parameter, settings, report)
+        if result.converged or tangent.plain or len(start.scalars):  # a border has no potential to go down in
+            return result
+        found = inertia_corrected(constraint, tangent, start.unknowns, parameter, settings, report)
+        iterations = result.iterations + found.iterations
+        return replace(found if found.converged else result, iterations=iterations)
+
+    contact, result = constraint.sought.system.contact, find(start)
     if not contact.parts:
         return result
     before, iterations, hardest = contact.anchors, result.iterations, result.iterations
     for number in range(PASSES):
-        at = look(result) if result.converged else None
+        at = _searched_anew(constraint, result, parameter)
         if at is None:
             break
         renewed, stiffened = contact.settle(at.contacts), contact.stiffen(at.contacts)
-        residual = relative_residual(system, at)
-        if not stiffened and residual <= SEARCHED_ANEW * tolerance:
+        residual = relative_residual(constraint.sought.system, at)
+        if not stiffened and residual <= SEARCHED_ANEW * settings.tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
         if not (stiffened or renewed) and number >= PATIENCE and residual <= WEDGED:
             return replace(result, iterations=iterations, hardest=hardest)
-        result = again(at, result)
+        found = find(Start(at.unknowns, constraint.sought.system.stresses(at), result.scalars))
+        result = replace(found, reason=result.reason) if found.converged and found.reason is None else found
         iterations += result.iterations
         hardest = max(hardest, result.iterations)
     if result.converged:
-        reason = f"what touches did not settle in {PASSES} passes"
-        result = replace(result, converged=False, reason=reason)
+        result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, PASSES))
     contact.anchors = before
     return replace(result, iterations=iterations)
 
 
-def newton_with_contact(
-    system: System, tangent: Tangent, start: Start, load_factor: float, settings: NewtonSettings, report: Report
-) -> NewtonResult:
-    """Find equilibrium at a load factor, with all that touches."""
-
-    def look(result: NewtonResult) -> Evaluation | None:
-        last = result.evaluation
-        assert last is not None
-        return system.evaluate(last.unknowns, load_factor, known=last.contacts, how=Look.ANEW)
-
-    def find(start: Start) -> NewtonResult:
-        result = newton(system, tangent, start, load_factor, settings, report)
-        if result.converged or tangent.plain:
-            return result
-        found = downhill(system, tangent, start.unknowns, load_factor, settings, report)
-        iterations = result.iterations + found.iterations
-        return replace(found if found.converged else result, iterations=iterations)
-
-    def again(at: Evaluation, result: NewtonResult) -> NewtonResult:
-        found = find(Start(at.unknowns, system.stresses(at)))
-        return replace(found, reason=result.reason) if found.converged and not found.reason else found
-
-    settled: NewtonResult = until_settled(system, find(start), look, again, settings.tolerance)
-    return settled
+def _searched_anew(constraint: Constraint, result: NewtonResult, parameter: float) -> Evaluation | None:
+    """Evaluate a state that was found with a whole search for what touches; None where none was found."""
+    last = result.evaluation
+    if not result.converged or last is None:
+        return None
+    return constraint.sought.evaluate(last.unknowns, parameter, result.scalars, last.contacts, Look.ANEW)
 
 
 def touches(system: System, at: Evaluation) -> dict[str, Touch]:

@@ -1,4 +1,4 @@
-"""Downhill: where points touch and let go in turn, an equilibrium is found that Newton's method misses.
+"""Inertia correction: find an equilibrium that Newton's method misses where points touch and let go in turn.
 
 Where a point lets go, the tangent may lose its stability at once, and Newton's method then goes to and fro between two
 states of contact, neither of which holds. While the limits of friction are kept, forces have a potential: the signs of
@@ -12,14 +12,18 @@ from numpy.typing import NDArray
 
 from turgor.engine.contact.terms import Contacts
 from turgor.engine.linear import SingularTangentError
-from turgor.engine.system import Evaluation, System
+from turgor.engine.system import Evaluation
 from turgor.engine.tangent import Tangent
-from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, evaluate, relative_residual
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.line_search import evaluate
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report
+from turgor.solvers.reasons import Cause, Reason
 
 Array = NDArray[np.float64]
 
-#: What a step says that ended here.
-FELL = "found downhill, where Newton's method went astray"
+#: Load control has no scalars.
+NO_SCALARS: Array = np.empty(0)
 
 #: Updates before it gives up, and how far a node may come from the start, in mean edge lengths: what lies farther is no
 #: matter of a few points that let go.
@@ -42,31 +46,38 @@ SHORTEST, LEAST = 0.005, 0.1
 KEEP_PARTNERS_AFTER = 20
 
 
-def downhill(
-    system: System, tangent: Tangent, unknowns: Array, load_factor: float, settings: NewtonSettings, report: Report
+def inertia_corrected(
+    constraint: Constraint,
+    tangent: Tangent,
+    unknowns: Array,
+    load_factor: float,
+    settings: NewtonSettings,
+    report: Report,
 ) -> NewtonResult:
-    """Find a stable equilibrium at a load factor, downhill from a state in which something touches.
+    """Find a stable equilibrium at a load factor, at a lower potential than a start in which something touches.
 
     The limits of friction are kept meanwhile: look whether the result holds where they follow the pressure. Forces
     without a potential, of pressure on open surfaces, lead nowhere.
     """
+    system = constraint.sought.system
     if not system.faces.symmetric:
         return _failed(None, 0, np.inf)
     start = unknowns.copy()
     start[system.held] = system.prescribed(load_factor)
     system.contact.limits_kept = True
     try:
-        at = evaluate(system, tangent, start, load_factor)
+        at = evaluate(constraint, tangent, (start, NO_SCALARS), load_factor)
         if at is None or not any(found.inside.any() for found in at.contacts.found):
             return _failed(at, 0, np.inf)
-        return _descend(system, tangent, at, settings, report)
+        return _descend(constraint, tangent, at, settings, report)
     finally:
         system.contact.limits_kept = False
 
 
 def _descend(
-    system: System, tangent: Tangent, at: Evaluation, settings: NewtonSettings, report: Report
+    constraint: Constraint, tangent: Tangent, at: Evaluation, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
+    system = constraint.sought.system
     shift, residual, start, free = 0.0, relative_residual(system, at), at.unknowns, 3 * system.node_count
     for iteration in range(1, MOST + 1):
         steepened = _factored(tangent, at, shift)
@@ -74,7 +85,8 @@ def _descend(
             return _failed(at, iteration, residual)
         shift = steepened
         update = tangent.solve(np.where(system.held, 0.0, -at.residual))
-        new, length = _shortened(system, tangent, at, update, None if iteration <= KEEP_PARTNERS_AFTER else at.contacts)
+        kept = None if iteration <= KEEP_PARTNERS_AFTER else at.contacts
+        new, length = _shortened(constraint, tangent, at, update, kept)
         if new is None or float(np.abs(new.unknowns - start)[:free].max()) > FARTHEST:
             return _failed(at, iteration, residual)
         residual = relative_residual(system, new)
@@ -87,7 +99,7 @@ def _descend(
                 residual=residual,
                 converged=True,
                 unstable_modes=tangent.unstable_modes(),
-                reason=FELL,
+                reason=Reason(Cause.INERTIA_CORRECTED),
             )
         if length == 1:
             shift = 0.0 if residual < SMALL_RESIDUAL or shift <= FIRST_SHIFT else shift / FACTOR
@@ -96,7 +108,7 @@ def _descend(
 
 
 def _failed(at: Evaluation | None, iterations: int, residual: float) -> NewtonResult:
-    reason = "no stable equilibrium was found downhill"
+    reason = Reason(Cause.INERTIA_CORRECTION_FAILED)
     return NewtonResult(evaluation=at, iterations=iterations, residual=residual, converged=False, reason=reason)
 
 
@@ -114,15 +126,16 @@ def _factored(tangent: Tangent, at: Evaluation, shift: float) -> float | None:
 
 
 def _shortened(
-    system: System, tangent: Tangent, at: Evaluation, update: Array, kept: Contacts | None
+    constraint: Constraint, tangent: Tangent, at: Evaluation, update: Array, kept: Contacts | None
 ) -> tuple[Evaluation | None, float]:
     """Shorten an update until it presses nothing too deep and goes no further than to the bottom of the valley."""
+    system = constraint.sought.system
     free = ~system.held[: 3 * system.node_count]
     along = update[: len(free)][free]
     before = float(at.residual[: len(free)][free] @ along)
     found, length = None, 1.0
     while length > SHORTEST:
-        new = evaluate(system, tangent, at.unknowns + length * update, at.load_factor, kept)
+        new = evaluate(constraint, tangent, (at.unknowns + length * update, NO_SCALARS), at.load_factor, kept)
         if new is None:
             length *= 0.5
             continue

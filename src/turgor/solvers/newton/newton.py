@@ -1,23 +1,27 @@
-"""Newton's method for one load factor: update, line search, convergence.
+"""Newton's method for one point of a path: update, line search, convergence; with or without extra unknowns.
 
-Two things make it cheaper than the textbook. The geometric stiffness uses the stress linearized from the last iterate
-(mixed integration points, Magisano, Leonetti and Garcea 2017, doi 10.1016/j.cma.2016.10.023), which converges from
-farther away. And factors are kept while they still contract the residual well, because a residual costs a
-twentieth of a factorization.
+Load control and every other constraint share this file: under load control the border has no row (k = 0). Two things
+make it cheaper than the textbook. The geometric stiffness uses the stress linearized from the last iterate (mixed
+integration points, Magisano, Leonetti and Garcea 2017, doi 10.1016/j.cma.2016.10.023), which converges from farther
+away. And factors are kept while they still contract the residual well, because a residual costs a twentieth of a
+factorization.
 """
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.contact.part import Look
-from turgor.engine.contact.terms import Contacts
 from turgor.engine.linear import SingularTangentError
-from turgor.engine.system import Evaluation, Stresses, System
+from turgor.engine.system import Evaluation, Stresses
 from turgor.engine.tangent import Tangent
+from turgor.solvers.constraints.constraint import Conditions, Constraint
+from turgor.solvers.newton.border import Border
+from turgor.solvers.newton.convergence import partners_settle, whole_residual
+from turgor.solvers.newton.line_search import SHORTEST_TOUCHING_STEP, evaluate, line_search
+from turgor.solvers.reasons import Cause, Reason
 
 Array = NDArray[np.float64]
 
@@ -26,32 +30,12 @@ Array = NDArray[np.float64]
 KEEP_FACTORS_BELOW = 1e-3
 KEEP_FACTORS_CONTRACTION = 0.1
 
-#: Forces are compared with this share of the full load at least: where all pressures have fallen back to zero, nothing
-#: but round-off would be left to compare with.
-SMALL_FORCE = 1e-5
-
-#: Scaled force on a node with which forces are compared at least, as where a body is moved that nothing loads.
-UNLOADED = 3e-8
-
-#: The partners of contact are looked for anew in so many updates, then kept: at a wedge they may change forever.
-KEEP_PARTNERS_AFTER = 8
-
-#: They are kept earlier where the residual is this small and falls no more.
-SMALL_RESIDUAL = 0.05
-
 #: Where a body has moved by more than this share of its largest displacement since the tangent was last factored, its
 #: factors do not count the unstable modes of where it is.
 STALE = 0.05
 
-#: Shortest update that the line search tries; and where walls are pressed into each other.
-SHORTEST_STEP = 1.0 / 64
-SHORTEST_TOUCHING_STEP = 1.0 / 32
-
 #: It gives up where so many updates in a row are cut to the shortest because they press walls too deep.
 CUT_SHORT = 3
-
-#: With friction, an update is too long where the force along it turns around, to more than this share of before.
-OVERSHOT = 0.9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,17 +62,32 @@ class NewtonSettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class NewtonResult:
-    """How it ended: the last evaluation, the number of updates, the last relative residual, why it failed.
+    """How Newton's method ended.
 
-    ``hardest`` is the number of updates of the longest pass, where friction and stiffness were renewed.
+    Parameters
+    ----------
+    evaluation : Evaluation or None
+        The equations at the last iterate.
+    scalars : (k,) array
+        The scalars there.
+    iterations, hardest : int
+        Updates in all, and of the longest pass where friction and contact stiffness were renewed.
+    residual : float [-]
+        The last relative residual.
+    converged : bool
+    unstable_modes : int or None
+        None where a border needs them counted with the rates.
+    reason : Reason or None
+        Why it failed, or how the state was found.
     """
 
     evaluation: Evaluation | None
     iterations: int
     residual: float
     converged: bool
+    scalars: Array = field(default_factory=lambda: np.empty(0))
     unstable_modes: int | None = None
-    reason: str = ""
+    reason: Reason | None = None
     hardest: int = 0
 
 
@@ -99,8 +98,10 @@ class Start:
     Parameters
     ----------
     unknowns : (size,) array
-    stresses : Stresses
-        For the geometric stiffness of the first update.
+    stresses : Stresses or None
+        For the geometric stiffness of the first update; None takes those of the start.
+    scalars : (k,) array
+        None under load control.
     evaluation : Evaluation or None
         The equations there, where they were evaluated already.
     fresh : bool
@@ -108,7 +109,8 @@ class Start:
     """
 
     unknowns: Array
-    stresses: Stresses
+    stresses: Stresses | None
+    scalars: Array = field(default_factory=lambda: np.empty(0))
     evaluation: Evaluation | None = None
     fresh: bool = True
 
@@ -116,143 +118,176 @@ class Start:
 Report = Callable[[int, float, float, float], None]  # iteration, residual, correction, step length
 
 
-def relative_residual(system: System, at: Evaluation) -> float:
-    """Largest of the unbalanced force relative to external forces and reactions, and the relative volume error."""
-    displacement = 3 * system.node_count
-    held = system.held[:displacement]
-    force = at.residual[:displacement]
-    scale = max(
-        float(np.linalg.norm(at.external[:displacement][~held])),
-        float(np.linalg.norm(force[held])),
-        at.contact_force,
-        SMALL_FORCE * system.full_force,
-        UNLOADED * np.sqrt(system.node_count),  # an unloaded body: nothing to compare with but round-off
-    )
-    bodies = slice(displacement + system.element.mean_count, None)
-    loose = at.residual[bodies][~system.held[bodies]]
-    unbalanced = float(np.hypot(np.linalg.norm(force[~held]), np.linalg.norm(loose))) / scale
-    if not system.element.mean_count:
-        return unbalanced
-    means = slice(displacement, displacement + system.element.mean_count)
-    volume = float(np.linalg.norm(at.residual[means])) / float(np.linalg.norm(system.mean_stress_volumes))
-    return max(unbalanced, volume)
+@dataclass(slots=True, eq=False)
+class _Iterate:
+    """How far the iteration has come; ``jump`` is what supports still have to move, ``moved`` since new factors."""
+
+    at: Evaluation
+    scalars: Array
+    conditions: Conditions
+    jump: Array
+    geometric: Stresses | None
+    fresh: bool
+    residuals: list[float]
+    lengths: list[float] = field(default_factory=lambda: [1.0])
+    settled: bool = False
+    moved: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Newton:
+    """What stays the same in one solve."""
+
+    constraint: Constraint
+    border: Border
+    parameter: float
+    settings: NewtonSettings
+
+    @property
+    def mixed(self) -> bool:
+        return self.border.tangent.mixed_points and self.settings.mixed_points
 
 
 def newton(
-    system: System, tangent: Tangent, start: Start, load_factor: float, settings: NewtonSettings, report: Report
+    constraint: Constraint, tangent: Tangent, start: Start, parameter: float, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
-    """Find equilibrium at a load factor from a start; the start need not satisfy the supports."""
-    at = start.evaluation or evaluate(system, tangent, start.unknowns, load_factor)
-    if at is None:
-        return _failure(None, 0, np.inf, "the start turns a cell inside out")
-    residual = relative_residual(system, at)
-    mixed = tangent.mixed_points and settings.mixed_points
-    geometric = start.stresses if mixed else None
-    jump = system.prescribed(load_factor) - start.unknowns[system.held]
-    fresh = start.fresh or bool(jump.any())
-    settled, residuals, lengths, moved = False, [residual], [1.0], 0.0
+    """Find equilibrium and fulfill the constraint at a parameter; the start need not satisfy the supports.
+
+    Parameters
+    ----------
+    constraint : Constraint
+        What is sought beside the unknowns; `load_control` seeks nothing, and the parameter is the load factor then.
+    tangent : Tangent
+    start : Start
+    parameter : float
+    settings : NewtonSettings
+    report : callable
+        Called after every update.
+
+    Returns
+    -------
+    NewtonResult
+    """
+    run = _Newton(constraint, Border(constraint, tangent), parameter, settings)
+    now = _begin(run, start)
+    if now is None:
+        reason = Reason(Cause.INVERTED_START)
+        return NewtonResult(
+            evaluation=None, scalars=start.scalars, iterations=0, residual=np.inf, converged=False, reason=reason
+        )
     for iteration in range(1, settings.max_iterations + 1):
-        coupling = np.zeros(system.size)
-        if fresh:
-            try:
-                coupling, moved = tangent.factor(at, geometric, jump), 0.0
-            except SingularTangentError as error:
-                return _failure(at, iteration, residual, str(error))
-        right = -at.residual - coupling
-        right[system.held] = jump
-        update = tangent.solve(right)
-        settled = settled or partners_settle(iteration, residuals)
-        kept = at.contacts if settled else None
-        new, length = _line_search(system, tangent, at, update, kept)
-        if new is None:
-            return _failure(at, iteration, residual, "every update turns a cell inside out", tangent)
-        jump = (1 - length) * jump  # the supports are satisfied by an update of full length
-        previous, residual = residual, relative_residual(system, new)
-        correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
-        residuals.append(residual)
-        lengths.append(length)
-        moved += correction
-        report(iteration, residual, correction, length)
-        if residual <= settings.tolerance and not jump.any():
-            return _success(tangent, new, iteration, residual, settings.count_anew and moved > STALE)
-        if system.contact.parts and max(lengths[-CUT_SHORT:]) <= SHORTEST_TOUCHING_STEP:
-            return _failure(at, iteration, residual, "every update presses walls too deep", tangent)
-        contracting = residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
-        fresh = tangent.plain or bool(jump.any()) or not (contracting and length == 1)
-        if mixed and fresh:
-            geometric = _linearized(system, tangent, at, length * update)
-        at = new
-    return _failure(at, iteration, residual, f"no convergence in {settings.max_iterations} iterations", tangent)
-
-
-def _success(tangent: Tangent, at: Evaluation, iterations: int, residual: float, stale: bool) -> NewtonResult:
-    """Count the unstable modes from the last factors, and where these find any or are stale, at the state itself."""
-    modes = tangent.unstable_modes()
-    if modes or stale:
         try:
-            tangent.factor(at)
-            modes = tangent.unstable_modes()
-        except SingularTangentError:
-            pass  # a singular tangent at the state: the count of the last iterate stands
-    return NewtonResult(evaluation=at, iterations=iterations, residual=residual, converged=True, unstable_modes=modes)
+            update, change = _update(run, now)
+        except (SingularTangentError, np.linalg.LinAlgError) as error:
+            return _failure(now, iteration, Reason(Cause.SINGULAR_TANGENT, detail=str(error)), None)
+        last = now.at
+        if not _take(run, now, (update, change), (iteration, report)):
+            return _failure(now, iteration, Reason(Cause.INVERTED_CELL), tangent)
+        if now.residuals[-1] <= settings.tolerance and not now.jump.any():
+            return _success(run, now, iteration)
+        if constraint.sought.system.contact.parts and max(now.lengths[-CUT_SHORT:]) <= SHORTEST_TOUCHING_STEP:
+            now.at = last
+            return _failure(now, iteration, Reason(Cause.DEEP_PENETRATION), tangent)
+        _choose_factors(run, now, last, update)
+    return _failure(now, iteration, Reason(Cause.TOO_MANY_ITERATIONS, settings.max_iterations), tangent)
 
 
-def _failure(
-    at: Evaluation | None, iterations: int, residual: float, reason: str, tangent: Tangent | None = None
-) -> NewtonResult:
-    modes = None if tangent is None else tangent.unstable_modes()
-    return NewtonResult(
-        evaluation=at, iterations=iterations, residual=residual, converged=False, unstable_modes=modes, reason=reason
+def _begin(run: _Newton, start: Start) -> _Iterate | None:
+    """Evaluate the start; None where it turns a cell inside out."""
+    constraint, parameter = run.constraint, run.parameter
+    place = start.unknowns, start.scalars
+    at = start.evaluation or evaluate(constraint, run.border.tangent, place, parameter)
+    if at is None:
+        return None
+    system = constraint.sought.system
+    conditions = constraint.target.conditions(at.unknowns, parameter, start.scalars)
+    jump = system.prescribed(constraint.sought.load_factor(parameter, start.scalars)) - start.unknowns[system.held]
+    return _Iterate(
+        at=at,
+        scalars=start.scalars,
+        conditions=conditions,
+        jump=jump,
+        geometric=start.stresses if run.mixed else None,
+        fresh=start.fresh or bool(jump.any()),
+        residuals=[whole_residual(system, at, conditions)],
     )
 
 
-def evaluate(
-    system: System, tangent: Tangent, unknowns: Array, load_factor: float, kept: Contacts | None = None
-) -> Evaluation | None:
-    """Evaluate the residual on the clock."""
-    start = perf_counter()
-    how = Look.FOLLOW if kept is None else Look.KEEP
-    out = system.evaluate(unknowns, load_factor, known=kept, how=how)
-    tangent.clock.residual += perf_counter() - start
-    return out
+def _update(run: _Newton, now: _Iterate) -> tuple[Array, Array]:
+    """Solve for the updates of unknowns and scalars."""
+    system = run.constraint.sought.system
+    coupling = np.zeros(system.size)
+    if now.fresh:
+        coupling, now.moved = run.border.factor(now.at, now.geometric, now.jump), 0.0
+    right = -now.at.residual - coupling
+    right[system.held] = now.jump
+    return run.border.update(right, now.conditions, now.conditions.errors)
 
 
-def _linearized(system: System, tangent: Tangent, at: Evaluation, update: Array) -> Stresses:
-    start = perf_counter()
-    out = system.stresses(at, update)
-    tangent.clock.residual += perf_counter() - start
-    return out
+def _take(run: _Newton, now: _Iterate, step: tuple[Array, Array], reported: tuple[int, Report]) -> bool:
+    """Go along an update as far as the line search allows; False where even the shortest turns a cell inside out."""
+    (update, change), (iteration, report) = step, reported
+    constraint, system = run.constraint, run.constraint.sought.system
+    now.settled = now.settled or partners_settle(iteration, now.residuals)
+    kept = now.at.contacts if now.settled else None
+    whole = now.at, update, now.scalars, change
+    new, length = line_search(constraint, run.border.tangent, whole, run.parameter, kept)
+    if new is None:
+        return False
+    now.jump = (1 - length) * now.jump  # the supports are satisfied by an update of full length
+    now.scalars = now.scalars + length * change
+    now.conditions = constraint.target.conditions(new.unknowns, run.parameter, now.scalars)
+    residual = whole_residual(system, new, now.conditions)
+    correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
+    now.at, now.moved = new, now.moved + correction
+    now.residuals.append(residual)
+    now.lengths.append(length)
+    report(iteration, residual, correction, length)
+    return True
 
 
-def _line_search(
-    system: System, tangent: Tangent, at: Evaluation, update: Array, kept: Contacts | None
-) -> tuple[Evaluation | None, float]:
-    """Shorten the update until no cell is turned inside out, and where something touches, until it is no overshoot."""
-    length, found = 1.0, None
-    shortest = SHORTEST_STEP
-    while length >= shortest:
-        new = evaluate(system, tangent, at.unknowns + length * update, at.load_factor, kept)
-        share = 0.5 if new is None else length_allowed(system, at, new, update)
-        if share == 1:
-            return new, length
-        if new is not None:
-            found, shortest = (new, length), SHORTEST_TOUCHING_STEP
-        length *= share
-    return found or (None, 0.0)
+def _choose_factors(run: _Newton, now: _Iterate, last: Evaluation, update: Array) -> None:
+    """Keep the factors while they contract the residual well, else linearize the stress for new ones."""
+    previous, residual, length = now.residuals[-2], now.residuals[-1], now.lengths[-1]
+    contracting = residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
+    now.fresh = run.border.tangent.plain or bool(now.jump.any()) or not (contracting and length == 1)
+    if run.mixed and now.fresh:
+        start = perf_counter()
+        now.geometric = run.constraint.sought.system.stresses(last, length * update)
+        run.border.tangent.clock.residual += perf_counter() - start
 
 
-def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
-    """Share of an update to be taken: less than 1 where walls are pressed too deep, or friction turns around."""
-    share = system.contact.shortening(at.contacts, new.contacts)
-    if share < 1 or not system.contact.rubs:
-        return share
-    free = ~system.held[: 3 * system.node_count]
-    along = update[: len(free)][free]
-    before, after = float(at.residual[: len(free)][free] @ along), float(new.residual[: len(free)][free] @ along)
-    return 0.5 if after * before < 0 and abs(after) > OVERSHOT * abs(before) else 1.0
+def _success(run: _Newton, now: _Iterate, iterations: int) -> NewtonResult:
+    """Count the unstable modes from the last factors, and where these find any or are stale, at the state itself.
+
+    With scalars the modes are counted together with the rates of the path.
+    """
+    tangent, modes = run.border.tangent, None
+    if not len(now.scalars):
+        modes = tangent.unstable_modes()
+        if modes or (run.settings.count_anew and now.moved > STALE):
+            try:
+                tangent.factor(now.at)
+                modes = tangent.unstable_modes()
+            except SingularTangentError:
+                pass  # a singular tangent at the state: the count of the last iterate stands
+    return NewtonResult(
+        evaluation=now.at,
+        scalars=now.scalars,
+        iterations=iterations,
+        residual=now.residuals[-1],
+        converged=True,
+        unstable_modes=modes,
+    )
 
 
-def partners_settle(iteration: int, residuals: Sequence[float]) -> bool:
-    """Whether partners of contact are kept: late, or where the residual is small and did not halve in two updates."""
-    stagnates = len(residuals) > 3 and residuals[-1] < SMALL_RESIDUAL and residuals[-1] > 0.5 * residuals[-3]
-    return stagnates or iteration > KEEP_PARTNERS_AFTER
+def _failure(now: _Iterate, iterations: int, reason: Reason, tangent: Tangent | None) -> NewtonResult:
+    return NewtonResult(
+        evaluation=now.at,
+        scalars=now.scalars,
+        iterations=iterations,
+        residual=now.residuals[-1],
+        converged=False,
+        unstable_modes=None if tangent is None else tangent.unstable_modes(),
+        reason=reason,
+    )

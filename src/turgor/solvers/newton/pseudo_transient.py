@@ -1,8 +1,8 @@
-"""Relaxing: reach an equilibrium that Newton's method does not find, as a body in a viscous liquid would.
+"""Pseudo-transient continuation: reach an equilibrium that Newton's method does not find, against viscous forces.
 
 The residual drives a motion against viscous forces in proportion to the mass, by implicit steps that get longer while
-it fades (pseudo-transient continuation, Kelley and Keyes 1998, doi 10.1137/S0036142996304796). Where it comes to rest
-nothing viscous is left: the equilibrium is that of the model, and a stable one.
+the motion fades (Kelley and Keyes 1998, doi 10.1137/S0036142996304796). At rest no viscous force is left: the
+equilibrium is that of the model, and it is stable.
 """
 
 from dataclasses import dataclass, replace
@@ -14,8 +14,10 @@ from turgor.engine.additions import Linear
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.solvers.reasons import Cause, Reason
 
 Array = NDArray[np.float64]
 
@@ -45,14 +47,21 @@ class _Motion:
     iterations: int = 0
 
 
-def relaxed(
-    system: System, tangent: Tangent, unknowns: Array, load_factor: float, settings: NewtonSettings, report: Report
+def pseudo_transient(
+    constraint: Constraint,
+    tangent: Tangent,
+    unknowns: Array,
+    load_factor: float,
+    settings: NewtonSettings,
+    report: Report,
 ) -> NewtonResult:
     """Find the equilibrium at a load factor to which a body moves from where it is.
 
     Parameters
     ----------
-    system, tangent
+    constraint : Constraint
+        That of load control.
+    tangent : Tangent
     unknowns : (size,) array
         From where it starts, such as the last equilibrium.
     load_factor : float
@@ -61,6 +70,7 @@ def relaxed(
     report : callable
         Called after every iteration.
     """
+    system = constraint.sought.system
     at = system.evaluate(unknowns, load_factor)
     if at is None:
         return _restless(0)
@@ -72,7 +82,7 @@ def relaxed(
         while motion.iterations < ITERATIONS and failures <= FAILURES:
             system.addition = _drag(system, mass, motion)
             start = Start(motion.at.unknowns, system.stresses(motion.at))
-            result = newton(system, tangent, start, load_factor, rough, report)
+            result = newton(constraint, tangent, start, load_factor, rough, report)
             motion.iterations += result.iterations
             if not result.converged or result.evaluation is None:
                 failures += 1
@@ -83,7 +93,7 @@ def relaxed(
             if motion.viscosity > smallest:
                 continue
             system.addition = None
-            last = _without(system, tangent, motion, settings, report)
+            last = _without(constraint, tangent, motion, settings, report)
             if last.converged and not last.unstable_modes:
                 return replace(last, iterations=motion.iterations)
     finally:
@@ -92,17 +102,17 @@ def relaxed(
 
 
 def _without(
-    system: System, tangent: Tangent, motion: _Motion, settings: NewtonSettings, report: Report
+    constraint: Constraint, tangent: Tangent, motion: _Motion, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
     """Try to find the equilibrium itself."""
-    start = Start(motion.at.unknowns, system.stresses(motion.at))
-    result = newton_with_contact(system, tangent, start, motion.at.load_factor, settings, report)
+    start = Start(motion.at.unknowns, constraint.sought.system.stresses(motion.at))
+    result = newton_with_contact(constraint, tangent, start, motion.at.load_factor, settings, report)
     motion.iterations += result.iterations
     return result
 
 
 def _restless(iterations: int) -> NewtonResult:
-    reason = "against viscous forces it did not come to rest either"
+    reason = Reason(Cause.PSEUDO_TRANSIENT_FAILED)
     return NewtonResult(evaluation=None, iterations=iterations, residual=np.inf, converged=False, reason=reason)
 
 
