@@ -151,9 +151,9 @@ def test_beyond_a_kink_the_path_starts_anew(twin: Mesh, monkeypatch: pytest.Monk
     """What the predictor knows and how long a step is, after a kink as at the start."""
     known: dict[float, int] = {}
 
-    def watched(system: Any, tangent: Any, history: Any, load: float) -> Any:
-        known[history[-1][0]] = len(history)
-        return predicted(system, tangent, history, load)
+    def watched(constraint: Any, tangent: Any, history: Any, load: float, how: Any) -> Any:
+        known[history[-1].parameter] = len(history)
+        return predicted(constraint, tangent, history, load, how)
 
     monkeypatch.setattr(static_run, "predicted", watched)
     loads = (Pressure("cavity_1", 1 * kPa, ((0, 0), (0.5, 1), (1, 0))),)

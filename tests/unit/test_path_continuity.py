@@ -147,9 +147,9 @@ def test_the_scale_of_arcs_grows_with_the_body_and_the_history_with_it():
     places = [point(p, (10 * p, p), (10, 1), 0) for p in (0.0, 0.5, 1.0)]
     going = run([place.state for place in places])
     target = ArcTarget(going.task.system, 1.0, 0.5, np.zeros(3), np.zeros(1), np.zeros(3), 1.0)
-    going.control, going.history = Constraint(None, target), list(places)
+    going.constraint, going.history = Constraint(None, target), list(places)
     go_onward(going, places[1], places[2])
-    target = going.control.target
+    target = going.constraint.target
     assert going.size == target.size == pytest.approx(2.5)
     assert np.hypot(target.along[0] * 2.5, target.rise) == pytest.approx(1.0)
     for place in going.history:

@@ -15,6 +15,7 @@ from turgor.model.supports import Fixed
 from turgor.response import read_response
 from turgor.results import contact_measures as of
 from turgor.results.measures import STANDARD_MEASURES, check_measures, find_measure, measure
+from turgor.solvers.methods import question_of
 from turgor.solvers.procedures.blocked_force import BlockedForce
 from turgor.solvers.procedures.grasp import Grasp
 from turgor.solvers.procedures.static import Static
@@ -32,7 +33,7 @@ def question(procedure: Static, *obstacles: Obstacle, half: bool = False) -> Mod
         cases.body(half=half), {"body": cases.RUBBER, "base": cases.RUBBER}, [Fixed("fixed")],
         [Pressure("cavity", 20 * kPa)], contact=Contact(obstacles=obstacles),
     )  # fmt: skip
-    return procedure.amended(model)
+    return question_of(model, procedure)
 
 
 def replace_loads(model: Model, *loads: Traction) -> Model:

@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from turgor.solvers.continuation.predictor import lagrange_weights
+from turgor.solvers.continuation.path_points import lagrange_weights
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.procedures.static import Static
 

@@ -9,7 +9,7 @@ import meshes
 import turgor as tg
 from turgor.solvers.checks.distortion import distortion_text, worst_volume
 from turgor.solvers.continuation import arc_length as arcs
-from turgor.solvers.continuation import path_follower as following
+from turgor.solvers.continuation import scalar_path
 from turgor.solvers.continuation.continuity import Verdict
 from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.auto import Auto
@@ -126,12 +126,12 @@ def test_auto_ends_where_its_caller_says_and_is_not_taken_for_lost():
 )
 def test_an_arc_that_cannot_go_on_is_no_limit_point(monkeypatch, cause, status):
     """No step beyond a stretch of the sphere is a piece of the path; none of them becomes a state."""
-    judged = following.judged
+    judged = scalar_path.judged
 
     def refuse(run, last, now):
         return Verdict(Reason(cause)) if now.scalars[0] > 0.35 else judged(run, last, now)
 
-    monkeypatch.setattr(following, "judged", refuse)
+    monkeypatch.setattr(scalar_path, "judged", refuse)
     for procedure in (ArcLength(), Auto(first_step=1.0, max_step=1.0, past=2.0)):
         solution = solve(sphere(300), procedure)
         assert solution.status is status, solution.message

@@ -20,7 +20,7 @@ from turgor.engine.system import System
 from turgor.engine.tangent import Tangent
 from turgor.model.obstacles import Obstacle, Plane, Sphere
 from turgor.solvers.constraints.loads import load_control
-from turgor.solvers.continuation.path_points import silent
+from turgor.solvers.listeners import silent
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.inertia_correction import inertia_corrected
 from turgor.solvers.newton.newton import NewtonSettings, Start

@@ -14,11 +14,11 @@ from turgor.engine.tangent import Tangent
 from turgor.engine.transfer import Transfer
 from turgor.meshing.refinement import Refinement
 from turgor.model.model import Model
-from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget, acting_pressures
+from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import LoadFactor, WorkTarget
 from turgor.solvers.constraints.loads import load_control
-from turgor.solvers.newton.contact_newton import newton_with_contact, touches
+from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonSettings, Start, newton
 from turgor.solvers.procedures.arc_length import ArcLength
@@ -27,6 +27,7 @@ from turgor.solvers.procedures.gas_mass import GasMass
 from turgor.solvers.procedures.stages import OneProcedure
 from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.solution import State
+from turgor.solvers.states import acting_pressures, touches
 
 Array = NDArray[np.float64]
 
@@ -185,7 +186,7 @@ def _at_volume(
     result = newton(constraint, tangent, start, parameter, SETTINGS, _unheard)
     if not result.converged or result.evaluation is None:
         return None
-    found = acting_pressures(system, result.scalars) if controlled else {}
+    found = acting_pressures(system, result.evaluation) if controlled else {}
     return _state(system, result.evaluation, state, dict(found))
 
 

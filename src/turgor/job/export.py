@@ -15,8 +15,8 @@ from turgor.meshing.exchange.write_stl import write_stl
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.model.write_inp import PROGRAMS, compressible, write_inp
+from turgor.solvers.methods import question_of
 from turgor.solvers.procedures.stages import Stages
-from turgor.solvers.setups.question import question_of
 
 #: What can be exported.
 KINDS = ("inp", "step", "stl", "mold")

@@ -23,10 +23,9 @@ from turgor.results.measures import check_measures, find_measure, measure
 from turgor.solvers.checks.contact import check_contact
 from turgor.solvers.checks.fibers import check_fibers
 from turgor.solvers.checks.obstacles import overlapping_obstacles
-from turgor.solvers.checks.supports import check_supports, may_be_free, unloaded_cavities
-from turgor.solvers.continuation.cavity_control import controlled_faces
+from turgor.solvers.checks.supports import check_supports, unloaded_cavities
+from turgor.solvers.methods import may_be_free, method_of, question_of
 from turgor.solvers.procedures.stages import Stages
-from turgor.solvers.setups.question import question_of
 from turgor.solvers.solution import Procedure, Solution
 from turgor.solvers.solve import Progress, solve
 from turgor.solvers.stage_sequence import questions
@@ -88,7 +87,7 @@ def _checked(model: Model, procedure: Procedure) -> Model:
     """Refuse what no solve could begin; return the question of the procedure, in a sequence that of its first stage."""
     if not isinstance(procedure, Stages):
         check_supports(model, inertia=may_be_free(model, procedure))
-        controlled_faces(model, procedure)
+        method_of(procedure).controlled(model, procedure)
         return question_of(model, procedure)
     asked = questions(model, procedure)
     for question, stage in zip(asked, procedure.stages, strict=True):

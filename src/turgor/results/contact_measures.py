@@ -12,8 +12,9 @@ from turgor.model.obstacles import Obstacle, Plane
 from turgor.results.fields import StateFields
 from turgor.results.reading import Measure
 from turgor.solvers.procedures.blocked_force import PLATE, BlockedForce
-from turgor.solvers.procedures.grasp import BETWEEN, Grasp, Grasped
+from turgor.solvers.procedures.grasp import Grasp
 from turgor.solvers.setups.blocked_tip import HeldTip
+from turgor.solvers.setups.grasped_object import BETWEEN, Grasped
 from turgor.solvers.solution import Solution
 
 Array = NDArray[np.float64]

@@ -7,9 +7,8 @@ from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.continuation.path_points import Bifurcation, Run
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.pressures import pressure_text
-from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.reasons import Cause
-from turgor.solvers.solution import LimitPoint, Procedure, State, Status, Step
+from turgor.solvers.solution import LimitPoint, State, Status, Step
 from turgor.units import kPa, mL
 
 #: Limit points that a sentence names; the rest is in ``solution.limit_points``.
@@ -81,11 +80,10 @@ def turned_back(run: Run) -> Outcome:
     )
 
 
-def limit_point_findings(limits: Sequence[LimitPoint], procedure: Procedure) -> tuple[Finding, ...]:
+def limit_point_findings(limits: Sequence[LimitPoint], severity: Severity) -> tuple[Finding, ...]:
     """Say where the pressure turned (L03): under that pressure the actuator would jump."""
     if not limits:
         return ()
-    severity = Severity.WARNING if isinstance(procedure, Auto) else Severity.NOTE
     return (
         Finding(
             code="L03",

@@ -1,4 +1,4 @@
-"""Carried: what a stage takes over from the former one."""
+"""Restart: what a stage takes over from the former one."""
 
 from dataclasses import dataclass
 
@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class CarriedContact:
+class RestartContact:
     """One contact: its name and sides, from where its points slip, and how much stiffer it has become."""
 
     name: str
@@ -24,26 +24,26 @@ class CarriedContact:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Carried:
+class Restart:
     """The last state of a stage, and what its equations know beyond it.
 
     Parameters
     ----------
     state : State
-    contacts : tuple of CarriedContact
+    contacts : tuple of RestartContact
         What its contacts know.
     """
 
     state: State
-    contacts: tuple[CarriedContact, ...]
+    contacts: tuple[RestartContact, ...]
 
     @staticmethod
-    def of(system: System, state: State) -> "Carried":
+    def of(system: System, state: State) -> "Restart":
         """What the next stage takes over from a system in a state."""
-        return Carried(
+        return Restart(
             state=state,
             contacts=tuple(
-                CarriedContact(part.name, part.surface.sides, part.anchors, part.boost) for part in system.contact.parts
+                RestartContact(part.name, part.surface.sides, part.anchors, part.boost) for part in system.contact.parts
             ),
         )
 

@@ -9,23 +9,17 @@ from turgor.engine.contact.build import may_touch
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
 from turgor.engine.tangent import Tangent
-from turgor.model.drive import kinks
 from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
-from turgor.solvers.checks.supports import check_supports, may_be_free
+from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
-from turgor.solvers.continuation.cavity_control import Problem, controlled_faces, follow_path
-from turgor.solvers.continuation.load_control import Path, StaticRun, follow_load
-from turgor.solvers.dynamics.moving import energy_findings, follow_moving
+from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.listeners import Listeners
-from turgor.solvers.outcomes import Outcome
+from turgor.solvers.methods import method_of, question_of
 from turgor.solvers.path_outcomes import limit_point_findings
-from turgor.solvers.procedures.dynamic import Dynamic
-from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.procedures.static import Static
-from turgor.solvers.restart import Carried
-from turgor.solvers.setups.question import question_of
+from turgor.solvers.restart import Restart
 from turgor.solvers.solution import Iteration, Procedure, Solution, SolveError, State, Timing
 from turgor.solvers.stage_sequence import in_turn
 
@@ -75,36 +69,37 @@ def solve(
     SolveError
         If the full load was not reached and ``throw`` is set.
     """
-    procedure, hooks = procedure or Static(), Listeners(progress, stop)
+    procedure, listeners = procedure or Static(), Listeners(progress, stop)
     one = partial(_solved, options or EngineOptions())
     if isinstance(procedure, Stages):
-        solution = in_turn(model, procedure, hooks, one)
+        solution = in_turn(model, procedure, listeners, one)
     else:
-        solution, _ = one(question_of(model, procedure), procedure, hooks, None)
+        solution, _ = one(question_of(model, procedure), procedure, listeners, None)
     if throw and not solution.complete:
         raise SolveError(solution)
     return solution
 
 
 def _solved(
-    options: EngineOptions, model: Model, procedure: OneProcedure, hooks: Listeners, carried: Carried | None
-) -> tuple[Solution, Carried]:
-    """Follow one procedure from rest, or from what a former stage left; and what it leaves itself."""
+    options: EngineOptions, model: Model, procedure: OneProcedure, listeners: Listeners, restart: Restart | None
+) -> tuple[Solution, Restart]:
+    """Follow one procedure from rest, or from what a former stage left; return what it leaves itself, too."""
+    method = method_of(procedure)
     start = perf_counter()
-    check_supports(model, inertia=may_be_free(model, procedure))
+    check_supports(model, inertia=method.may_be_free(model))
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
         cell, mixed = model.mesh.cell_type, model.formulation != DISPLACEMENT
         compiling = compile_kernels(options.notify, cell.nodes, mixed, cell.side.nodes if may_touch(model) else 0)
         setup = perf_counter()
-        system = System(model, controlled_faces(model, procedure))
+        system = System(model, method.controlled(model, procedure))
         system.materials.begin_step(inf)  # slow enough to relax, unless the procedure knows its time
         tangent = Tangent(system, options.linear_solver, threads, options.iteration)
         setup = perf_counter() - setup
-        path = Path(kinks(model), carried)
-        if carried is not None:
-            carried.restore(system)
-        outcome = _outcome(system, tangent, procedure, hooks, path)
+        problem = Problem(system=system, tangent=tangent, listeners=listeners, restart=restart)
+        if restart is not None:
+            restart.restore(system)
+        outcome = method.follow(problem, procedure)
     clock = tangent.clock
     timing = Timing(
         compile=compiling,
@@ -120,45 +115,19 @@ def _solved(
     solution = Solution(
         model=model,
         procedure=procedure,
-        states=tuple(path.states),
+        states=tuple(problem.states),
         status=outcome.status,
         message=outcome.message,
         advice=outcome.advice,
-        steps=tuple(path.steps),
+        steps=tuple(problem.steps),
         findings=(
-            *meeting_walls(model, path.states),
-            *deep_penetrations(path.states),
-            *limit_point_findings(path.limits, procedure),
-            *energy_findings(procedure, path.states),
-            *too_long_steps(model, procedure, path.states),
+            *meeting_walls(model, problem.states),
+            *deep_penetrations(problem.states),
+            *limit_point_findings(problem.limits, method.limit_points),
+            *method.findings(problem.states),
+            *too_long_steps(model, procedure, problem.states),
         ),
         timing=timing,
-        limit_points=tuple(path.limits),
+        limit_points=tuple(problem.limits),
     )
-    return solution, Carried.of(system, path.states[-1])
-
-
-def _outcome(system: System, tangent: Tangent, procedure: OneProcedure, hooks: Listeners, path: Path) -> Outcome:
-    """Follow the path as the procedure says."""
-    if isinstance(procedure, Static):
-        return follow_load(StaticRun(system, tangent, procedure, hooks, path))
-    if isinstance(procedure, Dynamic | Stabilized):
-        start = None if path.carried is None else path.carried.state
-        return follow_moving(system, tangent, procedure, hooks, (path.states, path.steps), start)
-    problem = Problem(
-        system=system,
-        tangent=tangent,
-        procedure=procedure,
-        progress=hooks.progress,
-        stop=hooks.stop,
-        states=path.states,
-        steps=path.steps,
-        limits=path.limits,
-        carried=path.carried,
-    )
-
-    def by_load(static: Static, until: Stop) -> Outcome:
-        run = StaticRun(system, tangent, static, Listeners(hooks.progress, until), path, patient=False)
-        return follow_load(run)
-
-    return follow_path(problem, by_load, path.history)
+    return solution, Restart.of(system, problem.states[-1])

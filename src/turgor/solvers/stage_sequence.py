@@ -10,13 +10,14 @@ from turgor.model.continuing import continued, movable, with_loads
 from turgor.model.drive import pressures_at
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
-from turgor.solvers.continuation.cavity_control import asked_cavities, controlled_faces
+from turgor.solvers.continuation.cavity_control import asked_cavities
 from turgor.solvers.listeners import Listeners
+from turgor.solvers.methods import method_of
 from turgor.solvers.pressures import pressures_of
 from turgor.solvers.procedures.gas_mass import GasMass
 from turgor.solvers.procedures.stages import OneProcedure, Stage, Stages
 from turgor.solvers.procedures.volume_control import VolumeControl
-from turgor.solvers.restart import Carried
+from turgor.solvers.restart import Restart
 from turgor.solvers.solution import Iteration, Solution, State, Status, Timing
 
 T = TypeVar("T")
@@ -24,20 +25,20 @@ T = TypeVar("T")
 #: Findings about what stays so in later stages; one of each is enough.
 LASTING = ("B02",)
 
-#: Solves one procedure from rest or from what was carried, and says what to carry on.
-Follow = Callable[[Model, OneProcedure, Listeners, Carried | None], tuple[Solution, Carried]]
+#: Solves one procedure from rest or from what was restart, and says what to carry on.
+Follow = Callable[[Model, OneProcedure, Listeners, Restart | None], tuple[Solution, Restart]]
 
 
 def in_turn(model: Model, procedure: Stages, listeners: Listeners, follow: Follow) -> Solution:
     """Solve the stages of a sequence until one of them stops early."""
     found: list[Solution] = []
-    carried: Carried | None = None
+    restart: Restart | None = None
     first = _movable(model, procedure)
     for stage in procedure.stages:
         try:
-            last = None if carried is None else _End.of(carried.state)
+            last = None if restart is None else _End.of(restart.state)
             question = _question(first, stage, last)
-            solution, carried = follow(question, stage.procedure, _within(stage, listeners), carried)
+            solution, restart = follow(question, stage.procedure, _within(stage, listeners), restart)
         except TurgorError as error:
             raise TurgorError(f"stage '{stage.name}': {error}") from None
         found.append(solution)
@@ -69,7 +70,7 @@ def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
     for stage in procedure.stages:
         try:
             question = _question(first, stage, last)
-            controlled_faces(question, stage.procedure)
+            method_of(stage.procedure).controlled(question, stage.procedure)
         except TurgorError as error:
             raise TurgorError(f"stage '{stage.name}': {error}") from None
         found.append(question)

@@ -8,8 +8,6 @@ from turgor.finding import Finding, Severity
 from turgor.meshing.bodies import Body, find_bodies
 from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
-from turgor.solvers.procedures.dynamic import Dynamic
-from turgor.solvers.procedures.stabilized import Stabilized
 
 
 def check_supports(model: Model, inertia: bool = False) -> None:
@@ -54,24 +52,6 @@ def free_motions(model: Model) -> int:
     """
     supports = held_components(model)
     return sum(6 - _held_motions(model, supports, body) for body in find_bodies(model.mesh))
-
-
-def may_be_free(model: Model, procedure: object) -> bool:
-    """Whether supports may leave rigid motions free under a procedure: what moves or is slowed down needs none.
-
-    Parameters
-    ----------
-    model : Model
-    procedure : Procedure
-        `Dynamic` always; `Stabilized` where there is something to come to rest at.
-
-    Returns
-    -------
-    bool
-    """
-    if isinstance(procedure, Stabilized):
-        return bool(model.contact.obstacles) or len(find_bodies(model.mesh)) > 1
-    return isinstance(procedure, Dynamic)
 
 
 def _held_motions(model: Model, supports: Held, body: Body) -> int:

@@ -1,6 +1,5 @@
 """Constraints by cavities: their pressures are sought, their volumes or amounts of gas are given."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -138,8 +137,3 @@ class GasTarget:
         if self.sealed or now.parameter < self.seal:
             return self
         return replace(self, sealed=True, volume=self.chambers.volumes(now.unknowns))
-
-
-def acting_pressures(system: System, scalars: Array) -> Mapping[str, float]:
-    """Gauge pressures [Pa] of the controlled faces."""
-    return {name: float(p) * system.stress for name, p in zip(system.controlled, scalars, strict=True)}

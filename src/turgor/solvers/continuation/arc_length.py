@@ -2,9 +2,11 @@
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from math import inf
 
 import numpy as np
+from numpy.typing import NDArray
 
 from turgor.engine.fields import cell_fields
 from turgor.engine.linear import SingularTangentError
@@ -16,20 +18,28 @@ from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget, LoadFactor, displacement_of
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import follow
-from turgor.solvers.continuation.path_points import Point, Run, fixed_load, silent, state_of
+from turgor.solvers.continuation.path_points import Ending, Point, Problem, Run, begin, fixed_load, nothing, settings_of
 from turgor.solvers.continuation.path_reversal import retraces
-from turgor.solvers.continuation.problem import Array, Problem, begin, run_of
+from turgor.solvers.continuation.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import CUT, StepControl
 from turgor.solvers.continuation.tangent_response import leapt, load_response, rate_at
-from turgor.solvers.newton.newton import NewtonSettings, Start, newton
+from turgor.solvers.listeners import silent
+from turgor.solvers.newton.newton import Start, newton
 from turgor.solvers.outcomes import Outcome, stuck
 from turgor.solvers.path_outcomes import followed, reached, turned_back
 from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import Step
+from turgor.solvers.states import state_of
 
-Ending = Callable[[Point, Point, Run], Outcome | None]
+Array = NDArray[np.float64]
+
+Finished = Callable[[Point, Point, Run], Ending | None]
+
+#: Procedures that follow an arc.
+ByArc = ArcLength | Auto
 
 
 def check_proportional(model: Model, what: str) -> None:
@@ -60,14 +70,18 @@ def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
     _check_driven(problem.system.model)
     rest = problem.system.evaluate(start_of(problem), 0.0)
     assert rest is not None
-    problem.states.append(state_of(problem.system, rest, None, {}, {}))
-    return from_rest(problem, procedure.first_step, procedure.max_step, bounds(procedure.max_stretch))
+    problem.states.append(state_of(problem.system, rest, None))
+    return from_rest(
+        problem,
+        procedure,
+        (procedure.first_step, procedure.max_step),
+        bounds(Bounds(procedure.max_stretch, procedure.max_displacement, procedure.at)),
+    )
 
 
-def from_rest(problem: Problem, load: float, longest: float, ends: Ending) -> Outcome:
-    """Take a first step by the load, at most as long as asked, and go on by the arc."""
-    system, tangent, procedure = problem.system, problem.tangent, problem.procedure
-    settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
+def from_rest(problem: Problem, procedure: ByArc, lengths: tuple[float, float], ends: Finished) -> Outcome:
+    """Take a first step by the load, at most as long as asked, and go on by arcs up to a longest one."""
+    system, tangent, settings, (load, longest) = problem.system, problem.tangent, settings_of(procedure), lengths
     system.materials.begin_step(inf)
     rest = start_of(problem)
     at_rest = system.evaluate(rest, 0.0)
@@ -88,18 +102,20 @@ def from_rest(problem: Problem, load: float, longest: float, ends: Ending) -> Ou
         if load < procedure.min_step:
             return stuck(system.model, problem.states, problem.steps, bool(first.unstable_modes))
     assert first.evaluation is not None
-    return follow(arc_run(problem, first.evaluation.unknowns, load, (load * 2**0.5, longest), ends))
+    return follow(arc_run(problem, procedure, (first.evaluation.unknowns, load), (load * 2**0.5, longest), ends))
 
 
-def arc_run(problem: Problem, unknowns: Array, load: float, steps: tuple[float, float], ends: Ending) -> Run:
+def arc_run(
+    problem: Problem, procedure: ByArc, at: tuple[Array, float], steps: tuple[float, float], ends: Finished
+) -> Run:
     """A run by the arc length from a stable state on, to where the load rises, with a first and a longest step."""
-    system, procedure = problem.system, problem.procedure
+    system, (unknowns, load) = problem.system, at
     size, here = displacement_scale(problem, unknowns, load), np.array([load])
     along, rise = _direction(problem, unknowns, load, size)
     target = ArcTarget(system, size, 0.0, unknowns, here, along, rise)
     length, longest = steps
     stepping = StepControl(length=min(length, longest), max_step=longest, min_step=procedure.min_step, targets=(inf,))
-    run = run_of(problem, Constraint(LoadFactor(system), target), stepping, nothing, ends)
+    run = scalar_run(problem, procedure, Constraint(LoadFactor(system), target), stepping, Goal(nothing, ends))
     run.size = size
     begin(run, 0.0, unknowns, here)
     if len(run.states) == 1:
@@ -114,7 +130,7 @@ def displacement_scale(problem: Problem, unknowns: Array, load: float) -> float:
 
 def start_of(problem: Problem) -> Array:
     """Unknowns (size,) at load factor 0."""
-    return unknowns_of(problem.system, None if problem.carried is None else problem.carried.state)
+    return unknowns_of(problem.system, problem.start)
 
 
 def _direction(problem: Problem, unknowns: Array, load: float, size: float) -> tuple[Array, float]:
@@ -142,44 +158,54 @@ def _first_step(load: float, iterations: int, residual: float, reason: Reason | 
     )
 
 
-def bounds(max_stretch: float, enough: Callable[[Point, Run], bool] | None = None) -> Ending:
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """Where a path ends whatever its load.
+
+    Parameters
+    ----------
+    max_stretch : float [-]
+    max_displacement : float or None [m]
+    at : tuple of float [-]
+        Load factors at which states are made on the way.
+    """
+
+    max_stretch: float
+    max_displacement: float | None = None
+    at: tuple[float, ...] = ()
+
+
+def bounds(limit: Bounds, enough: Callable[[Point, Run], bool] | None = None) -> Finished:
     """End where the load factor reaches 1 or 0, the stretch or displacement its bound, or the cavities theirs."""
 
-    def finished(before: Point, now: Point, run: Run) -> Outcome | None:
-        procedure = run.task.procedure
-        if isinstance(procedure, ArcLength):
-            _insert_requested(run, before, now, procedure.at)
+    def finished(before: Point, now: Point, run: Run) -> Ending | None:
+        _insert_requested(run, before, now, limit.at)
         low, high = float(before.scalars[0]), float(now.scalars[0])
         if low < 1.0 <= high:
             full = fixed_load(run, before, now, 1.0)
             if full is not None:
-                run.states.append(full)
                 run.bifurcations[:] = [each for each in run.bifurcations if each.load_factor <= 1]
-                return reached(run.states, run.steps, run.limits, run.bifurcations)
+                return Ending(full, lambda run: reached(run.states, run.steps, run.limits, run.bifurcations))
         if retraces(run, now):
-            run.states.append(now.state)
-            return turned_back(run)
+            return Ending(now.state, turned_back)
         grown = enough is not None and enough(now, run)
-        why = "the cavities have grown as far as asked" if grown else _bound(run, now, max_stretch)
-        if why is None:
-            return None
-        run.states.append(now.state)
-        return followed(run, why)
+        why = "the cavities have grown as far as asked" if grown else _bound(now, limit)
+        return None if why is None else Ending(now.state, lambda run: followed(run, why))
 
     return finished
 
 
-def _bound(run: Run, now: Point, max_stretch: float) -> str | None:
-    state, procedure = now.state, run.task.procedure
+def _bound(now: Point, limit: Bounds) -> str | None:
+    state = now.state
     if now.scalars[0] <= 0:
         begun = any(share_at(load.history, 0.0) for load in state.model.loads)
         return "the loads are back at what they were at first" if begun else "the load is back at zero"
     stretch = float(cell_fields(state.model, state.displacement, state.mean_stress).stretch.max())
-    if stretch >= max_stretch:
+    if stretch >= limit.max_stretch:
         return f"the largest stretch has reached {stretch:.3g}"
-    if isinstance(procedure, ArcLength) and procedure.max_displacement is not None:
+    if limit.max_displacement is not None:
         moved = float(np.linalg.norm(state.displacement, axis=1).max())
-        if moved >= procedure.max_displacement:
+        if moved >= limit.max_displacement:
             return f"the largest displacement has reached {moved * 1e3:.4g} mm"
     return None
 
@@ -192,8 +218,3 @@ def _insert_requested(run: Run, before: Point, now: Point, requested: Sequence[f
         state = fixed_load(run, before, now, factor)
         if state is not None:
             run.states.append(state)
-
-
-def nothing(_: float) -> dict[str, float]:
-    """Prescribe nothing but the load factor."""
-    return {}

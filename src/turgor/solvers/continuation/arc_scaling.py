@@ -18,12 +18,12 @@ GROWN = 4.0
 
 def go_onward(run: Run, last: Point, now: Point) -> None:
     """Take the conditions of the next step, for an arc in a scale that fits, and tell the history its new measure."""
-    target = run.control.target
+    target = run.constraint.target
     if isinstance(target, ArcTarget):
         run.size = max(run.size, _moved(run, now) / (GROWN * _largest_load(run, now)))
         target = replace(target, size=run.size)
     following = target.onward(last, now)
-    run.control = Constraint(run.control.sought, following, run.control.clock.onward(now.parameter))
+    run.constraint = Constraint(run.constraint.sought, following, run.constraint.clock.onward(now.parameter))
     if not isinstance(following, ArcTarget) or now.change is None or now.slope is None:
         return
     measure = float(following.along @ now.change + following.rise * now.slope[0])

@@ -1,30 +1,40 @@
-"""Going past: what `Auto` does before, at and beyond a limit point."""
+"""Branch switch: what `Auto` does before, at and beyond a limit point."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
+from numpy.typing import NDArray
 
 from turgor.engine.chambers import Chambers
-from turgor.engine.system import Stresses
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget, LoadFactor, WorkTarget, displacement_of
-from turgor.solvers.continuation.arc_length import arc_run, bounds, displacement_scale, from_rest, nothing, start_of
+from turgor.solvers.continuation.arc_length import (
+    Bounds,
+    arc_run,
+    bounds,
+    check_proportional,
+    check_still,
+    displacement_scale,
+    from_rest,
+    start_of,
+)
 from turgor.solvers.continuation.branch_jump import LEAP, leap_to
+from turgor.solvers.continuation.load_control import load_run
 from turgor.solvers.continuation.path_follower import follow
-from turgor.solvers.continuation.path_points import Point, Run
-from turgor.solvers.continuation.problem import Array, Problem, begin, run_of
+from turgor.solvers.continuation.path_points import Point, Problem, Run, begin, nothing
+from turgor.solvers.continuation.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import CUT, StepControl
 from turgor.solvers.continuation.tangent_response import leapt, rate_at
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.reasons import Cause, Reason
-from turgor.solvers.restart import Carried, unknowns_of
+from turgor.solvers.restart import Restart, unknowns_of
 from turgor.solvers.solution import State, Status
 
-History = Sequence[tuple[float, Array, Stresses]]
+Array = NDArray[np.float64]
 
 #: Longest step by volume, in the injected volume at which it takes over, over the longest step of the load.
 FARTHER = 4.0
@@ -39,7 +49,7 @@ LONGEST = 2.0
 AUTO_MIN_STEP = 2e-3
 
 
-def load_control(procedure: Auto) -> Static:
+def load_steps(procedure: Auto) -> Static:
     """The part of `Auto` before a limit point."""
     smallest = min(max(procedure.min_step, AUTO_MIN_STEP), procedure.first_step)
     return Static(
@@ -64,9 +74,9 @@ class Watch:
     ----------
     problem : Problem
         Whose list of states load control fills, the state in question last.
-    history : sequence
-        Load factors, unknowns and stresses of the last states.
-    good : Carried or None
+    history : sequence of Point
+        The last points of load control.
+    good : Restart or None
         The last state without fault; None where there was none but rest.
     rate : float
         How far its nodes move with the load factor.
@@ -75,13 +85,13 @@ class Watch:
     """
 
     problem: Problem
-    history: History
-    good: Carried | None = None
+    history: Sequence[Point]
+    good: Restart | None = None
     rate: float = inf
     reason: Reason | None = None
 
     @staticmethod
-    def at_rest(problem: Problem, history: History) -> "Watch":
+    def at_rest(problem: Problem, history: Sequence[Point]) -> "Watch":
         """Know how the body moves for a small load, so that a leap in the first step shows too."""
         at = problem.system.evaluate(start_of(problem), 0.0)
         assert at is not None
@@ -89,8 +99,8 @@ class Watch:
 
     def __call__(self, state: State) -> str | None:
         """End load control with a reason: of its own, or of the caller."""
-        system, (load, unknowns, _) = self.problem.system, self.history[-1]
-        at = system.evaluate(unknowns, load)
+        system, last = self.problem.system, self.history[-1]
+        at = system.evaluate(last.unknowns, last.parameter)
         assert at is not None
         rate, modes = rate_at(system, self.problem.tangent, at)
         if modes is not None and modes != state.unstable_modes:
@@ -99,17 +109,29 @@ class Watch:
         self.reason = self._why(state, rate)
         if self.reason is not None:
             return str(self.reason)
-        self.good, self.rate = Carried.of(system, state), rate
-        return None if self.problem.stop is None else self.problem.stop(state)
+        self.good, self.rate = Restart.of(system, state), rate
+        stop = self.problem.listeners.stop
+        return None if stop is None else stop(state)
 
     def _why(self, state: State, rate: float) -> Reason | None:
         if state.unstable_modes:
             return Reason(Cause.UNSTABLE)
-        (before, first, _), (now, second, _) = self.history[-2:]
+        before, now = self.history[-2:]
         rates = self.rate, rate
         faster = leap_to(self.problem.states, len(self.problem.states) - 1) > LEAP
-        jumped = faster or leapt(self.problem.system, second - first, now - before, rates)
+        change, rise = now.unknowns - before.unknowns, now.parameter - before.parameter
+        jumped = faster or leapt(self.problem.system, change, rise, rates)
         return Reason(Cause.BRANCH_JUMP) if jumped else None
+
+
+def follow_auto(problem: Problem, procedure: Auto) -> Outcome:
+    """Follow the path by the load, and past limit points by what can drive there."""
+    check_proportional(problem.system.model, "procedure auto")
+    check_still(problem.system, "procedure auto")
+    history: list[Point] = []
+    watch = Watch.at_rest(problem, history)
+    outcome = follow(load_run(problem, load_steps(procedure), False, watch, history))
+    return go_past(problem, procedure, watch) if lost(outcome, watch) else outcome
 
 
 def lost(outcome: Outcome, watch: Watch) -> bool:
@@ -117,43 +139,42 @@ def lost(outcome: Outcome, watch: Watch) -> bool:
     return watch.reason is not None or outcome.status in (Status.LIMIT_POINT, Status.STEP_TOO_SMALL)
 
 
-def go_past(problem: Problem, watch: Watch) -> Outcome:
+def go_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
     """Go on from the last good state of load control with what can drive past a limit point."""
-    system, procedure = problem.system, problem.procedure
-    assert isinstance(procedure, Auto)
+    system = problem.system
     if watch.reason is not None:
         problem.states.pop()
         problem.steps[-1] = replace(problem.steps[-1], accepted=False, why=watch.reason)
-    ends = bounds(procedure.max_stretch)
+    ends = bounds(Bounds(procedure.max_stretch))
     if watch.good is None:
-        return from_rest(problem, CUT * procedure.first_step, LONGEST * procedure.max_step, ends)
+        lengths = CUT * procedure.first_step, LONGEST * procedure.max_step
+        return from_rest(problem, procedure, lengths, ends)
     watch.good.restore(system)
     system.materials.begin_step(inf)
     unknowns, load = unknowns_of(system, watch.good.state), watch.good.state.load_factor
     faces = [load.face for load in system.model.pressures]
     other = len(faces) < len(system.model.loads) or not set(faces) <= set(system.model.mesh.cavities)
-    if other or problem.carried is not None:
-        return follow(arc_run(problem, unknowns, load, _arcs(problem, unknowns, load), ends))
-    volume = _by_volume(problem, unknowns, load)
+    if other or problem.restart is not None:
+        return follow(arc_run(problem, procedure, (unknowns, load), _arcs(problem, procedure, unknowns, load), ends))
+    volume = _by_volume(problem, procedure, unknowns, load)
     outcome = follow(volume)
     if outcome.status is not Status.STEP_TOO_SMALL or volume.history[-1].change is None:
         return outcome
-    return follow(_by_arc(problem, volume))  # the volume turns too
+    return follow(_by_arc(problem, procedure, volume))  # the volume turns too
 
 
-def _arcs(problem: Problem, unknowns: Array, load: float) -> tuple[float, float]:
+def _arcs(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> tuple[float, float]:
     """First and longest arc from a state of load control on: the first is shorter than the last step of the load."""
-    system, procedure, before = problem.system, problem.procedure, problem.states[-2]
+    system, before = problem.system, problem.states[-2]
     moved = displacement_of(system, unknowns - unknowns_of(system, before))
     size = displacement_scale(problem, unknowns, load)
     step = float(np.hypot(np.linalg.norm(moved) / size, load - before.load_factor))
     return CUT * step, LONGEST * procedure.max_step
 
 
-def _by_volume(problem: Problem, unknowns: Array, load: float) -> Run:
+def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> Run:
     """A run by the volume of the cavities, weighted with their pressures, from a state of load control on."""
-    system, procedure = problem.system, problem.procedure
-    assert isinstance(procedure, Auto)
+    system = problem.system
     chambers = Chambers(system, [load.face for load in system.model.pressures])
     weights = np.array([load.pressure for load in system.model.pressures])
     weights /= np.abs(weights).max()
@@ -173,16 +194,16 @@ def _by_volume(problem: Problem, unknowns: Array, load: float) -> Run:
         turn = float(weights @ chambers.volumes(system.unknowns(state.displacement, state.mean_stress)))
         return float(weights @ chambers.volumes(now.unknowns)) - rest >= procedure.past * (turn - rest)
 
-    ends = bounds(procedure.max_stretch, enough)
-    run = run_of(problem, Constraint(LoadFactor(system), target), stepping, nothing, ends)
+    ends = bounds(Bounds(procedure.max_stretch), enough)
+    run = scalar_run(problem, procedure, Constraint(LoadFactor(system), target), stepping, Goal(nothing, ends))
     run.size = displacement_scale(problem, unknowns, load)
     begin(run, 0.0, unknowns, np.array([load]))
     return run
 
 
-def _by_arc(problem: Problem, volume: Run) -> Run:
+def _by_arc(problem: Problem, procedure: Auto, volume: Run) -> Run:
     """A run by the arc length from where the volume turned too, onward as it grew until then."""
-    system, procedure = problem.system, problem.procedure
+    system = problem.system
     last, before = volume.history[-1], volume.history[-2:][0]
     here = replace(last, parameter=0.0)
     blank = np.zeros(system.size)
@@ -196,7 +217,8 @@ def _by_arc(problem: Problem, volume: Run) -> Run:
         min_step=procedure.min_step,
         targets=(inf,),
     )
-    run = run_of(problem, Constraint(LoadFactor(system), target), stepping, nothing, volume.task.finished)
+    goal = Goal(nothing, volume.task.finished)
+    run = scalar_run(problem, procedure, Constraint(LoadFactor(system), target), stepping, goal)
     run.size = volume.size
     run.bifurcations += volume.bifurcations
     begin(run, 0.0, last.unknowns, last.scalars)

@@ -1,4 +1,4 @@
-"""Paths: what each procedure controls, and where its path begins and ends."""
+"""Cavity control: paths along which the volumes or the amounts of gas of cavities are given."""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -15,33 +15,23 @@ from turgor.model.model import Model
 from turgor.solvers.constraints.cavities import CavityPressures, GasTarget, VolumeTarget
 from turgor.solvers.constraints.clock import Clock
 from turgor.solvers.constraints.constraint import Constraint, Target
-from turgor.solvers.continuation.arc_length import check_proportional, check_still, follow_arc
-from turgor.solvers.continuation.branch_switch import History, Watch, go_past, load_control, lost
 from turgor.solvers.continuation.path_follower import follow
-from turgor.solvers.continuation.path_points import Point, Run
-from turgor.solvers.continuation.problem import Problem as Problem
-from turgor.solvers.continuation.problem import begin, run_of
+from turgor.solvers.continuation.path_points import Ending, Point, Problem, Run, begin
+from turgor.solvers.continuation.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.path_outcomes import reached
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.gas_mass import GasMass
-from turgor.solvers.procedures.stages import Sealed
-from turgor.solvers.procedures.static import Static
 from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.restart import unknowns_of
-from turgor.solvers.solution import Procedure, State
 
 Array = NDArray[np.float64]
 
 #: A cavity with less than this share of the box around the body has no volume.
 NO_VOLUME = 1e-9
 
-ByLoad = Callable[[Static, Callable[[State], str | None]], Outcome]
 
-
-def controlled_faces(model: Model, procedure: Procedure) -> tuple[str, ...]:
+def controlled_faces(model: Model, procedure: VolumeControl | GasMass) -> tuple[str, ...]:
     """Name the cavities whose pressure a procedure seeks.
 
     Raises
@@ -49,9 +39,7 @@ def controlled_faces(model: Model, procedure: Procedure) -> tuple[str, ...]:
     TurgorError
         If a cavity is unknown, encloses no volume, or has a pressure of its own already.
     """
-    if not isinstance(procedure, VolumeControl | GasMass):
-        return ()
-    field, names = _field(procedure), asked_cavities(model, procedure)
+    field, names = procedure.asked_by, asked_cavities(model, procedure)
     for name in names:
         if any(load.face == name for load in model.pressures):
             raise TurgorError(
@@ -71,8 +59,7 @@ def asked_cavities(model: Model, procedure: VolumeControl | GasMass) -> tuple[st
     TurgorError
         If a cavity is unknown, or it is not said which one.
     """
-    asked = procedure.volume if isinstance(procedure, VolumeControl) else procedure.mass_ratio
-    field, known = _field(procedure), model.mesh.cavities
+    asked, field, known = procedure.asked, procedure.asked_by, model.mesh.cavities
     if not isinstance(asked, Mapping):
         if len(known) != 1:
             names = ", ".join(known) or "none"
@@ -85,59 +72,43 @@ def asked_cavities(model: Model, procedure: VolumeControl | GasMass) -> tuple[st
     return tuple(asked)
 
 
-def _field(procedure: VolumeControl | GasMass) -> str:
-    """What the user calls the amounts."""
-    if isinstance(procedure, Sealed):
-        return "cavities"
-    return "volume" if isinstance(procedure, VolumeControl) else "mass_ratio"
+def follow_volume(problem: Problem, procedure: VolumeControl) -> Outcome:
+    """Seek the pressures of cavities whose volumes are given."""
+    system, (start, pressures, chambers) = problem.system, _now(problem)
+    volumes, injected = chambers.volumes(start), _each(procedure.volume, system.controlled)
+    target = VolumeTarget(chambers, volumes, injected / system.length**3)
+    before = (volumes - chambers.volumes(np.zeros(system.size))) * system.length**3
+    driven = _amounts("injected_volume", system.controlled, before, before + injected)
+    goal = Goal(driven, _at_the_end, kinks(system.model), limit_points=bool(injected.any()))
+    return _follow(problem, procedure, target, goal, (start, pressures))
 
 
-def follow_path(problem: Problem, by_load: ByLoad, history: History) -> Outcome:
-    """Follow the path of any procedure but load control from the undeformed state.
-
-    Parameters
-    ----------
-    problem : Problem
-    by_load : callable
-        ``by_load(static, stop) -> Outcome`` follows the path by the load, and fills the lists of the problem.
-    history : sequence
-        Load factors, unknowns and stresses of the last states that it found.
-    """
-    procedure = problem.procedure
-    if isinstance(procedure, ArcLength):
-        return follow_arc(problem, procedure)
-    if isinstance(procedure, Auto):
-        check_proportional(problem.system.model, "procedure auto")
-        check_still(problem.system, "procedure auto")
-        watch = Watch.at_rest(problem, history)
-        outcome = by_load(load_control(procedure), watch)
-        return go_past(problem, watch) if lost(outcome, watch) else outcome
-    return _follow_cavities(problem, procedure)
+def follow_gas(problem: Problem, procedure: GasMass) -> Outcome:
+    """Seek the pressures of cavities whose amounts of gas are given."""
+    system, (start, pressures, chambers) = problem.system, _now(problem)
+    volumes, ratios = chambers.volumes(start), _each(procedure.mass_ratio, system.controlled)
+    _check_room(system, volumes)
+    target = _gas(chambers, procedure, ratios, (volumes, pressures))
+    driven = _amounts("gas_mass_ratio", system.controlled, np.ones(len(volumes)), ratios, target.seal)
+    turns = {*kinks(system.model), *(() if target.sealed else (target.seal,))}
+    return _follow(problem, procedure, target, Goal(driven, _at_the_end, tuple(sorted(turns))), (start, pressures))
 
 
-def _follow_cavities(problem: Problem, procedure: VolumeControl | GasMass) -> Outcome:
-    """Seek the pressures of cavities, from the undeformed state or from where a former stage ended."""
-    system, carried = problem.system, problem.carried
+def _now(problem: Problem) -> tuple[Array, Array, Chambers]:
+    """Unknowns and scaled pressures at rest or where a former stage ended, and the cavities."""
+    system, restart = problem.system, problem.restart
     chambers = Chambers(system, system.controlled)
-    start = unknowns_of(system, None if carried is None else carried.state)
-    pressures = np.zeros(len(chambers)) if carried is None else carried.pressures(system)
-    volumes = chambers.volumes(start)
-    target: Target
-    if isinstance(procedure, VolumeControl):
-        injected = _each(procedure.volume, system.controlled)
-        target = VolumeTarget(chambers, volumes, injected / system.length**3)
-        before = (volumes - chambers.volumes(np.zeros(system.size))) * system.length**3
-        driven = _amounts("injected_volume", system.controlled, before, before + injected)
-    else:
-        _check_room(system, volumes)
-        ratios = _each(procedure.mass_ratio, system.controlled)
-        target = _gas(chambers, procedure, ratios, (volumes, pressures))
-        driven = _amounts("gas_mass_ratio", system.controlled, np.ones(len(volumes)), ratios, target.seal)
-    seal = (target.seal,) if isinstance(target, GasTarget) and not target.sealed else ()
-    turns = tuple(sorted({*kinks(system.model), *seal}))
-    control = Constraint(CavityPressures(system), target, Clock(procedure.duration))
-    run = run_of(problem, control, StepControl.of(procedure, turns), driven, _at_the_end, turns)
-    begin(run, 0.0, start, pressures)
+    pressures = np.zeros(len(chambers)) if restart is None else restart.pressures(system)
+    return unknowns_of(system, problem.start), pressures, chambers
+
+
+def _follow(
+    problem: Problem, procedure: VolumeControl | GasMass, target: Target, goal: Goal, now: tuple[Array, Array]
+) -> Outcome:
+    """Follow the path of a target for the pressures of cavities."""
+    constraint = Constraint(CavityPressures(problem.system), target, Clock(procedure.duration))
+    run = scalar_run(problem, procedure, constraint, StepControl.of(procedure, goal.kinks), goal)
+    begin(run, 0.0, *now)
     return follow(run)
 
 
@@ -188,9 +159,8 @@ def _amounts(
     return driven
 
 
-def _at_the_end(before: Point, now: Point, run: Run) -> Outcome | None:
+def _at_the_end(before: Point, now: Point, run: Run) -> Ending | None:
     """All was injected."""
     if now.parameter < 1.0:
         return None
-    run.states.append(now.state)
-    return reached(run.states, run.steps, run.limits)
+    return Ending(now.state, lambda run: reached(run.states, run.steps, run.limits))

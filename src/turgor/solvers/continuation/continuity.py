@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from turgor.solvers.continuation.path_points import Bifurcation, Point, Run, between, point_at, silent, solve_at
+from turgor.solvers.continuation.path_points import Bifurcation, Point, Run, between, point_at, solve_at
+from turgor.solvers.listeners import silent
 from turgor.solvers.reasons import Cause, Reason
 
 #: The chord of a step has this cosine at least with the directions of the path at both of its ends.

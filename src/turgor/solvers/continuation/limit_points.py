@@ -1,26 +1,25 @@
 """Turning: find where a scalar has its maxima and minima between two points of a path, and make them states."""
 
 from turgor.solvers.continuation.extrema import EVEN, turning_points
-from turgor.solvers.continuation.path_points import Point, Run, between, point_at, silent, solve_at
-from turgor.solvers.outcomes import Outcome
-from turgor.solvers.procedures.stages import Sealed
+from turgor.solvers.continuation.path_points import Ending, Point, Run, between, point_at, solve_at
+from turgor.solvers.listeners import silent
 from turgor.solvers.solution import LimitPoint
 
 #: Solves at most to find one limit point.
 CLOSER = 8
 
 
-def insert_limit_points(run: Run, last: Point, now: Point) -> tuple[Point, Outcome | None]:
+def insert_limit_points(run: Run, last: Point, now: Point) -> tuple[Point, Ending | None]:
     """Find the maxima and minima of each scalar between two points, and make them states of the path.
 
     Where all volumes stay there are none: the pressure turns because other loads do.
 
     Returns
     -------
-    (Point, Outcome or None)
+    (Point, Ending or None)
         The last of them, or the first point; and how the path ends, if it does before or at one of them.
     """
-    if isinstance(run.task.procedure, Sealed):
+    if not run.task.limit_points:
         return last, None
     found = []
     for index in range(len(now.scalars)):

@@ -1,137 +1,106 @@
-"""Following: step along the path of a control, find the limit points on it, and end where it was asked to."""
+"""Path follower: the one loop that steps along a path, whatever constraint drives it.
+
+A strategy says what differs between load control and a path whose scalars are sought: how far the next step goes, where
+Newton's method starts, whether a result is the next point of the path, and what follows when no step succeeds.
+"""
 
 from collections.abc import Callable
 from time import perf_counter
 
-import numpy as np
-
 from turgor.solvers.continuation.arc_scaling import go_onward
-from turgor.solvers.continuation.continuity import Verdict, judged
 from turgor.solvers.continuation.limit_points import insert_limit_points
-from turgor.solvers.continuation.path_points import Point, Run, between, point_at, solve_at
+from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
 from turgor.solvers.continuation.predictor import HISTORY
-from turgor.solvers.newton.newton import NewtonResult, Start
-from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, stuck, too_many_steps
-from turgor.solvers.path_outcomes import lost_path
-from turgor.solvers.solution import Iteration, Step
+from turgor.solvers.newton.newton import NewtonResult
+from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
+from turgor.solvers.solution import Step
 
 
 def follow(run: Run) -> Outcome:
     """Step along the path from the last point of the history until it is finished."""
+    model = run.task.system.model
+    return step_loop(
+        lambda: _advance(run),
+        lambda: len(run.steps) >= run.task.procedure.max_steps,
+        lambda: too_many_steps(model, run.states[-1], run.task.procedure),
+        lambda: interrupted(model, run.states[-1]),
+    )
+
+
+def step_loop(
+    attempt: Callable[[], Outcome | None],
+    spent: Callable[[], bool],
+    out_of_steps: Callable[[], Outcome],
+    interrupt: Callable[[], Outcome],
+) -> Outcome:
+    """Attempt steps until one of them ends the run, the allowed number is spent, or the user presses Ctrl-C."""
     try:
-        while True:
-            if len(run.steps) >= run.task.procedure.max_steps:
-                return too_many_steps(run.task.system.model, run.states[-1], run.task.procedure)
-            outcome = _advance(run)
+        while not spent():
+            outcome = attempt()
             if outcome is not None:
                 return outcome
+        return out_of_steps()
     except KeyboardInterrupt:
-        return interrupted(run.task.system.model, run.states[-1])
+        return interrupt()
 
 
 def _advance(run: Run) -> Outcome | None:
     """Attempt one step; return how the run ends, if it does."""
-    last, began = run.history[-1], perf_counter()
-    parameter = run.stepping.next_load(last.parameter)
-    run.control.clock.begin(run.task.system, parameter)
-    result = solve_at(run, parameter, _start(run, parameter), _reporter(run, parameter))
-    increment = parameter - last.parameter
-    now, verdict = None, Verdict(result.reason)
-    if result.converged and result.evaluation is not None:
-        now = point_at(run, result.evaluation, parameter, result.scalars)
-        verdict = judged(run, last, now)
-    run.steps.append(
-        Step(
-            load_factor=run.control.sought.load_factor(parameter, result.scalars),
-            increment=increment,
-            iterations=result.iterations,
-            residual=result.residual,
-            accepted=now is not None and verdict.reason is None,
-            seconds=perf_counter() - began,
-            why=verdict.reason,
-        )
-    )
-    if now is None or verdict.reason is not None:
-        shorter = run.stepping.failed(increment)
+    task, system, last, began = run.task, run.task.system, run.history[-1], perf_counter()
+    parameter = task.strategy.next_parameter(run)
+    shorter, anchors = run.stepping.failed(parameter - last.parameter), system.contact.anchors
+    run.constraint.clock.begin(system, parameter)
+    start = task.strategy.predict(run, parameter)
+    load = run.constraint.sought.load_factor(parameter, start.scalars)
+    result = solve_at(run, parameter, start, task.problem.listeners.reporter(len(run.steps) + 1, load))
+    judgment = task.strategy.judge(run, result, parameter)
+    noted(run, result, (parameter, perf_counter() - began), judgment)
+    if judgment.point is None:
+        system.contact.anchors = anchors
         if shorter is None:
-            return _stuck(run)
+            return task.strategy.rescue(run)
         run.stepping = shorter
         return None
+    run.bifurcations += judgment.passed
+    return accept(run, judgment.point, result)
+
+
+def noted(run: Run, result: NewtonResult, when: tuple[float, float], judgment: Judgment) -> None:
+    """Note an attempted step to a parameter, with the seconds that it took."""
+    parameter, seconds = when
+    run.steps.append(
+        Step(
+            load_factor=run.constraint.sought.load_factor(parameter, result.scalars),
+            increment=parameter - run.history[-1].parameter,
+            iterations=result.iterations,
+            residual=result.residual,
+            accepted=judgment.point is not None,
+            seconds=seconds,
+            why=judgment.reason,
+        )
+    )
+
+
+def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
+    """Make a point the last state of the path; return how the run ends, if it does."""
+    task, system, last = run.task, run.task.system, run.history[-1]
     assert result.evaluation is not None
-    run.task.system.contact.accept(result.evaluation.contacts)  # after the state has been read
-    run.bifurcations += verdict.passed
-    return _accept(run, last, now, result)
-
-
-def _stuck(run: Run) -> Outcome:
-    """No step is short enough: on a path whose load factor is sought this is no limit point."""
-    if run.size:
-        return lost_path(run)
-    return stuck(run.task.system.model, run.states, run.steps, False)
-
-
-def _accept(run: Run, last: Point, now: Point, result: NewtonResult) -> Outcome | None:
-    task = run.task
+    system.contact.accept(result.evaluation.contacts)  # after the state has been read
     run.history.append(now)
     del run.history[:-HISTORY]
     before, ending = insert_limit_points(run, last, now)
     ending = ending or task.finished(before, now, run)
-    if ending is not None:
-        return ending
-    run.states.append(now.state)
-    task.system.materials.memory = now.state.memory
-    if task.progress is not None:
-        task.progress(_iteration(run, now.state.load_factor, (result.iterations, result.residual, 0.0, 1.0)), now.state)
-    reason = task.stop(now.state) if task.stop is not None else None
+    state = now.state if ending is None else ending.state
+    run.states.append(state)
+    system.materials.memory = state.memory
+    reason = task.problem.listeners.accepted(len(run.steps), state, result)
     if reason is not None:
-        return stopped_by(task.system.model, now.state, reason)
+        return stopped_by(system.model, state, reason)
+    if ending is not None:
+        return ending.outcome(run)
     run.stepping = run.stepping.accepted(now.parameter - last.parameter, result.hardest or result.iterations)
+    task.strategy.accepted(run, now)
     go_onward(run, last, now)
     if now.parameter in task.kinks:
-        _turn(run, now)
+        task.strategy.turn(run, now)
     return None
-
-
-def _turn(run: Run, now: Point) -> None:
-    """Beyond a kink the path goes another way: its past predicts nothing, and its rates are those ahead."""
-    if run.control.clock.duration is not None:
-        run.control.clock.begin(run.task.system, now.parameter)
-    at = run.control.sought.evaluate(now.unknowns, now.parameter, now.scalars)
-    assert at is not None
-    run.history[:] = [point_at(run, at, now.parameter, now.scalars, ahead=True)]
-    run.stepping = run.stepping.turned(run.task.procedure.first_step)
-
-
-def _start(run: Run, parameter: float) -> Start:
-    """Extrapolate with the order that a lower one does not improve, judged by the conditions and the residual."""
-    best, smallest = between(run.history[-1:], parameter), np.inf
-    for count in range(len(run.history), 0, -1):
-        trial = between(run.history[-count:], parameter)
-        at = run.control.sought.evaluate(trial.unknowns, parameter, trial.scalars)
-        size = np.inf if at is None else float(np.linalg.norm(at.residual[~run.task.system.held]))
-        if np.isfinite(smallest) and size >= smallest:
-            break
-        if size < smallest and (count > 1 or not np.isfinite(smallest)):
-            best, smallest = trial, size
-    return best
-
-
-def _reporter(run: Run, parameter: float) -> Callable[[int, float, float, float], None]:
-    def report(iteration: int, residual: float, correction: float, length: float) -> None:
-        if run.task.progress is not None:
-            factor = run.states[-1].load_factor
-            run.task.progress(_iteration(run, factor, (iteration, residual, correction, length), 1), None)
-
-    return report
-
-
-def _iteration(run: Run, load: float, how: tuple[int, float, float, float], ahead: int = 0) -> Iteration:
-    iteration, residual, correction, length = how
-    return Iteration(
-        step=len(run.steps) + ahead,
-        iteration=iteration,
-        load_factor=load,
-        residual=residual,
-        correction=correction,
-        step_length=length,
-    )

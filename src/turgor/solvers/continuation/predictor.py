@@ -1,13 +1,15 @@
-"""Predictor: where the next equilibrium is expected, from the last ones."""
+"""Predictor: extrapolate the last points of a path, with the highest order that a lower one does not improve."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.system import Evaluation, Stresses, System
+from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
-from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.continuation.path_points import Point, between
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
@@ -23,64 +25,91 @@ GOOD_PREDICTION = 0.05
 #: An extrapolation is shortened this often at most where it presses walls into each other.
 SHORTENINGS = 3
 
-#: A load factor with the unknowns and stresses of its equilibrium.
-Known = tuple[float, Array, Stresses]
+
+def unbalanced_force(system: System, at: Evaluation) -> float:
+    """Size of the residual on all that is free."""
+    return float(np.linalg.norm(at.residual[~system.held]))
 
 
-def lagrange_weights(load_factors: Sequence[float], load_factor: float) -> list[float]:
-    """Weights of the states at ``load_factors`` in their polynomial's value at ``load_factor``.
+@dataclass(frozen=True, slots=True)
+class Extrapolation:
+    """How extrapolations are compared.
 
-    Examples
-    --------
-    >>> lagrange_weights([0.0, 1.0, 2.0], 3.0)
-    [1.0, -3.0, 3.0]
+    Parameters
+    ----------
+    measure : callable
+        ``measure(system, evaluation) -> float``, smaller is better.
+    good : float
+        One that measures less is taken without trying a lower order.
+    stay : bool
+        Whether the last point itself competes with the others.
+    shorten : bool
+        Whether those that press walls into each other are shortened.
     """
-    weights = []
-    for i, t_i in enumerate(load_factors):
-        weight = 1.0
-        for j, t_j in enumerate(load_factors):
-            if i != j:
-                weight *= (load_factor - t_j) / (t_i - t_j)
-        weights.append(weight)
-    return weights
+
+    measure: Callable[[System, Evaluation], float]
+    good: float
+    stay: bool
+    shorten: bool
 
 
-def predicted(system: System, tangent: Tangent, history: Sequence[Known], load: float) -> Start:
-    """Extrapolate with the highest order whose residual a lower order does not improve."""
-    _, unknowns, stresses = history[-1]
-    constraint, best, smallest = load_control(system), Start(unknowns, stresses), np.inf
-    if tangent.plain:
-        return best
+#: Under load control the residual relative to the load says how good a prediction is.
+BY_LOAD = Extrapolation(relative_residual, GOOD_PREDICTION, True, True)
+
+#: Where scalars are sought, the load itself is predicted: only the unbalanced force compares predictions.
+BY_PATH = Extrapolation(unbalanced_force, 0.0, False, False)
+
+
+def predicted(
+    constraint: Constraint, tangent: Tangent, history: Sequence[Point], parameter: float, how: Extrapolation
+) -> Start:
+    """Extrapolate the history of a path to a parameter.
+
+    Parameters
+    ----------
+    constraint : Constraint
+    tangent : Tangent
+        Whose clock runs.
+    history : sequence of Point
+    parameter : float
+    how : Extrapolation
+
+    Returns
+    -------
+    Start
+    """
+    system, last = constraint.sought.system, history[-1]
+    best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
     for count in range(len(history), 0, -1):
-        used = history[-count:]
-        weights = lagrange_weights([factor for factor, _, _ in used], load)
-        trial = np.asarray(sum(w * x for w, (_, x, _) in zip(weights, used, strict=True)))
-        at = evaluate(constraint, tangent, (trial, best.scalars), load)
-        if at is not None and system.contact.parts and count > 1:
-            trial, at = _not_deeper(system, tangent, unknowns, at)
-        residual = np.inf if at is None else relative_residual(system, at)
-        if np.isfinite(smallest) and residual >= smallest:
+        if count == 1 and not how.stay and np.isfinite(smallest):
             break
-        if residual < smallest:
-            stresses = Stresses.combine([(w, s) for w, (_, _, s) in zip(weights, used, strict=True)])
-            best = Start(trial, stresses, evaluation=at)
-            smallest = residual
-        if smallest <= GOOD_PREDICTION:
+        trial = between(history[-count:], parameter)
+        unknowns, at = trial.unknowns, evaluate(constraint, tangent, (trial.unknowns, trial.scalars), parameter)
+        if at is not None and how.shorten and system.contact.parts and count > 1:
+            unknowns, at = _not_deeper(constraint, tangent, last, at)
+        size = np.inf if at is None else how.measure(system, at)
+        if np.isfinite(smallest) and size >= smallest:
+            break
+        if size < smallest:
+            best, smallest = Start(unknowns, trial.stresses, trial.scalars, evaluation=at), size
+        if smallest <= how.good:
             break
     return best
 
 
-def _not_deeper(system: System, tangent: Tangent, last: Array, at: Evaluation) -> tuple[Array, Evaluation | None]:
-    """Shorten an extrapolation until it presses no wall much deeper into another."""
-    constraint, nothing = load_control(system), np.empty(0)
-    here = evaluate(constraint, tangent, (last, nothing), at.load_factor)
+def _not_deeper(
+    constraint: Constraint, tangent: Tangent, last: Point, at: Evaluation
+) -> tuple[Array, Evaluation | None]:
+    """Shorten an extrapolation of load control until it presses no wall much deeper into another."""
+    contact, parameter, here_ = constraint.sought.system.contact, at.load_factor, last.unknowns
+    here = evaluate(constraint, tangent, (here_, last.scalars), parameter)
     found: Evaluation | None = at
     for _ in range(SHORTENINGS):
         if found is None or here is None:
             break
-        share = system.contact.shortening(here.contacts, found.contacts)
+        share = contact.shortening(here.contacts, found.contacts)
         if share == 1:
             return found.unknowns, found
-        place = last + share * (found.unknowns - last)
-        found = evaluate(constraint, tangent, (place, nothing), at.load_factor)
-    return (last, here) if found is None else (found.unknowns, found)
+        place = here_ + share * (found.unknowns - here_)
+        found = evaluate(constraint, tangent, (place, last.scalars), parameter)
+    return (here_, here) if found is None else (found.unknowns, found)

@@ -7,7 +7,7 @@ import numpy as np
 
 from turgor.engine.system import System
 from turgor.solvers.continuation.branch_jump import LEAP, STILL, leap
-from turgor.solvers.continuation.predictor import Known
+from turgor.solvers.continuation.path_points import Point
 from turgor.solvers.continuation.tangent_response import leapt
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.reasons import Cause, Reason
@@ -31,7 +31,7 @@ def roundabout(system: System, before: float, after: float) -> bool:
 def doubt(
     system: System,
     states: Sequence[State],
-    history: Sequence[Known],
+    history: Sequence[Point],
     result: NewtonResult,
     rates: tuple[float, float] = (inf, inf),
 ) -> Reason | None:
@@ -46,11 +46,11 @@ def doubt(
     if result.unstable_modes and not states[-1].unstable_modes:
         return Reason(Cause.STABILITY_LOST)
     moved = 3 * system.node_count
-    points = [(factor, unknowns[:moved]) for factor, unknowns, _ in history[-2:]]
+    points = [(point.parameter, point.unknowns[:moved]) for point in history[-2:]]
     ratio = leap([*points, (at.load_factor, at.unknowns[:moved])])
     if ratio > LEAP:
         return Reason(Cause.LONG_MOVE, ratio)
-    change = at.unknowns - history[-1][1]
+    change = at.unknowns - history[-1].unknowns
     still = np.linalg.norm(change[:moved]) <= STILL * np.linalg.norm(at.unknowns[:moved])
-    jumped = not still and leapt(system, change, at.load_factor - history[-1][0], rates)
+    jumped = not still and leapt(system, change, at.load_factor - history[-1].parameter, rates)
     return Reason(Cause.BRANCH_JUMP) if jumped else None

@@ -1,4 +1,4 @@
-"""Softness: how stiff an actuator meets its load, which says how viscous the medium of `Stabilized` has to be."""
+"""Initial stiffness: how stiff an actuator meets its load, which sets the viscosity of `Stabilized`."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 FREE = 1.5
 
 
-def softness(system: System, tangent: Tangent, at: Evaluation, mass: Array, free: bool) -> float:
+def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Array, free: bool) -> float:
     """Strain energy over ∫ |u|² dV of the linear answer to the largest load: half the stiffness that meets the load.
 
     A body whose supports leave it free has no such answer; the stiffness of a bar of rubber of its size stands for it.

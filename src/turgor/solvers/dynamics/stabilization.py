@@ -11,24 +11,25 @@ from turgor.engine.additions import Linear
 from turgor.engine.energy import contact_energy, softening_loss, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.model.drive import kinks
 from turgor.solvers.checks.supports import free_motions
 from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.continuation.path_follower import step_loop
+from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
-from turgor.solvers.dynamics.initial_stiffness import softness
+from turgor.solvers.dynamics.initial_stiffness import initial_stiffness
 from turgor.solvers.dynamics.motion_outcomes import came_to_rest, no_state, restless
 from turgor.solvers.energies import Energies
-from turgor.solvers.listeners import Listeners
-from turgor.solvers.newton.contact_newton import newton_with_contact, touches
+from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
 from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of
-from turgor.solvers.solution import Iteration, State, Step
+from turgor.solvers.solution import State, Step
+from turgor.solvers.states import state_of
 
 Array = NDArray[np.float64]
 
@@ -49,12 +50,10 @@ LONGER, HOLDS = 2.0, 80
 class _Run:
     """What stays the same, and how far it has come."""
 
-    system: System
-    tangent: Tangent
+    problem: Problem
     procedure: Stabilized
-    listeners: Listeners
-    states: list[State]
-    steps: list[Step]
+    control: StepControl
+    kinks: tuple[float, ...]
     mass: Array
     viscosity: float
     at: Evaluation
@@ -66,42 +65,36 @@ class _Run:
     softened: float = 0.0
     raised: int = 0
 
+    @property
+    def system(self) -> System:
+        return self.problem.system
 
-def follow_viscously(
-    system: System,
-    tangent: Tangent,
-    procedure: Stabilized,
-    listeners: Listeners,
-    path: tuple[list[State], list[Step]],
-    start: State | None = None,
-) -> Outcome:
-    """Step from load factor 0 to 1 and let the actuator come to rest; what is found is added to ``path``."""
-    turns = kinks(system.model)
-    control = StepControl.of(procedure.path, turns)
-    run = _begin(system, tangent, procedure, listeners, path, start)
+    @property
+    def states(self) -> list[State]:
+        return self.problem.states
+
+    @property
+    def steps(self) -> list[Step]:
+        return self.problem.steps
+
+
+def follow_viscously(problem: Problem, procedure: Stabilized) -> Outcome:
+    """Step from load factor 0 to 1 and let the actuator come to rest; what is found is added to the problem's lists."""
+    system = problem.system
+    run = _begin(problem, procedure)
     try:
-        while run.at.load_factor < 1.0:
-            if len(run.steps) >= procedure.max_steps:
-                return too_many_steps(system.model, run.states[-1], procedure)
-            following = _advance(run, control)
-            if isinstance(following, Outcome):
-                return following
-            control = following.turned(procedure.first_step) if run.at.load_factor in turns else following
-        return _come_to_rest(run)
-    except KeyboardInterrupt:
-        return interrupted(system.model, path[0][-1])
+        return step_loop(
+            lambda: _advance(run),
+            lambda: len(problem.steps) >= procedure.max_steps and run.at.load_factor < 1.0,
+            lambda: too_many_steps(system.model, problem.states[-1], procedure),
+            lambda: interrupted(system.model, problem.states[-1]),
+        )
     finally:
         system.addition = None
 
 
-def _begin(
-    system: System,
-    tangent: Tangent,
-    procedure: Stabilized,
-    listeners: Listeners,
-    path: tuple[list[State], list[Step]],
-    start: State | None,
-) -> _Run:
+def _begin(problem: Problem, procedure: Stabilized) -> _Run:
+    system, tangent, start, turns = problem.system, problem.tangent, problem.start, kinks(problem.system.model)
     unknowns = unknowns_of(system, start)
     system.materials.memory = None if start is None else start.memory
     system.materials.begin_step(inf)
@@ -112,32 +105,41 @@ def _begin(
     strain = stored_energy(system, unknowns) + contact_energy(system, at)
     free = free_motions(system.model) > 0
     run = _Run(
-        system=system, tangent=tangent, procedure=procedure, listeners=listeners, states=path[0], steps=path[1],
-        mass=mass, viscosity=procedure.stabilization * softness(system, tangent, at, mass, free), at=at, free=free,
-        pushed=pushing(system, at), rate=np.zeros(system.size), viscous=np.zeros(system.size),
+        problem=problem, procedure=procedure, control=StepControl.of(procedure.path, turns), kinks=turns,
+        mass=mass, viscosity=procedure.stabilization * initial_stiffness(system, tangent, at, mass, free), at=at,
+        free=free, pushed=pushing(system, at), rate=np.zeros(system.size), viscous=np.zeros(system.size),
         energies=Energies(kinetic=0.0, strain=strain, dissipated=0.0, work=strain),
     )  # fmt: skip
     run.softened = softening_loss(system, at)
-    run.states.append(_state(run, at, None))
+    problem.states.append(replace(_state(run, at, None), memory=system.materials.memory))
     return run
 
 
-def _advance(run: _Run, control: StepControl) -> StepControl | Outcome:
-    """Attempt one step; return the control for the next one, or how the run ends."""
+def _advance(run: _Run) -> Outcome | None:
+    """Attempt one step, or come to rest under the full load; return how the run ends, if it does."""
     now = run.at.load_factor
-    load = control.next_load(now)
+    if now >= 1.0:
+        return _come_to_rest(run)
+    load = run.control.next_load(now)
     result = _attempt(run, load, load - now)
     if result.converged and not _too_far(run, result):
-        reason = _accept(run, result, load - now)
-        return reason or control.accepted(load - now, result.iterations)
-    shorter = control.failed(load - now)
-    if shorter is not None:
-        return shorter
-    if run.raised >= RAISES:
-        return no_state(run.states[-1], run.steps[-1], RAISE**run.raised)
-    run.raised += 1
-    run.viscosity *= RAISE
-    return control.turned(run.procedure.first_step)
+        ending = _accept(run, result, load - now)
+        run.control = _turned(run, run.control.accepted(load - now, result.iterations))
+        return ending
+    shorter = run.control.failed(load - now)
+    if shorter is None:
+        if run.raised >= RAISES:
+            return no_state(run.states[-1], run.steps[-1], RAISE**run.raised)
+        run.raised += 1
+        run.viscosity *= RAISE
+        shorter = run.control.turned(run.procedure.first_step)
+    run.control = _turned(run, shorter)
+    return None
+
+
+def _turned(run: _Run, control: StepControl) -> StepControl:
+    """Begin with a first step again at a kink of the loads."""
+    return control.turned(run.procedure.first_step) if run.at.load_factor in run.kinks else control
 
 
 def _drag(run: _Run, length: float) -> Linear:
@@ -148,17 +150,14 @@ def _drag(run: _Run, length: float) -> Linear:
 
 def _attempt(run: _Run, load: float, length: float) -> NewtonResult:
     """Solve for a load with the viscous forces of a step of a length."""
-    system, listeners, began = run.system, run.listeners, perf_counter()
-    number = len(run.steps) + 1
-
-    def report(iteration: int, residual: float, correction: float, step: float) -> None:
-        if listeners.progress is not None:
-            listeners.progress(_iteration(number, load, iteration, residual, correction, step), None)
-
+    system, began = run.system, perf_counter()
+    report = run.problem.listeners.reporter(len(run.steps) + 1, load)
     system.materials.begin_step(inf)
     system.addition = _drag(run, length)
     settings = NewtonSettings(tolerance=run.procedure.tolerance, max_iterations=run.procedure.max_iterations)
-    result = newton_with_contact(load_control(system), run.tangent, _start(run, load, length), load, settings, report)
+    result = newton_with_contact(
+        load_control(system), run.problem.tangent, _start(run, load, length), load, settings, report
+    )
     run.steps.append(
         Step(
             load_factor=load,
@@ -206,19 +205,16 @@ def _accept(run: _Run, result: NewtonResult, length: float) -> Outcome | None:
     viscous = system.addition.forces(at.unknowns)
     run.energies = _energies(run, at, viscous)
     run.softened = softening_loss(system, at)
-    system.materials.memory = system.remembered(at)
     run.rate = (at.unknowns - run.at.unknowns) / length
     held = at.load_factor == run.at.load_factor
     run.at, run.pushed, run.viscous = at, pushing(system, at), viscous
     state = _state(run, at, None)
+    system.materials.memory = state.memory
     system.contact.accept(at.contacts)  # after the state has been read
     if held:
         run.states.pop()  # while the load is held, only the last state counts
     run.states.append(state)
-    if run.listeners.progress is not None:
-        last = _iteration(len(run.steps), state.load_factor, result.iterations, result.residual, 0.0, 1.0)
-        run.listeners.progress(last, state)
-    reason = run.listeners.stop(state) if run.listeners.stop is not None else None
+    reason = run.problem.listeners.accepted(len(run.steps), state, result)
     return None if reason is None else stopped_by(system.model, state, reason)
 
 
@@ -247,8 +243,9 @@ def _come_to_rest(run: _Run) -> Outcome:
     run.at = at
     if run.free:  # where nothing holds it, the tangent is singular by itself
         run.system.addition = _drag(run, 1.0)
-    run.tangent.factor(at)
-    run.states[-1] = _state(run, at, run.tangent.unstable_modes())
+    run.problem.tangent.factor(at)
+    last = _state(run, at, run.problem.tangent.unstable_modes())
+    run.states[-1] = replace(last, memory=run.system.materials.memory)
     return came_to_rest(run.states, run.steps)
 
 
@@ -270,22 +267,4 @@ def _energies(run: _Run, at: Evaluation, viscous: Array) -> Energies:
 
 
 def _state(run: _Run, at: Evaluation, modes: int | None) -> State:
-    system = run.system
-    displacement, mean_stress = system.physical(at.unknowns)
-    return State(
-        model=system.model,
-        load_factor=at.load_factor,
-        displacement=displacement,
-        mean_stress=mean_stress,
-        nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
-        unstable_modes=modes,
-        energies=run.energies,
-        touches=touches(system, at),
-        memory=system.materials.memory,
-    )
-
-
-def _iteration(step: int, load: float, iteration: int, residual: float, correction: float, length: float) -> Iteration:
-    return Iteration(
-        step=step, iteration=iteration, load_factor=load, residual=residual, correction=correction, step_length=length
-    )
+    return replace(state_of(run.system, at, modes), energies=run.energies)

@@ -1,7 +1,7 @@
 """The loop of `Dynamic`: predict, find the end of the step, count the energies, choose the next step."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from time import perf_counter
 
 import numpy as np
@@ -12,25 +12,26 @@ from turgor.engine.damping import StrainRateDamping
 from turgor.engine.energy import contact_energy, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.model.drive import kinks
 from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.continuation.path_follower import step_loop
+from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
 from turgor.solvers.dynamics.initial_motion import Accelerations
 from turgor.solvers.dynamics.motion_outcomes import moved, no_motion, out_of_time_steps
 from turgor.solvers.dynamics.time_step_control import TimeControl
 from turgor.solvers.energies import Energies
-from turgor.solvers.listeners import Listeners
-from turgor.solvers.newton.contact_newton import newton_with_contact, touches
+from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of
-from turgor.solvers.solution import Iteration, State, Step
+from turgor.solvers.solution import State, Step
+from turgor.solvers.states import state_of
 
 Array = NDArray[np.float64]
 
@@ -45,12 +46,9 @@ SAME_LENGTH = 0.02
 class _Run:
     """What stays the same, and how far it has come."""
 
-    system: System
-    tangent: Tangent
+    problem: Problem
     procedure: Dynamic
-    listeners: Listeners
-    states: list[State]
-    steps: list[Step]
+    control: TimeControl
     mass: Array
     moving: Array
     motion: Motion
@@ -65,45 +63,32 @@ class _Run:
     factored: float = 0.0
     weights: Weights = field(default_factory=lambda: Weights.of(1.0))
 
+    @property
+    def system(self) -> System:
+        return self.problem.system
 
-def follow_motion(
-    system: System,
-    tangent: Tangent,
-    procedure: Dynamic,
-    listeners: Listeners,
-    path: tuple[list[State], list[Step]],
-    start: State | None = None,
-) -> Outcome:
-    """Step from time 0 to the end; states and steps are added to ``path`` as they are found.
 
-    The motion begins at rest without loads, or at ``start`` with its velocity.
+def follow_motion(problem: Problem, procedure: Dynamic) -> Outcome:
+    """Step from time 0 to the end; states and steps are added to the lists of the problem as they are found.
+
+    The motion begins at rest without loads, or at the start of the problem with its velocity.
     """
-    control = TimeControl.of(procedure, kinks(system.model))
-    run = _begin(system, tangent, procedure, listeners, path, start)
+    system = problem.system
+    run = _begin(problem, procedure)
     try:
-        while run.time < procedure.duration:
-            if len(run.steps) >= procedure.max_steps:
-                return out_of_time_steps(run.time, run.procedure)
-            following = _advance(run, control)
-            if isinstance(following, Outcome):
-                return following
-            control = following
-    except KeyboardInterrupt:
-        return interrupted(system.model, path[0][-1])
+        return step_loop(
+            lambda: _advance(run),
+            lambda: len(run.problem.steps) >= procedure.max_steps,
+            lambda: out_of_time_steps(run.time, procedure),
+            lambda: interrupted(system.model, problem.states[-1]),
+        )
     finally:
         system.addition = None
-    return moved(run.states, run.steps, run.time, run.accepted)
 
 
-def _begin(
-    system: System,
-    tangent: Tangent,
-    procedure: Dynamic,
-    listeners: Listeners,
-    path: tuple[list[State], list[Step]],
-    start: State | None,
-) -> _Run:
-    unknowns, velocity = _restarted(system, start)
+def _begin(problem: Problem, procedure: Dynamic) -> _Run:
+    system = problem.system
+    unknowns, velocity = _restarted(system, problem.start)
     at = system.evaluate(unknowns, 0.0)
     if at is None:
         raise TurgorError("the start turns a cell inside out; it is no state of this model.")
@@ -123,14 +108,15 @@ def _begin(
     kinetic = _unit(system) * 0.5 * float(velocity @ system.layout.base.product(mass, velocity))
     strain = stored_energy(system, unknowns) + contact_energy(system, at)
     run = _Run(
-        system=system, tangent=tangent, procedure=procedure, listeners=listeners, states=path[0], steps=path[1],
+        problem=problem, procedure=procedure, control=TimeControl.of(procedure, kinks(system.model)),
         mass=mass, moving=moving, motion=Motion(unknowns + stress, velocity, acceleration, acceleration), at=at,
         pushed=pushing(system, at), damping=damping,
         energies=Energies(kinetic=kinetic, strain=strain, dissipated=0.0, work=kinetic + strain),
         internal=at.residual + at.external, largest=_largest(system, unknowns),
         weights=Weights.of(procedure.spectral_radius),
     )  # fmt: skip
-    run.states.append(_state(run))
+    _, mean_stress = system.physical(run.motion.unknowns)
+    problem.states.append(replace(_state(run), mean_stress=mean_stress, memory=system.materials.memory))
     return run
 
 
@@ -154,28 +140,28 @@ def _largest(system: System, unknowns: Array) -> float:
     return float(np.linalg.norm(system.split(unknowns)[0], axis=1).max())
 
 
-def _advance(run: _Run, control: TimeControl) -> TimeControl | Outcome:
-    """Attempt one step; return the control for the next one, or how the run ends."""
+def _advance(run: _Run) -> Outcome | None:
+    """Attempt one step; return how the run ends, if it does."""
     system, procedure, began = run.system, run.procedure, perf_counter()
-    time = control.next_time(run.time)
+    time = run.control.next_time(run.time)
     rule = TimeStep(run.weights, run.motion, time - run.time, run.moving)
     damping = _damping(run, rule)
     system.materials.begin_step(rule.length)
     system.addition = Together([_inertia(run, rule), *damping])
     result = _equilibrium(run, rule, time / procedure.duration)
     accepted, reason = result.converged, result.reason
-    following: TimeControl | None = control
+    following: TimeControl | None = run.control
     if not result.converged:
-        following = control.failed(rule.length)
+        following = run.control.failed(rule.length)
     else:
         assert result.evaluation is not None
         unknowns = result.evaluation.unknowns
         floor = SMALL_DISPLACEMENT * float(np.ptp(system.points, axis=0).max())
         error = rule.error(unknowns) / max(run.largest, _largest(system, unknowns), floor)
-        following, taken_back = control.after(rule.length, error)
+        following, taken_back = run.control.after(rule.length, error)
         if taken_back:
             accepted, reason = False, Reason(Cause.TIME_ERROR, error)
-    run.steps.append(
+    run.problem.steps.append(
         Step(
             load_factor=time / procedure.duration,
             increment=rule.length / procedure.duration,
@@ -187,10 +173,9 @@ def _advance(run: _Run, control: TimeControl) -> TimeControl | Outcome:
         )
     )
     if following is None:
-        return no_motion(run.time, run.steps[-1])
-    if not accepted:
-        return following
-    return _accept(run, rule, time, result, damping) or following
+        return no_motion(run.time, run.problem.steps[-1])
+    run.control = following
+    return _accept(run, rule, time, result, damping) if accepted else None
 
 
 def _inertia(run: _Run, rule: TimeStep) -> Linear:
@@ -210,20 +195,20 @@ def _damping(run: _Run, rule: TimeStep) -> Sequence[Addition]:
 
 def _equilibrium(run: _Run, rule: TimeStep, load_factor: float) -> NewtonResult:
     """Newton's method from the prediction."""
-    system, procedure, listeners = run.system, run.procedure, run.listeners
-    number = len(run.steps) + 1
-
-    def report(iteration: int, residual: float, correction: float, length: float) -> None:
-        if listeners.progress is not None:
-            listeners.progress(_iteration(number, load_factor, iteration, residual, correction, length), None)
-
+    system, procedure = run.system, run.procedure
+    report = run.problem.listeners.reporter(len(run.problem.steps) + 1, load_factor)
     predicted = _prediction(run, rule, load_factor)
     stresses = system.stresses(run.at, predicted - run.at.unknowns)
     fresh = abs(rule.length / run.factored - 1) > SAME_LENGTH if run.factored else True
     run.factored = rule.length
     settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
     return newton_with_contact(
-        load_control(system), run.tangent, Start(predicted, stresses, fresh=fresh), load_factor, settings, report
+        load_control(system),
+        run.problem.tangent,
+        Start(predicted, stresses, fresh=fresh),
+        load_factor,
+        settings,
+        report,
     )
 
 
@@ -257,20 +242,20 @@ def _accept(
     assert addition is not None
     internal = at.residual + at.external - addition.forces(at.unknowns)
     run.energies = _energies(run, (motion, at, pushed), (forces, internal))
-    run.internal, run.system.materials.memory = internal, run.system.remembered(at)
+    run.internal = internal
     run.motion, run.at, run.pushed, run.damping, run.time = motion, at, pushed, forces, time
     run.largest = max(run.largest, _largest(run.system, at.unknowns))
     run.accepted += 1
-    state, procedure = _state(run), run.procedure
+    state, procedure, states = _state(run), run.procedure, run.problem.states
+    run.system.materials.memory = state.memory
     run.system.contact.accept(at.contacts)  # after the state has been read
     asked = any(abs(time - factor * procedure.duration) < 1e-12 * procedure.duration for factor in (*procedure.at, 1.0))
     if run.accepted % procedure.keep == 0 or asked:
-        run.states.append(state)
-    if run.listeners.progress is not None:
-        last = _iteration(len(run.steps), state.load_factor, result.iterations, result.residual, 0.0, 1.0)
-        run.listeners.progress(last, state)
-    reason = run.listeners.stop(state) if run.listeners.stop is not None else None
-    return None if reason is None else stopped_by(run.system.model, state, reason)
+        states.append(state)
+    reason = run.problem.listeners.accepted(len(run.problem.steps), state, result)
+    if reason is not None:
+        return stopped_by(run.system.model, state, reason)
+    return None if time < procedure.duration else moved(states, run.problem.steps, time, run.accepted)
 
 
 def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[Array, Array]) -> Energies:
@@ -296,23 +281,12 @@ def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[
 
 
 def _state(run: _Run) -> State:
+    """The state at the end of the last step; its memory is that of the step that has begun."""
     system = run.system
-    displacement, mean_stress = system.physical(run.motion.unknowns)
-    return State(
-        model=system.model,
+    return replace(
+        state_of(system, run.at, None),
         load_factor=run.time / run.procedure.duration,
-        displacement=displacement,
-        mean_stress=mean_stress,
-        nodal_force=system.split(run.at.residual)[0] * system.stress * system.length**2,
         time=run.time,
         velocity=system.split(run.motion.velocity)[0] * system.length,
         energies=run.energies,
-        touches=touches(system, run.at),
-        memory=system.materials.memory,
-    )
-
-
-def _iteration(step: int, load: float, iteration: int, residual: float, correction: float, length: float) -> Iteration:
-    return Iteration(
-        step=step, iteration=iteration, load_factor=load, residual=residual, correction=correction, step_length=length
     )

@@ -2,18 +2,14 @@
 
 from dataclasses import replace
 
-import numpy as np
-
 from turgor.engine.contact.part import Look
-from turgor.engine.contact.pressure import nodal_pressure, touched_area
-from turgor.engine.system import Evaluation, System
+from turgor.engine.system import Evaluation
 from turgor.engine.tangent import Tangent
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.inertia_correction import inertia_corrected
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
 from turgor.solvers.reasons import Cause, Reason
-from turgor.solvers.solution import Touch
 
 #: Times that friction and stiffness are renewed at most.
 PASSES = 20
@@ -73,34 +69,3 @@ def _searched_anew(constraint: Constraint, result: NewtonResult, parameter: floa
     if not result.converged or last is None:
         return None
     return constraint.sought.evaluate(last.unknowns, parameter, result.scalars, last.contacts, Look.ANEW)
-
-
-def touches(system: System, at: Evaluation) -> dict[str, Touch]:
-    """What every contact does in a state, in SI units, by its name."""
-    length, stress = system.length, system.stress
-    count = system.node_count
-    out: dict[str, Touch] = {}
-    for part, found in zip(system.contact.parts, at.contacts.found, strict=True):
-        force = -part.forces(at.contacts.position, found)[:count]  # on the body: against the internal force
-        one = Touch(
-            force=force * stress * length**2,
-            pressure=nodal_pressure(part, found, count) * stress,
-            area=touched_area(part, found) * length**2,
-            penetration=max(0.0, -float(found.gap.min(initial=0.0))) * length,
-            place=found.place * length,
-            share=system.contact.share_of_tolerance(part, found),
-        )
-        out[part.name] = one if part.name not in out else _both(out[part.name], one)
-    return out
-
-
-def _both(a: Touch, b: Touch) -> Touch:
-    """Two parts of one contact."""
-    return Touch(
-        force=a.force + b.force,
-        pressure=np.maximum(a.pressure, b.pressure),
-        area=a.area + b.area,
-        penetration=max(a.penetration, b.penetration),
-        place=a.place,
-        share=max(a.share, b.share),
-    )

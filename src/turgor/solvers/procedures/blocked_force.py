@@ -4,10 +4,9 @@ from dataclasses import dataclass, field
 from itertools import combinations
 
 from turgor.errors import TurgorError, unknown
-from turgor.model.model import Model
 from turgor.model.obstacles import check_friction
+from turgor.solvers.procedures.directions import DIRECTIONS
 from turgor.solvers.procedures.static import Static
-from turgor.solvers.setups.directions import DIRECTIONS
 
 #: The tip is stopped by a plate, not held.
 PLATE = "plate"
@@ -47,7 +46,7 @@ class BlockedForce(Static):
     Raises
     ------
     TurgorError
-        If a value is out of its range, or the values do not go together. `amended` refuses a model without the face,
+        If a value is out of its range, or the values do not go together. `solve` refuses a model without the face,
         and a direction that points back into the actuator or across a mirror plane.
 
     Examples
@@ -89,12 +88,6 @@ class BlockedForce(Static):
                 f"procedure.direction is '{self.direction}', but the tip is held along {', '.join(self.hold)} only; "
                 "it does not push in a direction in which it is free."
             )
-
-    def amended(self, model: Model) -> Model:
-        """Return the model with the plate, or with the support that holds the tip."""
-        from turgor.solvers.setups.blocked_tip import blocked  # here, because it loads the engine
-
-        return blocked(model, self)
 
 
 def _in_order(hold: str) -> str:

@@ -74,6 +74,16 @@ class GasMass:
         check_steps(self)
 
     @property
+    def asked(self) -> float | Mapping[str, float]:
+        """What is asked of the cavities."""
+        return self.mass_ratio
+
+    @property
+    def asked_by(self) -> str:
+        """The field that asks it."""
+        return "mass_ratio"
+
+    @property
     def final_outside(self) -> float:
         """Pressure around in the end [Pa]."""
         return self.ambient if self.outside is None else self.outside

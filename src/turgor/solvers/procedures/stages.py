@@ -53,6 +53,11 @@ class Sealed(VolumeControl):
         object.__setattr__(self, "volume", dict.fromkeys(self.cavities, 0.0) or 0.0)
         self.check_steps()
 
+    @property
+    def asked_by(self) -> str:
+        """The field that names the cavities."""
+        return "cavities"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Stage:

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, field
 from math import inf
 
-from turgor.model.model import Model
 from turgor.solvers.procedures.step_options import check_steps
 
 
@@ -57,7 +56,3 @@ class Static:
     def time_between(self, before: float, after: float) -> float:
         """Time from one load factor to another [s]; infinite where there is no duration."""
         return inf if self.duration is None else (after - before) * self.duration
-
-    def amended(self, model: Model) -> Model:
-        """Return the model with what the procedure adds to the question: nothing here."""
-        return model

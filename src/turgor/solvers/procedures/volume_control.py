@@ -53,6 +53,16 @@ class VolumeControl:
                 raise TurgorError(f"procedure.volume{where} is {volume:g} m³; a volume other than zero is needed.")
         self.check_steps()
 
+    @property
+    def asked(self) -> float | Mapping[str, float]:
+        """What is asked of the cavities."""
+        return self.volume
+
+    @property
+    def asked_by(self) -> str:
+        """The field that asks it."""
+        return "volume"
+
     def check_steps(self) -> None:
         """Refuse steps, tolerances and numbers of iterations that make no sense."""
         check_steps(self)

@@ -17,7 +17,7 @@ from turgor.model.obstacles import Obstacle, Plane, Vector
 from turgor.model.supports import Fixed
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.procedures.blocked_force import FREE, PLATE, BlockedForce
-from turgor.solvers.setups.directions import DIRECTIONS, check_unmirrored, unmirrored, with_obstacles
+from turgor.solvers.procedures.directions import DIRECTIONS, check_unmirrored, unmirrored, with_obstacles
 
 #: Face of the amended mesh that may touch the plate.
 NEAR_TIP = "near_tip"
