@@ -12,7 +12,7 @@ from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.continuation.branch_jump import first_leap, leap_to
 from turgor.solvers.continuation.extrema import extremum_ahead
 from turgor.solvers.pressures import pressure_text
-from turgor.solvers.procedures.stages import OneProcedure
+from turgor.solvers.procedures.step_options import StepOptions
 from turgor.solvers.reasons import Cause
 from turgor.solvers.solution import State, Status, Step
 
@@ -143,7 +143,7 @@ def softens(states: Sequence[State]) -> bool:
     return len(rates) > 1 and rates[-1] > SOFTENING * min(rates[:-1])
 
 
-def too_many_steps(model: Model, state: State, procedure: OneProcedure) -> Outcome:
+def too_many_steps(model: Model, state: State, procedure: StepOptions) -> Outcome:
     """The allowed number of steps was used up."""
     return Outcome(
         Status.STEP_LIMIT,

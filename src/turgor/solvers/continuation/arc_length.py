@@ -28,7 +28,7 @@ from turgor.solvers.newton.newton import Start, newton
 from turgor.solvers.outcomes import Outcome, stuck
 from turgor.solvers.path_outcomes import followed, reached, turned_back
 from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.step_options import StepOptions
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import Step
@@ -37,9 +37,6 @@ from turgor.solvers.states import state_of
 Array = NDArray[np.float64]
 
 Finished = Callable[[Point, Point, Run], Ending | None]
-
-#: Procedures that follow an arc.
-ByArc = ArcLength | Auto
 
 
 def check_proportional(model: Model, what: str) -> None:
@@ -79,7 +76,7 @@ def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
     )
 
 
-def from_rest(problem: Problem, procedure: ByArc, lengths: tuple[float, float], ends: Finished) -> Outcome:
+def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, float], ends: Finished) -> Outcome:
     """Take a first step by the load, at most as long as asked, and go on by arcs up to a longest one."""
     system, tangent, settings, (load, longest) = problem.system, problem.tangent, settings_of(procedure), lengths
     system.materials.begin_step(inf)
@@ -106,7 +103,7 @@ def from_rest(problem: Problem, procedure: ByArc, lengths: tuple[float, float], 
 
 
 def arc_run(
-    problem: Problem, procedure: ByArc, at: tuple[Array, float], steps: tuple[float, float], ends: Finished
+    problem: Problem, procedure: StepOptions, at: tuple[Array, float], steps: tuple[float, float], ends: Finished
 ) -> Run:
     """A run by the arc length from a stable state on, to where the load rises, with a first and a longest step."""
     system, (unknowns, load) = problem.system, at

@@ -1,7 +1,7 @@
 """Branch switch: what `Auto` does before, at and beyond a limit point."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from math import inf
 
 import numpy as np
@@ -30,6 +30,7 @@ from turgor.solvers.continuation.tangent_response import leapt, rate_at
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.step_options import StepOptions
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import Restart, unknowns_of
 from turgor.solvers.solution import State, Status
@@ -52,15 +53,7 @@ AUTO_MIN_STEP = 2e-3
 def load_steps(procedure: Auto) -> Static:
     """The part of `Auto` before a limit point."""
     smallest = min(max(procedure.min_step, AUTO_MIN_STEP), procedure.first_step)
-    return Static(
-        first_step=procedure.first_step,
-        max_step=procedure.max_step,
-        min_step=smallest,
-        at=procedure.at,
-        tolerance=procedure.tolerance,
-        max_iterations=procedure.max_iterations,
-        max_steps=procedure.max_steps,
-    )
+    return Static(**{each.name: getattr(procedure, each.name) for each in fields(StepOptions)} | {"min_step": smallest})
 
 
 @dataclass(slots=True, eq=False)

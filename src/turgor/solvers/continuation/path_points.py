@@ -17,20 +17,13 @@ from turgor.solvers.newton.border import rates
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
 from turgor.solvers.outcomes import Outcome
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
-from turgor.solvers.procedures.gas_mass import GasMass
-from turgor.solvers.procedures.static import Static
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.solvers.procedures.step_options import StepOptions
 from turgor.solvers.reasons import Reason
 from turgor.solvers.restart import Restart
 from turgor.solvers.solution import LimitPoint, State, Step
 from turgor.solvers.states import state_of
 
 Array = NDArray[np.float64]
-
-#: Procedures whose path is followed step by step from equilibrium to equilibrium.
-PathProcedure = Static | VolumeControl | GasMass | ArcLength | Auto
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -154,7 +147,7 @@ class Task:
     Parameters
     ----------
     problem : Problem
-    procedure : PathProcedure
+    procedure : StepOptions
         Its steps, tolerance and numbers of iterations count.
     strategy : Strategy
     settings : NewtonSettings
@@ -169,7 +162,7 @@ class Task:
     """
 
     problem: Problem
-    procedure: PathProcedure
+    procedure: StepOptions
     strategy: Strategy
     settings: NewtonSettings
     driven: Callable[[float], dict[str, float]]
@@ -228,7 +221,7 @@ class Run:
         return self.task.problem.limits
 
 
-def settings_of(procedure: PathProcedure) -> NewtonSettings:
+def settings_of(procedure: StepOptions) -> NewtonSettings:
     """Return how Newton's method iterates for a procedure."""
     return NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
 

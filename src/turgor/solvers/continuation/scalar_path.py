@@ -8,7 +8,6 @@ from turgor.solvers.continuation.continuity import judged
 from turgor.solvers.continuation.path_points import (
     Ending,
     Judgment,
-    PathProcedure,
     Point,
     Problem,
     Run,
@@ -21,6 +20,7 @@ from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.newton.newton import NewtonResult, Start
 from turgor.solvers.outcomes import Outcome, stuck
 from turgor.solvers.path_outcomes import lost_path
+from turgor.solvers.procedures.step_options import StepOptions
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +86,7 @@ class Goal:
 
 
 def scalar_run(
-    problem: Problem, procedure: PathProcedure, constraint: Constraint, stepping: StepControl, goal: Goal
+    problem: Problem, procedure: StepOptions, constraint: Constraint, stepping: StepControl, goal: Goal
 ) -> Run:
     """Make a run along a constraint that fills the lists of a problem."""
     task = Task(

@@ -2,28 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Protocol
 
-
-class Steps(Protocol):
-    """What procedures say about their steps."""
-
-    @property
-    def first_step(self) -> float:
-        """First increment."""
-
-    @property
-    def max_step(self) -> float:
-        """Largest increment."""
-
-    @property
-    def min_step(self) -> float:
-        """Smallest increment."""
-
-    @property
-    def at(self) -> tuple[float, ...]:
-        """Load factors to hit exactly."""
-
+from turgor.solvers.procedures.step_options import StepOptions
 
 #: Iterations of a step that is neither too easy nor too hard.
 COMFORTABLE_ITERATIONS = 6
@@ -64,7 +44,7 @@ class StepControl:
     patience: int = 2
 
     @staticmethod
-    def of(procedure: Steps, kinks: Sequence[float] = ()) -> "StepControl":
+    def of(procedure: StepOptions, kinks: Sequence[float] = ()) -> "StepControl":
         """Start as a procedure asks, and hit the kinks of the load histories too."""
         asked = {factor for factor in procedure.at if all(abs(factor - kink) > ROUND_OFF for kink in kinks)}
         targets = tuple(sorted({*asked, *kinks, 1.0}))

@@ -105,7 +105,7 @@ def _begin(problem: Problem, procedure: Stabilized) -> _Run:
     strain = stored_energy(system, unknowns) + contact_energy(system, at)
     free = free_motions(system.model) > 0
     run = _Run(
-        problem=problem, procedure=procedure, control=StepControl.of(procedure.path, turns), kinks=turns,
+        problem=problem, procedure=procedure, control=StepControl.of(procedure, turns), kinks=turns,
         mass=mass, viscosity=procedure.stabilization * initial_stiffness(system, tangent, at, mass, free), at=at,
         free=free, pushed=pushing(system, at), rate=np.zeros(system.size), viscous=np.zeros(system.size),
         energies=Energies(kinetic=0.0, strain=strain, dissipated=0.0, work=strain),

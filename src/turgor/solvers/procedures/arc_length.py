@@ -3,11 +3,11 @@
 from dataclasses import dataclass, field
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ArcLength:
+class ArcLength(StepOptions):
     """Follow the path by its length, so that the load may rise and fall; all loads keep their proportion.
 
     The length of a step joins the change of the load factor with that of the displacement, scaled so that both are
@@ -39,13 +39,7 @@ class ArcLength:
 
     max_stretch: float = 10.0
     max_displacement: float | None = field(default=None, metadata={"dimension": "length"})
-    first_step: float = 0.05
     max_step: float = 0.5
-    min_step: float = 1e-4
-    at: tuple[float, ...] = ()
-    tolerance: float = 1e-6
-    max_iterations: int = 15
-    max_steps: int = 1000
 
     def __post_init__(self) -> None:
         if not self.max_stretch > 1:

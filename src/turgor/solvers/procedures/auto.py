@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Auto:
+class Auto(StepOptions):
     """Load control as long as it goes; before a limit point or a leap the volume of the cavities or the arc takes over.
 
     Where all loads are pressures in cavities, the volume weighted with the pressures takes over, and the path goes on
@@ -31,13 +31,6 @@ class Auto:
 
     past: float = 3.0
     max_stretch: float = 10.0
-    first_step: float = 0.05
-    max_step: float = 0.25
-    min_step: float = 1e-4
-    at: tuple[float, ...] = ()
-    tolerance: float = 1e-6
-    max_iterations: int = 15
-    max_steps: int = 1000
 
     def __post_init__(self) -> None:
         if not 1 < self.past <= 1000:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps
 from turgor.solvers.procedures.volume_control import by_cavity
 
 #: Pressure of the air around [Pa].
@@ -12,7 +12,7 @@ STANDARD_ATMOSPHERE = 101_325.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class GasMass:
+class GasMass(StepOptions):
     """Pump a known amount of gas into closed cavities, or seal them and change the pressure around.
 
     Absolute pressure times volume to the power n follows the amount of gas: p Vⁿ = p₀ (m/m₀ V₀)ⁿ, with the ambient
@@ -49,13 +49,8 @@ class GasMass:
     outside: float | None = field(default=None, metadata={"dimension": "pressure"})
     pressure: float = field(default=0.0, metadata={"dimension": "pressure"})
     seal: float = 0.5
-    first_step: float = 0.05
     max_step: float = 0.1
     min_step: float = 1e-5
-    at: tuple[float, ...] = ()
-    tolerance: float = 1e-6
-    max_iterations: int = 15
-    max_steps: int = 1000
     duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.step_options import StepOptions, check_steps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Stabilized:
+class Stabilized(StepOptions):
     """Load control in which a viscous medium resists motion, so that snapping and local buckling do not end the run.
 
     The force is c M* Δu/Δs with the mass matrix M* of unit density and the change of the displacement with the load
@@ -25,33 +25,15 @@ class Stabilized:
 
     Examples
     --------
-    >>> Stabilized(max_step=0.1).path.max_step
-    0.1
+    >>> Stabilized(max_step=0.2).max_step
+    0.2
     """
 
     stabilization: float = 5e-4
-    first_step: float = 0.05
     max_step: float = 0.1
     min_step: float = 1e-6
-    at: tuple[float, ...] = ()
-    tolerance: float = 1e-6
-    max_iterations: int = 15
-    max_steps: int = 1000
 
     def __post_init__(self) -> None:
         if not 0 < self.stabilization <= 0.1:
             raise TurgorError(f"procedure.stabilization is {self.stabilization:g}; allowed is more than 0 up to 0.1.")
-        assert self.path  # its own checks
-
-    @property
-    def path(self) -> Static:
-        """The same steps without viscous forces."""
-        return Static(
-            first_step=self.first_step,
-            max_step=self.max_step,
-            min_step=self.min_step,
-            at=self.at,
-            tolerance=self.tolerance,
-            max_iterations=self.max_iterations,
-            max_steps=self.max_steps,
-        )
+        check_steps(self)

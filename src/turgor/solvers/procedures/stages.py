@@ -13,6 +13,7 @@ from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.procedures.gas_mass import GasMass
 from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.step_options import check_steps
 from turgor.solvers.procedures.volume_control import VolumeControl
 
 #: Procedures that ask a question of their own, and how a sequence asks it.
@@ -51,7 +52,7 @@ class Sealed(VolumeControl):
         if isinstance(self.cavities, str):
             object.__setattr__(self, "cavities", (self.cavities,))
         object.__setattr__(self, "volume", dict.fromkeys(self.cavities, 0.0) or 0.0)
-        self.check_steps()
+        check_steps(self)
 
     @property
     def asked_by(self) -> str:

@@ -3,11 +3,11 @@
 from dataclasses import dataclass, field
 from math import inf
 
-from turgor.solvers.procedures.step_options import check_steps
+from turgor.solvers.procedures.step_options import StepOptions
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Static:
+class Static(StepOptions):
     """Load control from zero to the full load, with steps that grow, cut back and hit requested loads exactly.
 
     Parameters
@@ -37,17 +37,7 @@ class Static:
     10.0
     """
 
-    first_step: float = 0.05
-    max_step: float = 0.25
-    min_step: float = 1e-4
-    at: tuple[float, ...] = ()
-    tolerance: float = 1e-6
-    max_iterations: int = 15
-    max_steps: int = 1000
     duration: float | None = field(default=None, metadata={"dimension": "time"})
-
-    def __post_init__(self) -> None:
-        check_steps(self)
 
     def time_of(self, load_factor: float) -> float | None:
         """Time at a load factor [s], None where there is no duration."""

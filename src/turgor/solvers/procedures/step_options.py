@@ -1,29 +1,42 @@
-"""Checks of what all procedures say about their steps."""
+"""Step options: what every procedure of equilibria says about its steps and its iterations."""
 
+from dataclasses import dataclass
 from math import inf
-from typing import Protocol
 
 from turgor.errors import TurgorError
-from turgor.solvers.continuation.step_control import Steps
 
 
-class SteppedProcedure(Steps, Protocol):
-    """What all of them say about steps and iterations."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StepOptions:
+    """Steps along a path and the iterations in each; procedures extend it and change the defaults.
 
-    @property
-    def tolerance(self) -> float:
-        """Largest relative residual."""
+    Parameters
+    ----------
+    first_step, max_step, min_step : float [-]
+        First, largest and smallest increment of the load factor, in (0, 1].
+    at : tuple of float [-]
+        Load factors that must be hit exactly besides 1, each in (0, 1].
+    tolerance : float [-]
+        Largest residual force relative to the applied and reaction forces.
+    max_iterations : int
+        Newton iterations before a step is cut back.
+    max_steps : int
+        Attempted steps before the solve stops.
+    """
 
-    @property
-    def max_iterations(self) -> int:
-        """Iterations of a step."""
+    first_step: float = 0.05
+    max_step: float = 0.25
+    min_step: float = 1e-4
+    at: tuple[float, ...] = ()
+    tolerance: float = 1e-6
+    max_iterations: int = 15
+    max_steps: int = 1000
 
-    @property
-    def max_steps(self) -> int:
-        """Attempted steps."""
+    def __post_init__(self) -> None:
+        check_steps(self)
 
 
-def check_steps(steps: SteppedProcedure, longest: float = 1.0) -> None:
+def check_steps(steps: StepOptions, longest: float = 1.0) -> None:
     """Refuse steps, tolerances, numbers of iterations and a duration that make no sense.
 
     Raises

@@ -4,11 +4,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class VolumeControl:
+class VolumeControl(StepOptions):
     """Inject an incompressible fluid into cavities; the pressure is the answer, so it may fall.
 
     The load factor is the share of the volume that was injected; other loads grow with it.
@@ -41,17 +41,13 @@ class VolumeControl:
     first_step: float = 0.02
     max_step: float = 0.1
     min_step: float = 1e-5
-    at: tuple[float, ...] = ()
-    tolerance: float = 1e-6
-    max_iterations: int = 15
-    max_steps: int = 1000
     duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
         for where, volume in by_cavity(self.volume, "volume").items():
             if not volume or not abs(volume) < 1e3:
                 raise TurgorError(f"procedure.volume{where} is {volume:g} m³; a volume other than zero is needed.")
-        self.check_steps()
+        check_steps(self)
 
     @property
     def asked(self) -> float | Mapping[str, float]:
@@ -62,10 +58,6 @@ class VolumeControl:
     def asked_by(self) -> str:
         """The field that asks it."""
         return "volume"
-
-    def check_steps(self) -> None:
-        """Refuse steps, tolerances and numbers of iterations that make no sense."""
-        check_steps(self)
 
 
 def by_cavity(value: float | Mapping[str, float], name: str) -> dict[str, float]:
