@@ -18,6 +18,7 @@ from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import LoadFactor, WorkTarget
 from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.continuation.cavity_control import asked_cavities
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonSettings, Start, newton
@@ -120,8 +121,7 @@ def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
     """Cavities whose pressure the procedure sought."""
     if not isinstance(procedure, VolumeControl | GasMass):
         return ()
-    stated = {load.face for load in state.model.pressures}
-    return tuple(name for name in state.pressures if name not in stated)
+    return asked_cavities(state.model, procedure)
 
 
 def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, exact: bool) -> State | None:
@@ -146,7 +146,7 @@ def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, ex
         if at is None or total > FAR * size_of_state:
             break
         if size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
-            return _state(system, at, state, {}, tangent.unstable_modes())
+            return _state(system, at, state, tangent.unstable_modes())
         fresh, before = size > CONTRACTION * before, size
     return _carefully(system, tangent, first, state)
 
@@ -160,7 +160,7 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -
     moved = (result.evaluation.unknowns - at.unknowns)[: 3 * system.node_count]
     if np.linalg.norm(moved) > FAR * np.linalg.norm(at.unknowns[: 3 * system.node_count]):
         return None  # another equilibrium
-    return _state(system, result.evaluation, state, {}, result.unstable_modes)
+    return _state(system, result.evaluation, state, result.unstable_modes)
 
 
 def _at_volume(
@@ -186,17 +186,11 @@ def _at_volume(
     result = newton(constraint, tangent, start, parameter, SETTINGS, _unheard)
     if not result.converged or result.evaluation is None:
         return None
-    found = acting_pressures(system, result.evaluation) if controlled else {}
-    return _state(system, result.evaluation, state, dict(found))
+    return _state(system, result.evaluation, state)
 
 
-def _state(
-    system: System, at: Evaluation, state: State, pressures: dict[str, float], modes: int | None = None
-) -> State:
+def _state(system: System, at: Evaluation, state: State, modes: int | None = None) -> State:
     displacement, mean_stress = system.physical(at.unknowns)
-    if not pressures and state.pressures:
-        share = at.load_factor / state.load_factor if state.load_factor else 1.0
-        pressures = {name: value * share for name, value in state.pressures.items()}
     return replace(
         state,
         model=system.model,
@@ -206,7 +200,7 @@ def _state(
         nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
         unstable_modes=modes,
         touches=touches(system, at),
-        pressures=pressures,
+        pressures={**state.pressures, **acting_pressures(system, at)},
         memory=system.materials.memory,
     )
 

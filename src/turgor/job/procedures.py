@@ -1,7 +1,7 @@
 """Procedures in a job: ``[procedure]``, both ways; those of stages are written alike."""
 
 from collections.abc import Mapping
-from dataclasses import Field, fields
+from dataclasses import Field
 from functools import cache, partial
 from typing import Annotated, Any
 
@@ -21,6 +21,7 @@ from turgor.solvers.procedures.grasp import Grasp
 from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.procedures.stages import OneProcedure, Sealed
 from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.step_options import fields_in_order
 from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import format_quantity, kPa, parse_quantity
 
@@ -93,7 +94,7 @@ def procedure_table(value: type) -> type[Table]:
 
 def procedure_fields(value: type) -> list[Field[Any]]:
     """Return the fields of a procedure that job files state: all but functions, ``field(metadata={"job": False})``."""
-    return [item for item in fields(value) if item.init and item.metadata.get("job", True)]
+    return [item for item in fields_in_order(value) if item.init and item.metadata.get("job", True)]
 
 
 def written_procedure(procedure: OneProcedure, loads: tuple[Load, ...] = ()) -> dict[str, Any]:

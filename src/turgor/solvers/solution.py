@@ -82,7 +82,8 @@ class State:
     touches : mapping of str to Touch
         What every contact does, by the name of the obstacle, or ``"self"``.
     pressures : mapping of str to float [Pa], gauge
-        What acts on each pressed face, where the procedure found it; empty where loads and load factor say it.
+        What acts in each cavity and on each pressed face, stated by a load or found by the procedure; empty where
+        nothing presses.
     driven : mapping of str to float [SI]
         What the procedure prescribed besides the load factor, by the names of columns: ``injected_volume`` [m³],
         ``gas_mass_ratio``.

@@ -4,6 +4,7 @@ import numpy as np
 
 from turgor.engine.contact.pressure import nodal_pressure, touched_area
 from turgor.engine.system import Evaluation, System
+from turgor.model.drive import pressures_at
 from turgor.solvers.solution import State, Touch
 
 
@@ -37,10 +38,13 @@ def state_of(system: System, at: Evaluation, modes: int | None) -> State:
 
 
 def acting_pressures(system: System, at: Evaluation) -> dict[str, float]:
-    """Gauge pressures [Pa] of the controlled faces."""
-    if at.sought is None:
+    """Gauge pressures [Pa] in every cavity and on every pressed face, stated or sought; none where nothing presses."""
+    if at.sought is None and not system.model.pressures:
         return {}
-    return {name: float(p) * system.stress for name, p in zip(system.controlled, at.sought, strict=True)}
+    found = pressures_at(system.model, at.load_factor)
+    if at.sought is not None:
+        found |= {name: float(p) * system.stress for name, p in zip(system.controlled, at.sought, strict=True)}
+    return found
 
 
 def touches(system: System, at: Evaluation) -> dict[str, Touch]:

@@ -1,7 +1,8 @@
 """Step options: what every procedure of equilibria says about its steps and its iterations."""
 
-from dataclasses import dataclass
+from dataclasses import Field, dataclass, fields
 from math import inf
+from typing import Any
 
 from turgor.errors import TurgorError
 
@@ -63,3 +64,35 @@ def check_steps(steps: StepOptions, longest: float = 1.0) -> None:
     for factor in steps.at:
         if not 0 < factor <= 1:
             raise TurgorError(f"procedure.at holds {factor:g}; a load factor lies in (0, 1].")
+
+
+def fields_in_order(kind: type) -> tuple[Field[Any], ...]:
+    """Return the fields of a procedure for people to read: what it asks, its steps, its duration, what extends it.
+
+    Parameters
+    ----------
+    kind : type
+        The class of a procedure.
+
+    Returns
+    -------
+    tuple of Field
+
+    Examples
+    --------
+    >>> from turgor.solvers.procedures.auto import Auto
+    >>> [each.name for each in fields_in_order(Auto)][:3]
+    ['past', 'max_stretch', 'first_step']
+    """
+    steps = {each.name for each in fields(StepOptions)}
+    direct = next((each for each in kind.__mro__ if StepOptions in each.__bases__), None)
+    if direct is None:
+        return fields(kind)
+    asked = {each.name for each in fields(direct)} - steps - {"duration"}
+
+    def place(each: Field[Any]) -> int:
+        if each.name in asked:
+            return 0
+        return 1 if each.name in steps else 2 if each.name == "duration" else 3
+
+    return tuple(sorted(fields(kind), key=place))
