@@ -9,9 +9,10 @@ from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget
 from turgor.solvers.continuation import continuity
 from turgor.solvers.continuation.arc_scaling import go_onward
-from turgor.solvers.continuation.continuity import CUTS, judged, orientation, straightness
+from turgor.solvers.continuation.continuity import judged, orientation, straightness
 from turgor.solvers.continuation.path_points import Point
 from turgor.solvers.continuation.path_reversal import retraces
+from turgor.solvers.continuation.thresholds import CORNER_CUTS
 from turgor.solvers.reasons import Cause
 
 
@@ -113,7 +114,7 @@ def test_a_sharp_turn_is_cut_and_a_corner_taken_in_the_end():
     last, now = point(0, (0, 0), (1, 0), 0), point(1, (1, 1), (0, 1), 0)
     going = run()
     assert straightness(going, last, now) == pytest.approx(np.sqrt(0.5))
-    for _ in range(CUTS):
+    for _ in range(CORNER_CUTS):
         assert judged(going, last, now).reason.cause is Cause.SHARP_TURN
         going.steps.append(SimpleNamespace(cause=Cause.SHARP_TURN))
     assert judged(going, last, now).reason is None

@@ -6,12 +6,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from turgor.model.drive import drive_text, kinks
+from turgor.model.drive import drive_text, kinks, pressures_at
 from turgor.model.model import Model
 from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.continuation.branch_jump import first_leap, leap_to
 from turgor.solvers.continuation.extrema import extremum_ahead
-from turgor.solvers.pressures import pressure_text
+from turgor.solvers.pressures import pressure_text, pressures_of
 from turgor.solvers.procedures.step_options import StepOptions
 from turgor.solvers.reasons import Cause
 from turgor.solvers.solution import State, Status, Step
@@ -19,9 +19,6 @@ from turgor.solvers.solution import State, Status, Step
 #: A maximum of the load this near ahead of the last state, relative to it, is where the path ended, whatever the
 #: factors say; one this near is worth saying where they have told.
 NEAR, SAID = 1e-3, 1e-2
-
-#: How a pressure reads that does not act: it names no load.
-NOTHING = "0 kPa"
 
 #: On the way to a limit point a body moves this many times as much for the load as before at least.
 SOFTENING = 1.5
@@ -38,17 +35,19 @@ class Outcome:
 
 def _load(model: Model, load_factor: float, digits: int = 4) -> str:
     """The load at a load factor, in words: the pressures where any drive."""
-    return _with_factor(drive_text(model, load_factor, digits), load_factor, digits)
+    acts = any(pressures_at(model, load_factor).values())
+    return _with_factor(drive_text(model, load_factor, digits), acts, load_factor, digits)
 
 
 def _at(state: State) -> str:
     """The load of a state, in words."""
-    return _with_factor(pressure_text(state), state.load_factor)
+    return _with_factor(pressure_text(state), any(pressures_of(state).values()), state.load_factor)
 
 
-def _with_factor(pressures: str, load_factor: float, digits: int = 4) -> str:
+def _with_factor(pressures: str, acts: bool, load_factor: float, digits: int = 4) -> str:
+    """Pressures with their load factor; the load factor alone where no pressure acts."""
     factor = f"load factor {load_factor:.{digits}g}"
-    return f"{pressures} ({factor})" if pressures and (pressures != NOTHING or not load_factor) else factor
+    return f"{pressures} ({factor})" if pressures and (acts or not load_factor) else factor
 
 
 def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> Outcome:
@@ -101,7 +100,7 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
         estimate = ""
         if top is not None and ahead <= SAID * last.load_factor:
             estimate = f" The path up to there points to a maximum of {_load(model, top, 5)}."
-        driven = pressure_text(last) not in ("", NOTHING)
+        driven = any(pressures_of(last).values())
         return Outcome(
             Status.LIMIT_POINT,
             f"The load could not rise past {_at(last)}: the tangent lost positive definiteness there, "

@@ -12,11 +12,9 @@ from turgor.meshing.proximity import find_facing_walls, smallest_gap
 from turgor.model.contact import SELF
 from turgor.model.drive import common_pressure, drive_text, pressed_together, rises
 from turgor.model.model import Model
+from turgor.solvers.checks.thresholds import PENETRATION_ROUND_OFF
 from turgor.solvers.solution import State
 from turgor.units import mm, um
-
-#: A tolerance that is just met is met.
-ROUND_OFF = 1e-6
 
 
 def check_contact(model: Model) -> tuple[Finding, ...]:
@@ -63,7 +61,7 @@ def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:
     """
     found = []
     for name, touch in states[-1].touches.items() if states else ():
-        if touch.share > 1 + ROUND_OFF:
+        if touch.share > 1 + PENETRATION_ROUND_OFF:
             who = "Walls of the actuator penetrate each other" if name == SELF else f"The actuator penetrates '{name}'"
             found.append(
                 Finding(

@@ -4,14 +4,8 @@ import numpy as np
 
 from turgor.engine.fields import cell_fields
 from turgor.materials.material import Material
+from turgor.solvers.checks.thresholds import HARD_RUBBER, KEPT_VOLUME
 from turgor.solvers.solution import State
-
-#: Rubber keeps its volume. A mesh keeps it on average; where a point of a cell has less than this share of its volume
-#: left, or the inverse of it, the cell bends in a way that the rubber cannot.
-KEPT = 0.5
-
-#: Rubber whose bulk modulus is this many times its shear modulus or more keeps its volume.
-HARD = 50.0
 
 
 def worst_volume(state: State) -> tuple[float, tuple[float, float, float]] | None:
@@ -30,7 +24,7 @@ def worst_volume(state: State) -> tuple[float, tuple[float, float, float]] | Non
     hard = [
         np.asarray(model.mesh.regions[name])
         for name, material in model.materials.items()
-        if isinstance(material, Material) and material.bulk_modulus >= HARD * material.law.shear_modulus
+        if isinstance(material, Material) and material.bulk_modulus >= HARD_RUBBER * material.law.shear_modulus
     ]
     if not hard:
         return None
@@ -55,7 +49,7 @@ def distortion_text(state: State) -> str:
         A sentence with a space before it.
     """
     worst = worst_volume(state)
-    if worst is None or KEPT <= worst[0] <= 1 / KEPT:
+    if worst is None or KEPT_VOLUME <= worst[0] <= 1 / KEPT_VOLUME:
         return ""
     place = ", ".join(f"{1e3 * x:.3g}" for x in worst[1])
     return (

@@ -8,10 +8,8 @@ from turgor.engine.threads import discrete_threads
 from turgor.finding import Finding, Severity
 from turgor.model.fibers import DISCRETE, SMEARED, Fibers
 from turgor.model.model import Model
+from turgor.solvers.checks.thresholds import CELLS_BETWEEN, SHARE_OF_PERIMETER
 from turgor.units import mm
-
-#: Distance between smeared threads, in cells and as a share of the perimeter, from which smearing them is doubtful.
-CELLS_BETWEEN, SHARE_OF_PERIMETER = 1.5, 0.25
 
 
 def check_fibers(model: Model) -> tuple[Finding, ...]:

@@ -10,13 +10,11 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
 from turgor.model.model import Model
 from turgor.model.obstacles import Obstacle, RigidSurface
+from turgor.solvers.checks.thresholds import OBSTACLE_TOUCHING
 from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-#: Obstacles may reach into the actuator by this share of its longest side: what just touches overlaps by round-off.
-TOUCHING = 1e-4
 
 
 def overlapping_obstacles(model: Model) -> tuple[Finding, ...]:
@@ -36,7 +34,7 @@ def overlapping_obstacles(model: Model) -> tuple[Finding, ...]:
 
 def _overlap(mesh: Mesh, obstacle: Obstacle) -> Finding | None:
     nodes = mesh.face_nodes(obstacle.face) if obstacle.face is not None else _outside(mesh)
-    allowed = TOUCHING * float(np.ptp(mesh.points, axis=0).max())
+    allowed = OBSTACLE_TOUCHING * float(np.ptp(mesh.points, axis=0).max())
     places = mesh.points[nodes]
     depth = _depths(obstacle, places - obstacle.displacement(0.0), allowed)
     inside = depth > allowed

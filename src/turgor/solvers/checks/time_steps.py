@@ -7,15 +7,9 @@ import numpy as np
 
 from turgor.finding import Finding, Severity
 from turgor.model.model import Model
+from turgor.solvers.checks.thresholds import FAST_RELAXATION, HELD_SHARE, LONG_RELAXATION_STEP
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.solution import Procedure, State
-
-#: A term is followed badly by steps longer than the first of these shares of its time. Terms much faster than the
-#: steps, beyond the second, are nearly relaxed all the time, and no harm is done.
-LONG, FAST = 0.6, 20.0
-
-#: A step in which no node moves by more than this share of the largest displacement counts as a hold, which is exact.
-HELD = 0.02
 
 
 def too_long_steps(model: Model, procedure: Procedure, states: Sequence[State]) -> tuple[Finding, ...]:
@@ -29,10 +23,10 @@ def too_long_steps(model: Model, procedure: Procedure, states: Sequence[State]) 
     moving = [
         (after.load_factor - before.load_factor) * duration
         for before, after in pairwise(states)
-        if float(np.abs(after.displacement - before.displacement).max()) > HELD * largest
+        if float(np.abs(after.displacement - before.displacement).max()) > HELD_SHARE * largest
     ]
     for tau in times:
-        missed = [step for step in moving if LONG * tau < step < FAST * tau]
+        missed = [step for step in moving if LONG_RELAXATION_STEP * tau < step < FAST_RELAXATION * tau]
         if missed:
             return (_finding(max(missed), tau, duration),)
     return ()

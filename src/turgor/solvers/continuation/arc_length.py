@@ -21,8 +21,9 @@ from turgor.solvers.continuation.path_follower import follow
 from turgor.solvers.continuation.path_points import Ending, Point, Problem, Run, begin, fixed_load, nothing, settings_of
 from turgor.solvers.continuation.path_reversal import retraces
 from turgor.solvers.continuation.scalar_path import Goal, scalar_run
-from turgor.solvers.continuation.step_control import CUT, StepControl
+from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import leapt, load_response, rate_at
+from turgor.solvers.continuation.thresholds import STEP_CUT
 from turgor.solvers.listeners import silent
 from turgor.solvers.newton.newton import Start, newton
 from turgor.solvers.outcomes import Outcome, stuck
@@ -95,7 +96,7 @@ def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, fl
         problem.steps.append(_first_step(load, first.iterations, first.residual, reason))
         if first.converged and reason is None:
             break
-        load *= CUT
+        load *= STEP_CUT
         if load < procedure.min_step:
             return stuck(system.model, problem.states, problem.steps, bool(first.unstable_modes))
     assert first.evaluation is not None

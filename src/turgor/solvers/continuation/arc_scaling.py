@@ -11,16 +11,14 @@ import numpy as np
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget
 from turgor.solvers.continuation.path_points import Point, Run
-
-#: The displacement counts at most this many times as much as the largest load so far.
-GROWN = 4.0
+from turgor.solvers.continuation.thresholds import SCALE_GROWTH
 
 
 def go_onward(run: Run, last: Point, now: Point) -> None:
     """Take the conditions of the next step, for an arc in a scale that fits, and tell the history its new measure."""
     target = run.constraint.target
     if isinstance(target, ArcTarget):
-        run.size = max(run.size, _moved(run, now) / (GROWN * _largest_load(run, now)))
+        run.size = max(run.size, _moved(run, now) / (SCALE_GROWTH * _largest_load(run, now)))
         target = replace(target, size=run.size)
     following = target.onward(last, now)
     run.constraint = Constraint(run.constraint.sought, following, run.constraint.clock.onward(now.parameter))

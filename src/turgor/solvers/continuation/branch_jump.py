@@ -5,14 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE
 from turgor.solvers.solution import State
-
-#: A step in which a body moves this many times as much for its load as in the step before may have jumped. On the way
-#: to a limit point steps get shorter, and the factor from one to the next stays at two or three.
-LEAP = 5.0
-
-#: A body that moves by less than this share of its displacement does not leap.
-STILL = 1e-2
 
 Array = NDArray[np.float64]
 
@@ -39,7 +33,7 @@ def leap(points: Sequence[tuple[float, Array]]) -> float:
         return 0.0
     (f0, u0), (f1, u1), (f2, u2) = points[-3:]
     moved, moves = float(np.linalg.norm(u1 - u0)), float(np.linalg.norm(u2 - u1))
-    if not f0 < f1 < f2 or moved == 0 or moves <= STILL * float(np.linalg.norm(u2)):
+    if not f0 < f1 < f2 or moved == 0 or moves <= STILL_SHARE * float(np.linalg.norm(u2)):
         return 0.0
     return round((moves / (f2 - f1)) / (moved / (f1 - f0)), 9)
 
@@ -51,4 +45,4 @@ def leap_to(states: Sequence[State], number: int) -> float:
 
 def first_leap(states: Sequence[State]) -> int | None:
     """Number of the first state that a leap led to; None where there is none."""
-    return next((n for n in range(2, len(states)) if leap_to(states, n) > LEAP), None)
+    return next((n for n in range(2, len(states)) if leap_to(states, n) > JUMP_RATIO), None)

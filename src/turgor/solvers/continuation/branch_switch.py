@@ -20,13 +20,21 @@ from turgor.solvers.continuation.arc_length import (
     from_rest,
     start_of,
 )
-from turgor.solvers.continuation.branch_jump import LEAP, leap_to
+from turgor.solvers.continuation.branch_jump import leap_to
 from turgor.solvers.continuation.load_control import load_run
 from turgor.solvers.continuation.path_follower import follow
 from turgor.solvers.continuation.path_points import Point, Problem, Run, begin, nothing
 from turgor.solvers.continuation.scalar_path import Goal, scalar_run
-from turgor.solvers.continuation.step_control import CUT, StepControl
+from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import leapt, rate_at
+from turgor.solvers.continuation.thresholds import (
+    AUTO_MIN_STEP,
+    FIRST_VOLUME_STEP,
+    JUMP_RATIO,
+    LONGEST_ARC,
+    LONGEST_VOLUME_STEP,
+    STEP_CUT,
+)
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.static import Static
@@ -36,18 +44,6 @@ from turgor.solvers.restart import Restart, unknowns_of
 from turgor.solvers.solution import State, Status
 
 Array = NDArray[np.float64]
-
-#: Longest step by volume, in the injected volume at which it takes over, over the longest step of the load.
-FARTHER = 4.0
-
-#: First step by volume at most, in the same measure: the load has failed to go on, so something turns ahead.
-FIRST_BY_VOLUME = 0.05
-
-#: Longest arc over the longest step of the load.
-LONGEST = 2.0
-
-#: Smallest step of load control before `Auto` lets something else drive.
-AUTO_MIN_STEP = 2e-3
 
 
 def load_steps(procedure: Auto) -> Static:
@@ -111,7 +107,7 @@ class Watch:
             return Reason(Cause.UNSTABLE)
         before, now = self.history[-2:]
         rates = self.rate, rate
-        faster = leap_to(self.problem.states, len(self.problem.states) - 1) > LEAP
+        faster = leap_to(self.problem.states, len(self.problem.states) - 1) > JUMP_RATIO
         change, rise = now.unknowns - before.unknowns, now.parameter - before.parameter
         jumped = faster or leapt(self.problem.system, change, rise, rates)
         return Reason(Cause.BRANCH_JUMP) if jumped else None
@@ -140,7 +136,7 @@ def go_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
         problem.steps[-1] = replace(problem.steps[-1], accepted=False, why=watch.reason)
     ends = bounds(Bounds(procedure.max_stretch))
     if watch.good is None:
-        lengths = CUT * procedure.first_step, LONGEST * procedure.max_step
+        lengths = STEP_CUT * procedure.first_step, LONGEST_ARC * procedure.max_step
         return from_rest(problem, procedure, lengths, ends)
     watch.good.restore(system)
     system.materials.begin_step(inf)
@@ -162,7 +158,7 @@ def _arcs(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> tu
     moved = displacement_of(system, unknowns - unknowns_of(system, before))
     size = displacement_scale(problem, unknowns, load)
     step = float(np.hypot(np.linalg.norm(moved) / size, load - before.load_factor))
-    return CUT * step, LONGEST * procedure.max_step
+    return STEP_CUT * step, LONGEST_ARC * procedure.max_step
 
 
 def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) -> Run:
@@ -174,9 +170,9 @@ def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) 
     rest, first = (float(weights @ chambers.volumes(at)) for at in (np.zeros(system.size), unknowns))
     target = WorkTarget(chambers, weights, first, first + (first - rest))
     stepping = StepControl(
-        length=min(procedure.first_step, FIRST_BY_VOLUME),
-        max_step=FARTHER * procedure.max_step,
-        min_step=min(procedure.min_step, FIRST_BY_VOLUME),
+        length=min(procedure.first_step, FIRST_VOLUME_STEP),
+        max_step=LONGEST_VOLUME_STEP * procedure.max_step,
+        min_step=min(procedure.min_step, FIRST_VOLUME_STEP),
         targets=(inf,),
     )
 
@@ -201,7 +197,7 @@ def _by_arc(problem: Problem, procedure: Auto, volume: Run) -> Run:
     here = replace(last, parameter=0.0)
     blank = np.zeros(system.size)
     target = ArcTarget(system, volume.size, 0.0, last.unknowns, last.scalars, blank, 1.0).onward(before, here)
-    longest = LONGEST * procedure.max_step
+    longest = LONGEST_ARC * procedure.max_step
     chord = displacement_of(system, last.unknowns - before.unknowns)
     step = float(np.hypot(np.linalg.norm(chord) / volume.size, (last.scalars - before.scalars)[0]))
     stepping = StepControl(

@@ -19,6 +19,7 @@ from turgor.solvers.continuation.path_follower import follow
 from turgor.solvers.continuation.path_points import Ending, Point, Problem, Run, begin
 from turgor.solvers.continuation.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import StepControl
+from turgor.solvers.continuation.thresholds import NO_VOLUME
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.path_outcomes import reached
 from turgor.solvers.procedures.gas_mass import GasMass
@@ -26,9 +27,6 @@ from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.restart import unknowns_of
 
 Array = NDArray[np.float64]
-
-#: A cavity with less than this share of the box around the body has no volume.
-NO_VOLUME = 1e-9
 
 
 def controlled_faces(model: Model, procedure: VolumeControl | GasMass) -> tuple[str, ...]:

@@ -13,20 +13,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from turgor.solvers.continuation.path_points import Bifurcation, Point, Run, between, point_at, solve_at
+from turgor.solvers.continuation.thresholds import (
+    BIFURCATION_CLOSE,
+    BIFURCATION_JUMP,
+    CORNER_CHORD,
+    CORNER_CUTS,
+    FEWEST_HALVINGS,
+    HALVINGS,
+    STRAIGHT_CHORD,
+)
 from turgor.solvers.listeners import silent
 from turgor.solvers.reasons import Cause, Reason
-
-#: The chord of a step has this cosine at least with the directions of the path at both of its ends.
-STRAIGHT = 0.8
-
-#: At a corner, as where walls meet, it has not however short the step is: this much will do after so many cuts.
-CORNER, CUTS = 0.4, 4
-
-#: Halvings of the step in which a bifurcation lies, fewest and most, and the share of its load to which it is found.
-FEWEST, HALVINGS, CLOSE = 6, 10, 1e-3
-
-#: The piece that is left is longer than it would be along an even path by less than this factor, or there is a jump.
-JUMP = 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +39,7 @@ def judged(run: Run, last: Point, now: Point) -> Verdict:
     if not run.size:
         return Verdict()
     straight = straightness(run, last, now)
-    if straight < STRAIGHT and (straight < CORNER or _cuts(run) < CUTS):
+    if straight < STRAIGHT_CHORD and (straight < CORNER_CHORD or _cuts(run) < CORNER_CUTS):
         return Verdict(Reason(Cause.SHARP_TURN))
     passed: list[Bifurcation] = []
     while _differ(last, now):
@@ -116,9 +113,11 @@ def _bifurcation(run: Run, last: Point, now: Point) -> tuple[Point, Point] | Non
             return now, now
         allowed *= 0.5
         rise = abs(float((now.scalars - last.scalars)[0]))
-        if halving + 1 >= FEWEST and rise <= CLOSE * abs(float(now.scalars[0])):
+        if halving + 1 >= FEWEST_HALVINGS and rise <= BIFURCATION_CLOSE * abs(float(now.scalars[0])):
             break
-    smooth = _chord(run, last, now) <= JUMP * allowed and last.state.unstable_modes != now.state.unstable_modes
+    smooth = (
+        _chord(run, last, now) <= BIFURCATION_JUMP * allowed and last.state.unstable_modes != now.state.unstable_modes
+    )
     return (last, now) if smooth else None
 
 

@@ -5,9 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-#: A slope times the width of the step is flat below this share of the value.
-EVEN = 1e-6
-
 Array = NDArray[np.float64]
 End = tuple[float, float, float]
 

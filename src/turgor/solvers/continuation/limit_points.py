@@ -1,12 +1,10 @@
 """Turning: find where a scalar has its maxima and minima between two points of a path, and make them states."""
 
-from turgor.solvers.continuation.extrema import EVEN, turning_points
+from turgor.solvers.continuation.extrema import turning_points
 from turgor.solvers.continuation.path_points import Ending, Point, Run, between, point_at, solve_at
+from turgor.solvers.continuation.thresholds import FLAT_SLOPE, LIMIT_POINT_SOLVES
 from turgor.solvers.listeners import silent
 from turgor.solvers.solution import LimitPoint
-
-#: Solves at most to find one limit point.
-CLOSER = 8
 
 
 def insert_limit_points(run: Run, last: Point, now: Point) -> tuple[Point, Ending | None]:
@@ -56,7 +54,7 @@ def _turning_point(run: Run, before: Point, after: Point, index: int) -> Point |
     """Close in on the point where a scalar turns."""
     width = after.parameter - before.parameter
     found = None
-    for _ in range(CLOSER):
+    for _ in range(LIMIT_POINT_SOLVES):
         turns = turning_points(_ends(before, index), _ends(after, index))
         middle = 0.5 * (before.parameter + after.parameter)
         nearer = _solved(run, before, after, turns[0] if turns else middle)
@@ -64,7 +62,7 @@ def _turning_point(run: Run, before: Point, after: Point, index: int) -> Point |
             return found
         found = nearer
         assert before.slope is not None
-        if abs(nearer.slope[index]) * width <= EVEN * max(abs(nearer.scalars[index]), 1e-12):
+        if abs(nearer.slope[index]) * width <= FLAT_SLOPE * max(abs(nearer.scalars[index]), 1e-12):
             return found
         if nearer.slope[index] * before.slope[index] > 0:
             before = nearer

@@ -27,19 +27,18 @@ from turgor.solvers.continuation.predictor import BY_LOAD, predicted
 from turgor.solvers.continuation.step_acceptance import doubt, roundabout
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import rate_at, rate_in_step
+from turgor.solvers.continuation.thresholds import (
+    LONG_FIRST_STEP,
+    RELAXATION_REACH,
+    RELAXATIONS,
+    SHORTER_RELAXATION_REACH,
+)
 from turgor.solvers.newton.newton import NewtonResult, Start
 from turgor.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.solvers.outcomes import Outcome, converged, stuck
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import State, Status
-
-#: Where no step succeeds, a body may move against viscous forces to its next equilibrium, this often in a run, over at
-#: most this share of the load, and if that fails over a smaller one.
-RELAXATIONS, REACH, SHORTER_REACH = 20, 0.05, 0.1
-
-#: From a first step of this share of the load on, it is looked at how the body moves for a small load.
-FAR = 0.2
 
 
 def follow_load(problem: Problem, procedure: Static) -> Outcome:
@@ -86,7 +85,9 @@ def load_run(
     assert rest is not None
     run.history.append(plain_point(run, rest, (0.0, np.empty(0)), None))
     run.states.append(run.history[-1].state)
-    if run.stepping.length >= FAR and not turns:  # loads that grow in proportion: all say how the first ones do
+    if (
+        run.stepping.length >= LONG_FIRST_STEP and not turns
+    ):  # loads that grow in proportion: all say how the first ones do
         strategy.rate = rate_at(system, problem.tangent, rest)[0]
     return run
 
@@ -156,7 +157,7 @@ class LoadStrategy:
         if distortion_text(run.states[-1]):  # a cell has collapsed, and nothing beyond it is of the body
             return ending
         self.relaxations += 1
-        for share in (1.0, SHORTER_REACH):
+        for share in (1.0, SHORTER_RELAXATION_REACH):
             found = _pseudo_transient(run, _reach(run, share))
             if found is not None:
                 self.rate = inf
@@ -194,6 +195,6 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
 def _reach(run: Run, share: float) -> float:
     """Load factor to which a body moves against viscous forces: a share of the steps taken before it got hard."""
     factors = [point.parameter for point in run.history]
-    taken = max((b - a for a, b in pairwise(factors)), default=REACH)
+    taken = max((b - a for a, b in pairwise(factors)), default=RELAXATION_REACH)
     now = factors[-1]
-    return min(now + share * min(taken, REACH), *(target for target in run.stepping.targets if target > now))
+    return min(now + share * min(taken, RELAXATION_REACH), *(target for target in run.stepping.targets if target > now))

@@ -10,7 +10,7 @@ from time import perf_counter
 from turgor.solvers.continuation.arc_scaling import go_onward
 from turgor.solvers.continuation.limit_points import insert_limit_points
 from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
-from turgor.solvers.continuation.predictor import HISTORY
+from turgor.solvers.continuation.thresholds import HISTORY
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
 from turgor.solvers.solution import Step

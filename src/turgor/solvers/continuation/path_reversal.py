@@ -8,14 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.solvers.continuation.path_points import Point, Run
+from turgor.solvers.continuation.thresholds import REVERSAL_FALLEN, REVERSAL_NEAR
 from turgor.solvers.solution import State
-
-#: Share of the largest load below which a path is compared with the way there; nearer to it both are alike.
-FALLEN = 0.95
-
-#: A path that has gone on is as far from the way there as that is from the turn, or farther; one that goes back is
-#: nearer than this share.
-NEAR = 0.3
 
 
 def retraces(run: Run, now: Point) -> bool:
@@ -29,10 +23,10 @@ def retraces(run: Run, now: Point) -> bool:
     """
     load, states = float(now.scalars[0]), run.states
     top = max(range(len(states)), key=lambda number: states[number].load_factor)
-    if not 0 < load < FALLEN * states[top].load_factor:
+    if not 0 < load < REVERSAL_FALLEN * states[top].load_factor:
         return False
     before = _on_the_way(states[: top + 1], load)
-    return float(np.linalg.norm(now.state.displacement - before)) < NEAR * float(
+    return float(np.linalg.norm(now.state.displacement - before)) < REVERSAL_NEAR * float(
         np.linalg.norm(states[top].displacement - before)
     )
 

@@ -10,20 +10,12 @@ from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between
+from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, SHORTENINGS
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
 
 Array = NDArray[np.float64]
-
-#: States used at most: a quartic through the last five.
-HISTORY = 5
-
-#: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
-GOOD_PREDICTION = 0.05
-
-#: An extrapolation is shortened this often at most where it presses walls into each other.
-SHORTENINGS = 3
 
 
 def unbalanced_force(system: System, at: Evaluation) -> float:

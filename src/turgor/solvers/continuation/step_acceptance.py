@@ -6,16 +6,13 @@ from math import inf
 import numpy as np
 
 from turgor.engine.system import System
-from turgor.solvers.continuation.branch_jump import LEAP, STILL, leap
+from turgor.solvers.continuation.branch_jump import leap
 from turgor.solvers.continuation.path_points import Point
 from turgor.solvers.continuation.tangent_response import leapt
+from turgor.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE, SUPPORT_ASIDE
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.solution import State
-
-#: In one step no support leaves the straight way to its next place by more than this share of the way: on a circle it
-#: is a quarter turn that does.
-ASIDE = 0.2
 
 
 def roundabout(system: System, before: float, after: float) -> bool:
@@ -25,7 +22,7 @@ def roundabout(system: System, before: float, after: float) -> bool:
     """
     start, middle, end = (system.prescribed(factor) for factor in (before, 0.5 * (before + after), after))
     aside = np.linalg.norm(middle - 0.5 * (start + end))
-    return bool(aside > ASIDE * np.linalg.norm(end - start))
+    return bool(aside > SUPPORT_ASIDE * np.linalg.norm(end - start))
 
 
 def doubt(
@@ -48,9 +45,9 @@ def doubt(
     moved = 3 * system.node_count
     points = [(point.parameter, point.unknowns[:moved]) for point in history[-2:]]
     ratio = leap([*points, (at.load_factor, at.unknowns[:moved])])
-    if ratio > LEAP:
+    if ratio > JUMP_RATIO:
         return Reason(Cause.LONG_MOVE, ratio)
     change = at.unknowns - history[-1].unknowns
-    still = np.linalg.norm(change[:moved]) <= STILL * np.linalg.norm(at.unknowns[:moved])
+    still = np.linalg.norm(change[:moved]) <= STILL_SHARE * np.linalg.norm(at.unknowns[:moved])
     jumped = not still and leapt(system, change, at.load_factor - history[-1].parameter, rates)
     return Reason(Cause.BRANCH_JUMP) if jumped else None

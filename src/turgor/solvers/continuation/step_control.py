@@ -3,22 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from turgor.solvers.continuation.thresholds import COMFORTABLE_ITERATIONS, LOAD_DIGITS, ROUND_OFF, STEP_CUT, STRETCH
 from turgor.solvers.procedures.step_options import StepOptions
-
-#: Iterations of a step that is neither too easy nor too hard.
-COMFORTABLE_ITERATIONS = 6
-
-#: A failed step is tried again with this share of its length.
-CUT = 0.35
-
-#: The last stretch to a target is taken whole if it is no longer than this many steps.
-STRETCH = 1.25
-
-#: A load factor that was asked for this near a kink is the kink.
-ROUND_OFF = 1e-12
-
-#: Load factors between targets are rounded to this many digits, so that tables read well.
-LOAD_DIGITS = 6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,5 +90,5 @@ class StepControl:
 
     def failed(self, increment: float) -> "StepControl | None":
         """Cut the step; None when it would fall below the smallest."""
-        shorter = increment * CUT
+        shorter = increment * STEP_CUT
         return None if shorter < self.min_step else replace(self, length=shorter, patience=0)

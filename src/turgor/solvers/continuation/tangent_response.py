@@ -12,11 +12,9 @@ from numpy.typing import NDArray
 from turgor.engine.linear import SingularTangentError
 from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
+from turgor.solvers.continuation.thresholds import FARTHER_THAN_RATES
 
 Array = NDArray[np.float64]
-
-#: A step that moves a body this many times as far as the faster of the rates at its ends has left the path.
-FARTHER_THAN_RATES = 2.0
 
 
 def load_response(system: System, tangent: Tangent, unknowns: Array, before: float = 0.0, after: float = 1.0) -> Array:

@@ -5,11 +5,9 @@ from numpy.typing import NDArray
 
 from turgor.engine.linear import LinearSolver, linear_solver
 from turgor.engine.system import Evaluation, System
+from turgor.solvers.dynamics.thresholds import DIFFERENCE
 
 Array = NDArray[np.float64]
-
-#: Largest displacement, in edge lengths, of the differences along the velocity.
-DIFFERENCE = 1e-3
 
 
 class Accelerations:

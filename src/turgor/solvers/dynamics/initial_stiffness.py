@@ -7,11 +7,9 @@ from turgor.engine.linear import SingularTangentError
 from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
 from turgor.model.drive import extremes
+from turgor.solvers.dynamics.thresholds import FREE_STIFFNESS
 
 Array = NDArray[np.float64]
-
-#: Half the stiffness of a body that nothing holds, in shear moduli over the square of its size; as of a bar of rubber.
-FREE = 1.5
 
 
 def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Array, free: bool) -> float:
@@ -20,7 +18,7 @@ def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Ar
     A body whose supports leave it free has no such answer; the stiffness of a bar of rubber of its size stands for it.
     """
     if free:
-        return FREE / float(np.ptp(system.points, axis=0).max()) ** 2
+        return FREE_STIFFNESS / float(np.ptp(system.points, axis=0).max()) ** 2
     factor = max(extremes(system.model), key=lambda each: float(np.linalg.norm(system.external(at.unknowns, each))))
     jump = system.prescribed(factor) - at.unknowns[system.held]
     try:

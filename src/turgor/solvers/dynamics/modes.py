@@ -14,21 +14,16 @@ from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.model.model import DISPLACEMENT, Model
+from turgor.solvers.dynamics.thresholds import (
+    FIRST_SHIFT,
+    LANCZOS_REFINEMENTS,
+    LANCZOS_RESIDUAL,
+    RIGID_SHARE,
+    SHIFT_LOWERINGS,
+)
 from turgor.solvers.solution import State
 
 Array = NDArray[np.float64]
-
-#: The first shift, as a share of (speed of shear waves / size of the body)², negative: below the slowest vibration.
-SHIFT = 1e-3
-
-#: Relative residual of solutions in the Lanczos iterations, and how often they are refined at most.
-EXACT, REFINEMENTS = 1e-12, 4
-
-#: How often the shift is moved down until no mode is below it.
-LOWERINGS = 12
-
-#: An eigenvalue this much smaller than the first shift is that of a rigid motion, not of an instability.
-RIGID = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -124,7 +119,7 @@ def natural_frequencies(
             raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
         stiffness, mass = system.tangent_data(at), mass_data(system)
         eigenvalues, vectors = _solve(system, stiffness, mass, count, options)
-    rigid = np.abs(eigenvalues) < RIGID * _first_shift(system)
+    rigid = np.abs(eigenvalues) < RIGID_SHARE * _first_shift(system)
     return _modes(system, (load_factor, unknowns), np.where(rigid, 0.0, eigenvalues), vectors, mass)
 
 
@@ -153,7 +148,7 @@ def _solve(system: System, stiffness: Array, mass: Array, count: int, options: E
     mass[system.pattern.diagonal[system.held]] = 0.0
     solver = linear_solver(options.linear_solver, system.pattern, options.threads)
     shift = _first_shift(system)
-    for _ in range(LOWERINGS):
+    for _ in range(SHIFT_LOWERINGS):
         if _none_below(system, solver, stiffness + shift * mass):
             break
         shift *= 10
@@ -174,9 +169,9 @@ def _solve(system: System, stiffness: Array, mass: Array, count: int, options: E
 def _refined(solver: LinearSolver, pattern: Pattern, data: Array, right: Array) -> Array:
     """Solve to the accuracy that Lanczos iterations need; factors may be of single precision."""
     solution = solver.solve(right)
-    for _ in range(REFINEMENTS):
+    for _ in range(LANCZOS_REFINEMENTS):
         left_over = right - pattern.product(data, solution)
-        if float(np.linalg.norm(left_over)) <= EXACT * float(np.linalg.norm(right)):
+        if float(np.linalg.norm(left_over)) <= LANCZOS_RESIDUAL * float(np.linalg.norm(right)):
             break
         solution = solution + solver.solve(left_over)
     return solution
@@ -187,7 +182,7 @@ def _first_shift(system: System) -> float:
     materials = system.model.region_materials.values()
     speed = min(m.law.shear_modulus / m.density for m in materials if m.density is not None)
     extent = float(np.ptp(system.model.mesh.points, axis=0).max())
-    return SHIFT * speed / extent**2
+    return FIRST_SHIFT * speed / extent**2
 
 
 def _none_below(system: System, solver: LinearSolver, data: Array) -> bool:

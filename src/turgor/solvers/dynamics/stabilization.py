@@ -20,6 +20,7 @@ from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.solvers.dynamics.initial_stiffness import initial_stiffness
 from turgor.solvers.dynamics.motion_outcomes import came_to_rest, no_state, restless
+from turgor.solvers.dynamics.thresholds import ENERGY_ERROR, HOLD_GROWTH, HOLDS, RAISE, RAISES, SMALL_MOVE
 from turgor.solvers.energies import Energies
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
@@ -32,18 +33,6 @@ from turgor.solvers.solution import State, Step
 from turgor.solvers.states import state_of
 
 Array = NDArray[np.float64]
-
-#: A step that leaves more of the strain energy unaccounted for than this share went too far, and is tried shorter.
-ENERGY_ERROR = 1e-2
-
-#: A step that moves nothing by more than this many edge lengths is no jump.
-SMALL_MOVE = 1e-3
-
-#: Where steps fall below the smallest, the viscosity is raised by this factor, so many times.
-RAISE, RAISES = 10.0, 3
-
-#: While the load is held, each step is this many times as long as the last, up to so many.
-LONGER, HOLDS = 2.0, 80
 
 
 @dataclass(slots=True, eq=False)
@@ -237,7 +226,7 @@ def _come_to_rest(run: _Run) -> Outcome:
         if ended is not None:
             return ended
         run.rate = np.zeros_like(run.rate)
-        length *= LONGER
+        length *= HOLD_GROWTH
     else:
         return restless(run.states[-1])
     run.at = at

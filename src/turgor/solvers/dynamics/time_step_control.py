@@ -3,22 +3,16 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from turgor.solvers.dynamics.thresholds import (
+    STEADY_TIME_STEP,
+    TAKEN_BACK,
+    TIME_STEP_CUT,
+    TIME_STEP_GROW,
+    TIME_STEP_SAFETY,
+    TIME_STEP_SHRINK,
+    TIME_STRETCH,
+)
 from turgor.solvers.procedures.dynamic import Dynamic
-
-#: A step whose error is this many times the accuracy is taken back.
-TAKEN_BACK = 2.0
-
-#: Share of the length at which the error is expected to meet the accuracy, and bounds of its change.
-SAFETY, SHRINK, GROW = 0.9, 0.3, 1.5
-
-#: Changes of the length between these factors are not worth new factors of the tangent.
-STEADY = (0.85, 1.25)
-
-#: A step in which Newton's method failed is tried again with this share of its length.
-CUT = 0.5
-
-#: The last stretch to a target is taken whole if it is no longer than this many steps, in two halves up to twice that.
-STRETCH = 1.05
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,13 +57,13 @@ class TimeControl:
         """
         target = next(t for t in self.targets if t > time)
         left = target - time
-        if left <= STRETCH * self.length:
+        if left <= TIME_STRETCH * self.length:
             return target
         return time + (left / 2 if self.adaptive and left < 2 * self.length else self.length)
 
     def failed(self, length: float) -> "TimeControl | None":
         """Cut the step; None when it would fall below the shortest."""
-        shorter = CUT * length
+        shorter = TIME_STEP_CUT * length
         return None if shorter < self.min_step else replace(self, length=shorter)
 
     def after(self, length: float, error: float) -> tuple["TimeControl", bool]:
@@ -87,9 +81,13 @@ class TimeControl:
         """
         if not self.adaptive:
             return self, False
-        factor = GROW if error <= 0 else min(GROW, max(SHRINK, SAFETY * (self.accuracy / error) ** (1 / 3)))
+        factor = (
+            TIME_STEP_GROW
+            if error <= 0
+            else min(TIME_STEP_GROW, max(TIME_STEP_SHRINK, TIME_STEP_SAFETY * (self.accuracy / error) ** (1 / 3)))
+        )
         taken_back = error > TAKEN_BACK * self.accuracy and length * factor >= self.min_step
-        if STEADY[0] < factor < STEADY[1] and not taken_back:
+        if STEADY_TIME_STEP[0] < factor < STEADY_TIME_STEP[1] and not taken_back:
             return self, False
         reference = max(length, self.length) if factor >= 1 and not taken_back else length
         return replace(self, length=min(self.max_step, max(self.min_step, factor * reference))), taken_back

@@ -21,6 +21,7 @@ from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_fric
 from turgor.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
 from turgor.solvers.dynamics.initial_motion import Accelerations
 from turgor.solvers.dynamics.motion_outcomes import moved, no_motion, out_of_time_steps
+from turgor.solvers.dynamics.thresholds import SAME_LENGTH, SMALL_DISPLACEMENT
 from turgor.solvers.dynamics.time_step_control import TimeControl
 from turgor.solvers.energies import Energies
 from turgor.solvers.newton.contact_newton import newton_with_contact
@@ -34,12 +35,6 @@ from turgor.solvers.solution import State, Step
 from turgor.solvers.states import state_of
 
 Array = NDArray[np.float64]
-
-#: The error of a step is compared with the largest displacement so far, at least with this share of the body's size.
-SMALL_DISPLACEMENT = 1e-5
-
-#: Factors of the tangent are used again in a step whose length differs by no more than this share.
-SAME_LENGTH = 0.02
 
 
 @dataclass(slots=True, eq=False)

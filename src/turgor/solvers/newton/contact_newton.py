@@ -9,17 +9,8 @@ from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.inertia_correction import inertia_corrected
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.solvers.newton.thresholds import CONTACT_PASSES, CONTACT_PATIENCE, SEARCHED_ANEW, WEDGED
 from turgor.solvers.reasons import Cause, Reason
-
-#: Times that friction and stiffness are renewed at most.
-PASSES = 20
-
-#: A state holds if the residual is at most this many times the tolerance when what touches is searched for anew.
-SEARCHED_ANEW = 10.0
-
-#: From this pass on a state holds too if the residual is at most this much then: in the wedge of a kink between two
-#: sides a point changes its partner with every search, by a gap that is next to nothing.
-PATIENCE, WEDGED = 3, 1e-3
 
 
 def newton_with_contact(
@@ -43,7 +34,7 @@ def newton_with_contact(
     if not contact.parts:
         return result
     before, iterations, hardest = contact.anchors, result.iterations, result.iterations
-    for number in range(PASSES):
+    for number in range(CONTACT_PASSES):
         at = _searched_anew(constraint, result, parameter)
         if at is None:
             break
@@ -51,14 +42,14 @@ def newton_with_contact(
         residual = relative_residual(constraint.sought.system, at)
         if not stiffened and residual <= SEARCHED_ANEW * settings.tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
-        if not (stiffened or renewed) and number >= PATIENCE and residual <= WEDGED:
+        if not (stiffened or renewed) and number >= CONTACT_PATIENCE and residual <= WEDGED:
             return replace(result, iterations=iterations, hardest=hardest)
         found = find(Start(at.unknowns, constraint.sought.system.stresses(at), result.scalars))
         result = replace(found, reason=result.reason) if found.converged and found.reason is None else found
         iterations += result.iterations
         hardest = max(hardest, result.iterations)
     if result.converged:
-        result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, PASSES))
+        result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, CONTACT_PASSES))
     contact.anchors = before
     return replace(result, iterations=iterations)
 

@@ -6,19 +6,7 @@ import numpy as np
 
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Conditions
-
-#: Forces are compared with this share of the full load at least: where all pressures have fallen back to zero, nothing
-#: but round-off would be left to compare with.
-SMALL_FORCE = 1e-5
-
-#: Scaled force on a node with which forces are compared at least, as where a body is moved that nothing loads.
-UNLOADED = 3e-8
-
-#: The partners of contact are looked for anew in so many updates, then kept: at a wedge they may change forever.
-KEEP_PARTNERS_AFTER = 8
-
-#: They are kept earlier where the residual is this small and falls no more.
-SMALL_RESIDUAL = 0.05
+from turgor.solvers.newton.thresholds import KEEP_PARTNERS_AFTER, SMALL_FORCE, STAGNATING_BELOW, UNLOADED
 
 
 def relative_residual(system: System, at: Evaluation) -> float:
@@ -51,5 +39,5 @@ def whole_residual(system: System, at: Evaluation, conditions: Conditions) -> fl
 
 def partners_settle(iteration: int, residuals: Sequence[float]) -> bool:
     """Whether partners of contact are kept: late, or where the residual is small and did not halve in two updates."""
-    stagnates = len(residuals) > 3 and residuals[-1] < SMALL_RESIDUAL and residuals[-1] > 0.5 * residuals[-3]
+    stagnates = len(residuals) > 3 and residuals[-1] < STAGNATING_BELOW and residuals[-1] > 0.5 * residuals[-3]
     return stagnates or iteration > KEEP_PARTNERS_AFTER

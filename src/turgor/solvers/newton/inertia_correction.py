@@ -18,32 +18,24 @@ from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report
+from turgor.solvers.newton.thresholds import (
+    FIRST_SHIFT,
+    INERTIA_KEEP_PARTNERS_AFTER,
+    INERTIA_LEAST_SHARE,
+    INERTIA_OVERSHOT,
+    INERTIA_REACH,
+    INERTIA_SHORTEST,
+    INERTIA_UPDATES,
+    LARGEST_SHIFT,
+    SHIFT_FACTOR,
+    UNSHIFTED_BELOW,
+)
 from turgor.solvers.reasons import Cause, Reason
 
 Array = NDArray[np.float64]
 
 #: Load control has no scalars.
 NO_SCALARS: Array = np.empty(0)
-
-#: Updates before it gives up, and how far a node may come from the start, in mean edge lengths: what lies farther is no
-#: matter of a few points that let go.
-MOST, FARTHEST = 40, 0.5
-
-#: The first shift of the diagonal, in scaled units, in which a cube of rubber has a stiffness of about 3; the factor
-#: from one to the next, and the largest.
-FIRST_SHIFT, FACTOR, LARGEST_SHIFT = 0.016, 4.0, 100.0
-
-#: No shift is tried first once the residual is this small.
-SMALL_RESIDUAL = 1e-3
-
-#: An update is too long where the force along it turns around, to more than this share of before.
-TURNED = 0.5
-
-#: Shortest share of an update that is tried, and the smallest factor from one to the next.
-SHORTEST, LEAST = 0.005, 0.1
-
-#: The partners of contact are kept from this update on: at a wedge they may change forever.
-KEEP_PARTNERS_AFTER = 20
 
 
 def inertia_corrected(
@@ -79,15 +71,15 @@ def _descend(
 ) -> NewtonResult:
     system = constraint.sought.system
     shift, residual, start, free = 0.0, relative_residual(system, at), at.unknowns, 3 * system.node_count
-    for iteration in range(1, MOST + 1):
+    for iteration in range(1, INERTIA_UPDATES + 1):
         steepened = _factored(tangent, at, shift)
         if steepened is None:
             return _failed(at, iteration, residual)
         shift = steepened
         update = tangent.solve(np.where(system.held, 0.0, -at.residual))
-        kept = None if iteration <= KEEP_PARTNERS_AFTER else at.contacts
+        kept = None if iteration <= INERTIA_KEEP_PARTNERS_AFTER else at.contacts
         new, length = _shortened(constraint, tangent, at, update, kept)
-        if new is None or float(np.abs(new.unknowns - start)[:free].max()) > FARTHEST:
+        if new is None or float(np.abs(new.unknowns - start)[:free].max()) > INERTIA_REACH:
             return _failed(at, iteration, residual)
         residual = relative_residual(system, new)
         correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
@@ -102,9 +94,9 @@ def _descend(
                 reason=Reason(Cause.INERTIA_CORRECTED),
             )
         if length == 1:
-            shift = 0.0 if residual < SMALL_RESIDUAL or shift <= FIRST_SHIFT else shift / FACTOR
+            shift = 0.0 if residual < UNSHIFTED_BELOW or shift <= FIRST_SHIFT else shift / SHIFT_FACTOR
         at = new
-    return _failed(at, MOST, residual)
+    return _failed(at, INERTIA_UPDATES, residual)
 
 
 def _failed(at: Evaluation | None, iterations: int, residual: float) -> NewtonResult:
@@ -121,7 +113,7 @@ def _factored(tangent: Tangent, at: Evaluation, shift: float) -> float | None:
                 return shift
         except SingularTangentError:
             pass
-        shift = max(FACTOR * shift, FIRST_SHIFT)
+        shift = max(SHIFT_FACTOR * shift, FIRST_SHIFT)
     return None
 
 
@@ -134,14 +126,14 @@ def _shortened(
     along = update[: len(free)][free]
     before = float(at.residual[: len(free)][free] @ along)
     found, length = None, 1.0
-    while length > SHORTEST:
+    while length > INERTIA_SHORTEST:
         new = evaluate(constraint, tangent, (at.unknowns + length * update, NO_SCALARS), at.load_factor, kept)
         if new is None:
             length *= 0.5
             continue
         found, share = (new, length), system.contact.shortening(at.contacts, new.contacts)
         after = float(new.residual[: len(free)][free] @ along)
-        if share == 1 and (after * before >= 0 or abs(after) <= TURNED * abs(before)):
+        if share == 1 and (after * before >= 0 or abs(after) <= INERTIA_OVERSHOT * abs(before)):
             break
-        length *= share if share < 1 else max(LEAST, abs(before) / (abs(after) + abs(before)))
+        length *= share if share < 1 else max(INERTIA_LEAST_SHARE, abs(before) / (abs(after) + abs(before)))
     return found or (None, 0.0)

@@ -14,15 +14,9 @@ from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.engine.tangent import Tangent
 from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.newton.thresholds import OVERSHOT, SHORTEST_STEP, SHORTEST_TOUCHING_STEP
 
 Array = NDArray[np.float64]
-
-#: Shortest update that the line search tries; and where walls are pressed into each other.
-SHORTEST_STEP = 1.0 / 64
-SHORTEST_TOUCHING_STEP = 1.0 / 32
-
-#: With friction, an update is too long where the force along it turns around, to more than this share of before.
-OVERSHOT = 0.9
 
 
 def evaluate(

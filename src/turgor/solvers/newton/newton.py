@@ -20,22 +20,17 @@ from turgor.engine.tangent import Tangent
 from turgor.solvers.constraints.constraint import Conditions, Constraint
 from turgor.solvers.newton.border import Border
 from turgor.solvers.newton.convergence import partners_settle, whole_residual
-from turgor.solvers.newton.line_search import SHORTEST_TOUCHING_STEP, evaluate, line_search
+from turgor.solvers.newton.line_search import evaluate, line_search
+from turgor.solvers.newton.thresholds import (
+    CUT_SHORT,
+    KEEP_FACTORS_BELOW,
+    KEEP_FACTORS_CONTRACTION,
+    SHORTEST_TOUCHING_STEP,
+    STALE_FACTORS,
+)
 from turgor.solvers.reasons import Cause, Reason
 
 Array = NDArray[np.float64]
-
-#: Old factors are kept once the residual is this small and while each update reduces it below a tenth. Earlier they do
-#: harm: while a stiff membrane is still being straightened out, a falling residual does not tell that they are good.
-KEEP_FACTORS_BELOW = 1e-3
-KEEP_FACTORS_CONTRACTION = 0.1
-
-#: Where a body has moved by more than this share of its largest displacement since the tangent was last factored, its
-#: factors do not count the unstable modes of where it is.
-STALE = 0.05
-
-#: It gives up where so many updates in a row are cut to the shortest because they press walls too deep.
-CUT_SHORT = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -265,7 +260,7 @@ def _success(run: _Newton, now: _Iterate, iterations: int) -> NewtonResult:
     tangent, modes = run.border.tangent, None
     if not len(now.scalars):
         modes = tangent.unstable_modes()
-        if modes or (run.settings.count_anew and now.moved > STALE):
+        if modes or (run.settings.count_anew and now.moved > STALE_FACTORS):
             try:
                 tangent.factor(now.at)
                 modes = tangent.unstable_modes()

@@ -17,25 +17,20 @@ from turgor.engine.tangent import Tangent
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.solvers.newton.thresholds import (
+    FADED_VISCOSITY,
+    PSEUDO_TRANSIENT_FAILURES,
+    PSEUDO_TRANSIENT_ITERATIONS,
+    QUICK_ITERATIONS,
+    ROUGH_RESIDUAL,
+    VISCOSITY_AFTER_FAILURE,
+    VISCOSITY_AFTER_QUICK,
+    VISCOSITY_AFTER_STEP,
+    VISCOUS_FIRST_MOVE,
+)
 from turgor.solvers.reasons import Cause, Reason
 
 Array = NDArray[np.float64]
-
-#: The first viscous step moves no node by more than about this many edge lengths.
-FIRST_MOVE = 0.1
-
-#: After a step of few iterations the viscosity falls by the first factor, after others by the second; where a step
-#: fails it rises by the third.
-QUICK, EASIER, EASY, HARDER = 4, 0.1, 0.3, 8.0
-
-#: Iterations at most, and failures in a row.
-ITERATIONS, FAILURES = 150, 6
-
-#: Without viscosity it is tried once the viscosity has fallen to this share of the first one.
-FADED = 1e-3
-
-#: Relative residual of a viscous step: it is on the way only.
-ROUGH = 1e-3
 
 
 @dataclass(slots=True, eq=False)
@@ -76,20 +71,20 @@ def pseudo_transient(
         return _restless(0)
     mass = mass_data(system, np.full(len(system.cells), system.stress / system.length**2))
     motion = _Motion(at, _first_viscosity(system, at, mass))
-    smallest, failures = FADED * motion.viscosity, 0
-    rough = replace(settings, tolerance=max(ROUGH, settings.tolerance), mixed_points=False)
+    smallest, failures = FADED_VISCOSITY * motion.viscosity, 0
+    rough = replace(settings, tolerance=max(ROUGH_RESIDUAL, settings.tolerance), mixed_points=False)
     try:
-        while motion.iterations < ITERATIONS and failures <= FAILURES:
+        while motion.iterations < PSEUDO_TRANSIENT_ITERATIONS and failures <= PSEUDO_TRANSIENT_FAILURES:
             system.addition = _drag(system, mass, motion)
             start = Start(motion.at.unknowns, system.stresses(motion.at))
             result = newton(constraint, tangent, start, load_factor, rough, report)
             motion.iterations += result.iterations
             if not result.converged or result.evaluation is None:
                 failures += 1
-                motion.viscosity *= HARDER
+                motion.viscosity *= VISCOSITY_AFTER_FAILURE
                 continue
             failures, motion.at = 0, result.evaluation
-            motion.viscosity *= EASIER if result.iterations <= QUICK else EASY
+            motion.viscosity *= VISCOSITY_AFTER_QUICK if result.iterations <= QUICK_ITERATIONS else VISCOSITY_AFTER_STEP
             if motion.viscosity > smallest:
                 continue
             system.addition = None
@@ -121,7 +116,7 @@ def _first_viscosity(system: System, at: Evaluation, mass: Array) -> float:
     lumped = system.layout.base.product(mass, np.ones(system.size))[: 3 * system.node_count]
     force = np.where(system.held, 0.0, at.residual)[: 3 * system.node_count]
     fastest = float(np.abs(force / np.maximum(np.abs(lumped), 1e-3 * np.abs(lumped).max())).max())
-    return max(fastest / FIRST_MOVE, 1e-9)
+    return max(fastest / VISCOUS_FIRST_MOVE, 1e-9)
 
 
 def _drag(system: System, mass: Array, motion: _Motion) -> Linear:
