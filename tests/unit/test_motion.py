@@ -9,10 +9,10 @@ from turgor.engine.runtime import use_threads
 from turgor.engine.system import System
 from turgor.engine.tangent import Tangent
 from turgor.geometry import FastPneuNet
-from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.dynamics.initial_motion import Accelerations
 from turgor.solvers.dynamics.time_stepping import follow_motion
 from turgor.solvers.energies import imbalance
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.restart import Restart
 

@@ -8,10 +8,10 @@ import pytest
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget
 from turgor.solvers.continuation import continuity
-from turgor.solvers.continuation.arc_scaling import go_onward
+from turgor.solvers.continuation.arc_scaling import next_conditions
 from turgor.solvers.continuation.continuity import judged, orientation, straightness
 from turgor.solvers.continuation.path_points import Point
-from turgor.solvers.continuation.path_reversal import retraces
+from turgor.solvers.continuation.path_reversal import reverses
 from turgor.solvers.continuation.thresholds import CORNER_CUTS
 from turgor.solvers.reasons import Cause
 
@@ -140,7 +140,7 @@ def test_orientation_is_unknown_without_a_count_of_modes():
 def test_a_path_that_goes_back_the_way_it_came_is_noticed(moved, load, back):
     """Up in proportion to a load of 1; beyond, the body goes on or back. Close to the top nothing can be said."""
     way = [point(p, (p, p), (1, 1), 0).state for p in (0.0, 0.3, 0.7, 1.0)]
-    assert retraces(run(way), point(2.0, (moved, load), (1, -1), 1)) is back
+    assert reverses(run(way), point(2.0, (moved, load), (1, -1), 1)) is back
 
 
 def test_the_scale_of_arcs_grows_with_the_body_and_the_history_with_it():
@@ -149,7 +149,7 @@ def test_the_scale_of_arcs_grows_with_the_body_and_the_history_with_it():
     going = run([place.state for place in places])
     target = ArcTarget(going.task.system, 1.0, 0.5, np.zeros(3), np.zeros(1), np.zeros(3), 1.0)
     going.constraint, going.history = Constraint(None, target), list(places)
-    go_onward(going, places[1], places[2])
+    next_conditions(going, places[1], places[2])
     target = going.constraint.target
     assert going.size == target.size == pytest.approx(2.5)
     assert np.hypot(target.along[0] * 2.5, target.rise) == pytest.approx(1.0)
@@ -157,5 +157,5 @@ def test_the_scale_of_arcs_grows_with_the_body_and_the_history_with_it():
         assert target.along @ place.change + target.rise * place.slope[0] == pytest.approx(1.0)
         lengths = target.conditions(place.unknowns, place.parameter, place.scalars).errors
         assert lengths == pytest.approx([0.0], abs=1e-12)
-    go_onward(going, places[1], places[2])
+    next_conditions(going, places[1], places[2])
     assert going.size == pytest.approx(2.5)

@@ -143,7 +143,7 @@ def test_an_arc_that_cannot_go_on_is_no_limit_point(monkeypatch, cause, status):
 
 def test_a_way_back_is_no_path_that_was_followed(monkeypatch):
     """Let the falling branch of a sphere count as the way back."""
-    monkeypatch.setattr(arcs, "retraces", lambda run, now: bool(run.limits))
+    monkeypatch.setattr(arcs, "reverses", lambda run, now: bool(run.limits))
     solution = solve(sphere(125), ArcLength())
     (limit,) = solution.limit_points
     assert solution.status is tg.Status.TURNED_BACK

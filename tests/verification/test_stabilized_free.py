@@ -22,10 +22,10 @@ from turgor.errors import TurgorError
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Obstacle, Plane
 from turgor.solvers.checks.supports import check_supports, free_motions
-from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.dynamics.stabilization import follow_viscously
 from turgor.solvers.energies import imbalance, too_viscous
 from turgor.solvers.methods import may_be_free
+from turgor.solvers.problem import Problem
 
 RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=50e3), density=1100.0, bulk_modulus=5e6)
 WEIGHT = 1100 * 9.80665 * 10 * 10 * 5 * MM**3

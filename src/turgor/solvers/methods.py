@@ -16,11 +16,11 @@ from turgor.solvers.continuation.arc_length import follow_arc
 from turgor.solvers.continuation.branch_switch import follow_auto
 from turgor.solvers.continuation.cavity_control import controlled_faces, follow_gas, follow_volume
 from turgor.solvers.continuation.load_control import follow_load
-from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.dynamics.stabilization import follow_viscously
 from turgor.solvers.dynamics.time_stepping import follow_motion
 from turgor.solvers.energies import too_viscous, unbalanced
 from turgor.solvers.outcomes import Outcome
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.blocked_force import BlockedForce

@@ -9,7 +9,7 @@ import numpy as np
 from turgor.model.drive import drive_text, kinks, pressures_at
 from turgor.model.model import Model
 from turgor.solvers.checks.distortion import distortion_text
-from turgor.solvers.continuation.branch_jump import first_leap, leap_to
+from turgor.solvers.continuation.branch_jump import first_branch_jump, move_ratio_to
 from turgor.solvers.continuation.extrema import extremum_ahead
 from turgor.solvers.pressures import pressure_text, pressures_of
 from turgor.solvers.procedures.step_options import StepOptions
@@ -58,12 +58,12 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
     message += f", {cut} steps cut back." if cut else "."
     message += _falls(model, steps)
     unstable = next((state for state in states if state.unstable_modes), None)
-    leapt = first_leap(states) if not kinks(model) else None
-    if unstable is None and leapt is not None:
+    jumped = first_branch_jump(states) if not kinks(model) else None
+    if unstable is None and jumped is not None:
         return Outcome(
             Status.CONVERGED,
-            f"{message} Between {_at(states[leapt - 1])} and {_at(states[leapt])} it moved "
-            f"{leap_to(states, leapt):.3g} times as much for the load as in the step before: it may have "
+            f"{message} Between {_at(states[jumped - 1])} and {_at(states[jumped])} it moved "
+            f"{move_ratio_to(states, jumped):.3g} times as much for the load as in the step before: it may have "
             "jumped past a limit point.",
             "Look at what lies between with the procedure auto, or with a smaller max_step.",
         )

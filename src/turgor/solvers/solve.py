@@ -13,15 +13,15 @@ from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
-from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.methods import method_of, question_of
 from turgor.solvers.path_outcomes import limit_point_findings
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.restart import Restart
 from turgor.solvers.solution import Iteration, Procedure, Solution, SolveError, State, Timing
-from turgor.solvers.stage_sequence import in_turn
+from turgor.solvers.stage_sequence import solve_stages
 
 #: Below this size threads wait for each other longer than they work.
 FEW_UNKNOWNS = 10_000
@@ -72,7 +72,7 @@ def solve(
     procedure, listeners = procedure or Static(), Listeners(progress, stop)
     one = partial(_solved, options or EngineOptions())
     if isinstance(procedure, Stages):
-        solution = in_turn(model, procedure, listeners, one)
+        solution = solve_stages(model, procedure, listeners, one)
     else:
         solution, _ = one(question_of(model, procedure), procedure, listeners, None)
     if throw and not solution.complete:

@@ -1,4 +1,4 @@
-"""In turn: solve the stages of a sequence one after the other and make one solution of them."""
+"""Stage sequence: solve the stages of a sequence one after the other and make one solution of them."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, fields, replace
@@ -29,7 +29,7 @@ LASTING = ("B02",)
 Follow = Callable[[Model, OneProcedure, Listeners, Restart | None], tuple[Solution, Restart]]
 
 
-def in_turn(model: Model, procedure: Stages, listeners: Listeners, follow: Follow) -> Solution:
+def solve_stages(model: Model, procedure: Stages, listeners: Listeners, follow: Follow) -> Solution:
     """Solve the stages of a sequence until one of them stops early."""
     found: list[Solution] = []
     restart: Restart | None = None

@@ -1,4 +1,4 @@
-"""Controls: what drives a path when the load does not, as equations beside those of equilibrium.
+"""Constraints: what drives a path, as equations beside those of equilibrium; load control has none.
 
 Each adds a few scalars, such as the pressures in cavities, to the unknowns, and as many conditions, such as the volumes
 of these cavities. Both may depend on a parameter that orders the states of the path.

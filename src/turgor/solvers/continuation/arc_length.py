@@ -1,4 +1,4 @@
-"""Arcs: paths whose load factor is sought, from where they begin to the bounds at which they end."""
+"""Arc length: paths whose load factor is sought, from where they begin to the bounds at which they end."""
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
@@ -18,16 +18,17 @@ from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget, LoadFactor, displacement_of
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import follow
-from turgor.solvers.continuation.path_points import Ending, Point, Problem, Run, begin, fixed_load, nothing, settings_of
-from turgor.solvers.continuation.path_reversal import retraces
+from turgor.solvers.continuation.path_points import Ending, Point, Run, begin, fixed_load, nothing, settings_of
+from turgor.solvers.continuation.path_reversal import reverses
 from turgor.solvers.continuation.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import StepControl
-from turgor.solvers.continuation.tangent_response import leapt, load_response, rate_at
+from turgor.solvers.continuation.tangent_response import exceeds_tangent, load_response, rate_at
 from turgor.solvers.continuation.thresholds import STEP_CUT
 from turgor.solvers.listeners import silent
 from turgor.solvers.newton.newton import Start, newton
 from turgor.solvers.outcomes import Outcome, stuck
 from turgor.solvers.path_outcomes import followed, reached, turned_back
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.step_options import StepOptions
 from turgor.solvers.reasons import Cause, Reason
@@ -90,7 +91,7 @@ def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, fl
         reason = first.reason
         if first.evaluation is not None and first.converged:
             faster, unstable = rate_at(system, tangent, first.evaluation)
-            leaps = leapt(system, first.evaluation.unknowns - rest, load, (rate, faster))
+            leaps = exceeds_tangent(system, first.evaluation.unknowns - rest, load, (rate, faster))
             reason = Reason(Cause.BRANCH_JUMP) if leaps else None
             reason = Reason(Cause.UNSTABLE) if (unstable or 0) > (modes or 0) else reason
         problem.steps.append(_first_step(load, first.iterations, first.residual, reason))
@@ -184,7 +185,7 @@ def bounds(limit: Bounds, enough: Callable[[Point, Run], bool] | None = None) ->
             if full is not None:
                 run.bifurcations[:] = [each for each in run.bifurcations if each.load_factor <= 1]
                 return Ending(full, lambda run: reached(run.states, run.steps, run.limits, run.bifurcations))
-        if retraces(run, now):
+        if reverses(run, now):
             return Ending(now.state, turned_back)
         grown = enough is not None and enough(now, run)
         why = "the cavities have grown as far as asked" if grown else _bound(now, limit)

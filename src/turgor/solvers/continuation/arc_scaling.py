@@ -1,4 +1,4 @@
-"""Scaling: how an arc counts displacement against load, as the path goes on.
+"""Arc scaling: how an arc counts displacement against load, as the path goes on.
 
 The scale of the first step is that of a stiff body. One that buckles then moves a thousand times as far for its load,
 and arcs of the first scale would creep. The displacement that counts as much as the whole load grows with the body.
@@ -14,7 +14,7 @@ from turgor.solvers.continuation.path_points import Point, Run
 from turgor.solvers.continuation.thresholds import SCALE_GROWTH
 
 
-def go_onward(run: Run, last: Point, now: Point) -> None:
+def next_conditions(run: Run, last: Point, now: Point) -> None:
     """Take the conditions of the next step, for an arc in a scale that fits, and tell the history its new measure."""
     target = run.constraint.target
     if isinstance(target, ArcTarget):

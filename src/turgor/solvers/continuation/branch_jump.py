@@ -1,4 +1,4 @@
-"""Leaps: steps of load control that may have gone past a limit point without meeting it."""
+"""Branch jump: find steps of load control that may have gone past a limit point without meeting it."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ from turgor.solvers.solution import State
 Array = NDArray[np.float64]
 
 
-def leap(points: Sequence[tuple[float, Array]]) -> float:
+def move_ratio(points: Sequence[tuple[float, Array]]) -> float:
     """How many times as much a body moved in the last step as in the one before, for the same load.
 
     Parameters
@@ -26,7 +26,7 @@ def leap(points: Sequence[tuple[float, Array]]) -> float:
 
     Examples
     --------
-    >>> leap([(0.0, np.zeros(3)), (0.5, np.ones(3)), (0.6, np.full(3, 3.0))])
+    >>> move_ratio([(0.0, np.zeros(3)), (0.5, np.ones(3)), (0.6, np.full(3, 3.0))])
     10.0
     """
     if len(points) < 3:
@@ -38,11 +38,11 @@ def leap(points: Sequence[tuple[float, Array]]) -> float:
     return round((moves / (f2 - f1)) / (moved / (f1 - f0)), 9)
 
 
-def leap_to(states: Sequence[State], number: int) -> float:
+def move_ratio_to(states: Sequence[State], number: int) -> float:
     """How many times as much a body moved on the way to a state as in the step before, for the same load."""
-    return leap([(state.load_factor, state.displacement) for state in states[max(0, number - 2) : number + 1]])
+    return move_ratio([(state.load_factor, state.displacement) for state in states[max(0, number - 2) : number + 1]])
 
 
-def first_leap(states: Sequence[State]) -> int | None:
-    """Number of the first state that a leap led to; None where there is none."""
-    return next((n for n in range(2, len(states)) if leap_to(states, n) > JUMP_RATIO), None)
+def first_branch_jump(states: Sequence[State]) -> int | None:
+    """Number of the first state that a branch jump led to; None where there is none."""
+    return next((n for n in range(2, len(states)) if move_ratio_to(states, n) > JUMP_RATIO), None)

@@ -20,13 +20,13 @@ from turgor.solvers.continuation.arc_length import (
     from_rest,
     start_of,
 )
-from turgor.solvers.continuation.branch_jump import leap_to
+from turgor.solvers.continuation.branch_jump import move_ratio_to
 from turgor.solvers.continuation.load_control import load_run
 from turgor.solvers.continuation.path_follower import follow
-from turgor.solvers.continuation.path_points import Point, Problem, Run, begin, nothing
+from turgor.solvers.continuation.path_points import Point, Run, begin, nothing
 from turgor.solvers.continuation.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import StepControl
-from turgor.solvers.continuation.tangent_response import leapt, rate_at
+from turgor.solvers.continuation.tangent_response import exceeds_tangent, rate_at
 from turgor.solvers.continuation.thresholds import (
     AUTO_MIN_STEP,
     FIRST_VOLUME_STEP,
@@ -36,6 +36,7 @@ from turgor.solvers.continuation.thresholds import (
     STEP_CUT,
 )
 from turgor.solvers.outcomes import Outcome
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.procedures.step_options import StepOptions
@@ -54,10 +55,9 @@ def load_steps(procedure: Auto) -> Static:
 
 @dataclass(slots=True, eq=False)
 class Watch:
-    """Looks at every state of load control, and ends it at the first that no load could have led to.
+    """Looks at every state of load control, and ends it at the first that is unstable or lies beyond a branch jump.
 
-    That is one that could not be held, or one beyond a leap. The last state before is kept to go on from, and what
-    contact knew there.
+    The last state before it is kept with what contact knew there: another constraint goes on from it.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ class Watch:
 
     @staticmethod
     def at_rest(problem: Problem, history: Sequence[Point]) -> "Watch":
-        """Know how the body moves for a small load, so that a leap in the first step shows too."""
+        """Know how the body moves for a small load, so that a branch jump in the first step shows, too."""
         at = problem.system.evaluate(start_of(problem), 0.0)
         assert at is not None
         return Watch(problem, history, rate=rate_at(problem.system, problem.tangent, at)[0])
@@ -107,9 +107,9 @@ class Watch:
             return Reason(Cause.UNSTABLE)
         before, now = self.history[-2:]
         rates = self.rate, rate
-        faster = leap_to(self.problem.states, len(self.problem.states) - 1) > JUMP_RATIO
+        faster = move_ratio_to(self.problem.states, len(self.problem.states) - 1) > JUMP_RATIO
         change, rise = now.unknowns - before.unknowns, now.parameter - before.parameter
-        jumped = faster or leapt(self.problem.system, change, rise, rates)
+        jumped = faster or exceeds_tangent(self.problem.system, change, rise, rates)
         return Reason(Cause.BRANCH_JUMP) if jumped else None
 
 
@@ -120,7 +120,7 @@ def follow_auto(problem: Problem, procedure: Auto) -> Outcome:
     history: list[Point] = []
     watch = Watch.at_rest(problem, history)
     outcome = follow(load_run(problem, load_steps(procedure), False, watch, history))
-    return go_past(problem, procedure, watch) if lost(outcome, watch) else outcome
+    return continue_past(problem, procedure, watch) if lost(outcome, watch) else outcome
 
 
 def lost(outcome: Outcome, watch: Watch) -> bool:
@@ -128,7 +128,7 @@ def lost(outcome: Outcome, watch: Watch) -> bool:
     return watch.reason is not None or outcome.status in (Status.LIMIT_POINT, Status.STEP_TOO_SMALL)
 
 
-def go_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
+def continue_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
     """Go on from the last good state of load control with what can drive past a limit point."""
     system = problem.system
     if watch.reason is not None:

@@ -16,12 +16,13 @@ from turgor.solvers.constraints.cavities import CavityPressures, GasTarget, Volu
 from turgor.solvers.constraints.clock import Clock
 from turgor.solvers.constraints.constraint import Constraint, Target
 from turgor.solvers.continuation.path_follower import follow
-from turgor.solvers.continuation.path_points import Ending, Point, Problem, Run, begin
+from turgor.solvers.continuation.path_points import Ending, Point, Run, begin
 from turgor.solvers.continuation.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.thresholds import NO_VOLUME
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.path_outcomes import reached
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.gas_mass import GasMass
 from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.restart import unknowns_of

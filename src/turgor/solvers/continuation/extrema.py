@@ -1,4 +1,4 @@
-"""Limit points: where a load on a path turns, from values and slopes at states."""
+"""Extrema: where a load on a path has a maximum or a minimum, from values and slopes at states."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Turning: find where a scalar has its maxima and minima between two points of a path, and make them states."""
+"""Limit points: find the maxima and minima of a scalar between two points of a path, and make them states."""
 
 from turgor.solvers.continuation.extrema import turning_points
 from turgor.solvers.continuation.path_points import Ending, Point, Run, between, point_at, solve_at

@@ -16,7 +16,6 @@ from turgor.solvers.continuation.path_points import (
     Ending,
     Judgment,
     Point,
-    Problem,
     Run,
     Task,
     nothing,
@@ -24,7 +23,7 @@ from turgor.solvers.continuation.path_points import (
     settings_of,
 )
 from turgor.solvers.continuation.predictor import BY_LOAD, predicted
-from turgor.solvers.continuation.step_acceptance import doubt, roundabout
+from turgor.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import rate_at, rate_in_step
 from turgor.solvers.continuation.thresholds import (
@@ -36,6 +35,7 @@ from turgor.solvers.continuation.thresholds import (
 from turgor.solvers.newton.newton import NewtonResult, Start
 from turgor.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.solvers.outcomes import Outcome, converged, stuck
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import State, Status
@@ -124,7 +124,7 @@ class LoadStrategy:
         """No farther than supports go about straight."""
         now = run.history[-1].parameter
         load = run.stepping.next_load(now)
-        while load - now > run.stepping.min_step and roundabout(run.task.system, now, load):
+        while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
         return load
 
@@ -141,7 +141,7 @@ class LoadStrategy:
         if result.converged and result.evaluation is not None:
             rate = rate_in_step(system, run.task.tangent, result.evaluation.unknowns, now, parameter)
             if run.stepping.failed(parameter - now) is not None:
-                why = doubt(system, run.states, run.history, result, (self.rate, rate))
+                why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
         if not result.converged or result.evaluation is None or why is not None:
             self.lost_stability |= bool(result.unstable_modes)
             return Judgment(None, result.reason or why)
@@ -183,7 +183,7 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     run.constraint.clock.begin(system, load)
     report = task.problem.listeners.reporter(len(run.steps) + 1, load)
     result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
-    why = doubt(system, run.states, run.history, result) if result.converged else None
+    why = why_rejected(system, run.states, run.history, result) if result.converged else None
     found = result.converged and why is None
     noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, result.reason or why))
     if not found or result.evaluation is None:

@@ -7,7 +7,7 @@ Newton's method starts, whether a result is the next point of the path, and what
 from collections.abc import Callable
 from time import perf_counter
 
-from turgor.solvers.continuation.arc_scaling import go_onward
+from turgor.solvers.continuation.arc_scaling import next_conditions
 from turgor.solvers.continuation.limit_points import insert_limit_points
 from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
 from turgor.solvers.continuation.thresholds import HISTORY
@@ -100,7 +100,7 @@ def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
         return ending.outcome(run)
     run.stepping = run.stepping.accepted(now.parameter - last.parameter, result.hardest or result.iterations)
     task.strategy.accepted(run, now)
-    go_onward(run, last, now)
+    next_conditions(run, last, now)
     if now.parameter in task.kinks:
         task.strategy.turn(run, now)
     return None

@@ -1,4 +1,4 @@
-"""Path points: equilibria on a path, how they are found, and what a run along the path knows."""
+"""Path points: equilibria on a path, how they are found, and what a run along the path holds."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
@@ -12,14 +12,14 @@ from turgor.engine.tangent import Tangent
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.step_control import StepControl
-from turgor.solvers.listeners import Listeners, silent
+from turgor.solvers.listeners import silent
 from turgor.solvers.newton.border import rates
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
 from turgor.solvers.outcomes import Outcome
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.step_options import StepOptions
 from turgor.solvers.reasons import Reason
-from turgor.solvers.restart import Restart
 from turgor.solvers.solution import LimitPoint, State, Step
 from turgor.solvers.states import state_of
 
@@ -109,35 +109,6 @@ class Strategy(Protocol):
 
     def turn(self, run: "Run", now: Point) -> None:
         """Begin anew at a kink, beyond which the path goes another way and its past predicts nothing."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Problem:
-    """What every procedure starts from; the caller owns the lists.
-
-    Parameters
-    ----------
-    system : System
-    tangent : Tangent
-    listeners : Listeners
-    restart : Restart or None
-        What the former stage left; None where it begins at rest.
-    states, steps, limits : list
-        What is found.
-    """
-
-    system: System
-    tangent: Tangent
-    listeners: Listeners = field(default_factory=Listeners)
-    restart: Restart | None = None
-    states: list[State] = field(default_factory=list)
-    steps: list[Step] = field(default_factory=list)
-    limits: list[LimitPoint] = field(default_factory=list)
-
-    @property
-    def start(self) -> State | None:
-        """The state at which it begins; None at rest."""
-        return None if self.restart is None else self.restart.state
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""Retracing: whether a path goes back the way it came once its load has turned.
+"""Path reversal: find out whether a path goes back the way it came once its load has turned.
 
 Where one cell of a coarse mesh collapses, the load turns though the body would bear more, and the equations lead the
 body back to rest with that cell turned over. The path is one of the mesh, not of the body.
@@ -12,7 +12,7 @@ from turgor.solvers.continuation.thresholds import REVERSAL_FALLEN, REVERSAL_NEA
 from turgor.solvers.solution import State
 
 
-def retraces(run: Run, now: Point) -> bool:
+def reverses(run: Run, now: Point) -> bool:
     """Whether a point beyond the largest load lies on the way to it, or close by.
 
     Parameters

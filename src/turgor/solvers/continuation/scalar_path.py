@@ -5,21 +5,13 @@ from dataclasses import dataclass
 
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.continuity import judged
-from turgor.solvers.continuation.path_points import (
-    Ending,
-    Judgment,
-    Point,
-    Problem,
-    Run,
-    Task,
-    point_at,
-    settings_of,
-)
+from turgor.solvers.continuation.path_points import Ending, Judgment, Point, Run, Task, point_at, settings_of
 from turgor.solvers.continuation.predictor import BY_PATH, predicted
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.newton.newton import NewtonResult, Start
 from turgor.solvers.outcomes import Outcome, stuck
 from turgor.solvers.path_outcomes import lost_path
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.step_options import StepOptions
 
 

@@ -1,4 +1,4 @@
-"""Doubts: steps too long for their end to say how it was reached, and ends that may lie on another path."""
+"""Step acceptance: reject an equilibrium that may lie on another path, and shorten steps of turning supports."""
 
 from collections.abc import Sequence
 from math import inf
@@ -6,16 +6,16 @@ from math import inf
 import numpy as np
 
 from turgor.engine.system import System
-from turgor.solvers.continuation.branch_jump import leap
+from turgor.solvers.continuation.branch_jump import move_ratio
 from turgor.solvers.continuation.path_points import Point
-from turgor.solvers.continuation.tangent_response import leapt
+from turgor.solvers.continuation.tangent_response import exceeds_tangent
 from turgor.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE, SUPPORT_ASIDE
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.solution import State
 
 
-def roundabout(system: System, before: float, after: float) -> bool:
+def turns_aside(system: System, before: float, after: float) -> bool:
     """Whether supports go a round way between two load factors, which a single step would cut short.
 
     A face turned by 300° in one step would go back by 60°.
@@ -25,7 +25,7 @@ def roundabout(system: System, before: float, after: float) -> bool:
     return bool(aside > SUPPORT_ASIDE * np.linalg.norm(end - start))
 
 
-def doubt(
+def why_rejected(
     system: System,
     states: Sequence[State],
     history: Sequence[Point],
@@ -44,10 +44,10 @@ def doubt(
         return Reason(Cause.STABILITY_LOST)
     moved = 3 * system.node_count
     points = [(point.parameter, point.unknowns[:moved]) for point in history[-2:]]
-    ratio = leap([*points, (at.load_factor, at.unknowns[:moved])])
+    ratio = move_ratio([*points, (at.load_factor, at.unknowns[:moved])])
     if ratio > JUMP_RATIO:
         return Reason(Cause.LONG_MOVE, ratio)
     change = at.unknowns - history[-1].unknowns
     still = np.linalg.norm(change[:moved]) <= STILL_SHARE * np.linalg.norm(at.unknowns[:moved])
-    jumped = not still and leapt(system, change, at.load_factor - history[-1].parameter, rates)
+    jumped = not still and exceeds_tangent(system, change, at.load_factor - history[-1].parameter, rates)
     return Reason(Cause.BRANCH_JUMP) if jumped else None

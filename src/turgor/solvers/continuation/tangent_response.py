@@ -1,4 +1,4 @@
-"""Load rates: how far a body moves for a small change of its load, and steps of load control that this belies.
+"""Tangent response: how far a body moves for a small change of its load, and which steps moved it farther.
 
 A step along a path moves a body by as much as the rates at its ends say, within a factor. A step that has left the
 path, past a limit point that it never met, moves it by much more.
@@ -53,7 +53,7 @@ def rate_in_step(system: System, tangent: Tangent, unknowns: Array, before: floa
     return float(np.linalg.norm(response[: 3 * system.node_count]))
 
 
-def leapt(system: System, change: Array, rise: float, rates: tuple[float, float]) -> bool:
+def exceeds_tangent(system: System, change: Array, rise: float, rates: tuple[float, float]) -> bool:
     """Whether a change of the unknowns is too far for a rise of the load factor and the rates before and after it."""
     moved = float(np.linalg.norm(change[: 3 * system.node_count]))
     return moved > FARTHER_THAN_RATES * max(rates) * rise

@@ -11,7 +11,7 @@ SCALE_GROWTH = 4.0
 #: to a limit point steps get shorter, and the factor from one to the next stays at two or three.
 JUMP_RATIO = 5.0
 
-#: A body that moves by less than this share of its displacement does not leap.
+#: A body that moves by less than this share of its displacement does not jump.
 STILL_SHARE = 1e-2
 
 # --- branch switch

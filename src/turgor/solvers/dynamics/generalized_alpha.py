@@ -1,4 +1,4 @@
-"""Time integration: how displacement, velocity and acceleration at the end of a step hang together."""
+"""Generalized-α method: displacement, velocity and acceleration at the end of a time step."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""The start of a motion: velocities that keep the volume, accelerations from the forces."""
+"""Initial motion: velocities that keep the volume, accelerations from the forces."""
 
 import numpy as np
 from numpy.typing import NDArray

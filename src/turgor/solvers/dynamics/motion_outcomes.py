@@ -1,4 +1,4 @@
-"""Outcomes of runs with inertia or viscous forces: every way in which they end, with its message and advice."""
+"""Motion outcomes: runs with inertia or viscous forces: every way in which they end, with its message and advice."""
 
 from collections.abc import Sequence
 

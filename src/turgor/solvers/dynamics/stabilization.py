@@ -1,4 +1,4 @@
-"""The loop of `Stabilized`: steps with viscous forces, then a rest until they have faded."""
+"""Stabilization: the steps of `Stabilized` with viscous forces, then a hold until these have faded."""
 
 from dataclasses import dataclass, replace
 from math import inf
@@ -15,7 +15,6 @@ from turgor.model.drive import kinks
 from turgor.solvers.checks.supports import free_motions
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import step_loop
-from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.solvers.dynamics.initial_stiffness import initial_stiffness
@@ -26,6 +25,7 @@ from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of

@@ -1,4 +1,8 @@
-"""The loop of `Dynamic`: predict, find the end of the step, count the energies, choose the next step."""
+"""Time stepping: the steps of `Dynamic`. Each predicts, finds its end, counts the energies and chooses the next one.
+
+It shares the step loop with the path follower, not the step: the error of a time step is one of the displacement, its
+prediction comes from velocities, and a step that is too long is taken back although Newton's method converged.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -16,7 +20,6 @@ from turgor.errors import TurgorError
 from turgor.model.drive import kinks
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import step_loop
-from turgor.solvers.continuation.path_points import Problem
 from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
 from turgor.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
 from turgor.solvers.dynamics.initial_motion import Accelerations
@@ -28,6 +31,7 @@ from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by
+from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of

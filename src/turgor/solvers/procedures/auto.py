@@ -8,7 +8,7 @@ from turgor.solvers.procedures.step_options import StepOptions, check_steps
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Auto(StepOptions):
-    """Load control as long as it goes; before a limit point or a leap the volume of the cavities or the arc takes over.
+    """Load control as long as it goes; before a limit point or a jump the volume of the cavities or the arc takes over.
 
     Where all loads are pressures in cavities, the volume weighted with the pressures takes over, and the path goes on
     until the load factor has come back to 1 or the cavities have grown ``past`` times as much as at the first limit

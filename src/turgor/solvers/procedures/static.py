@@ -1,4 +1,4 @@
-"""Procedures: how the path is followed."""
+"""Static: load control from zero to the full load."""
 
 from dataclasses import dataclass, field
 from math import inf

@@ -1,0 +1,38 @@
+"""Problem: what every procedure starts from, and the lists that it fills."""
+
+from dataclasses import dataclass, field
+
+from turgor.engine.system import System
+from turgor.engine.tangent import Tangent
+from turgor.solvers.listeners import Listeners
+from turgor.solvers.restart import Restart
+from turgor.solvers.solution import LimitPoint, State, Step
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Problem:
+    """What every procedure starts from; the caller owns the lists.
+
+    Parameters
+    ----------
+    system : System
+    tangent : Tangent
+    listeners : Listeners
+    restart : Restart or None
+        What the former stage left; None where it begins at rest.
+    states, steps, limits : list
+        What is found.
+    """
+
+    system: System
+    tangent: Tangent
+    listeners: Listeners = field(default_factory=Listeners)
+    restart: Restart | None = None
+    states: list[State] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
+    limits: list[LimitPoint] = field(default_factory=list)
+
+    @property
+    def start(self) -> State | None:
+        """The state at which it begins; None at rest."""
+        return None if self.restart is None else self.restart.state
