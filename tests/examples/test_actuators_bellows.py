@@ -11,8 +11,8 @@ from turgor.job.read import read_job
 from turgor.job.run import prepare
 from turgor.model.loads import Pressure
 from turgor.results.measures.measures import find_measure, measure
-from turgor.solvers.driver import solve
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.solve import solve
 from turgor.units import deg, kPa, mm
 
 

@@ -10,7 +10,7 @@ import turgor as tg
 from turgor.materials.history.softening import Mullins
 from turgor.materials.history.viscoelastic import Prony
 from turgor.model.history import over_time
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 
 ROOT = Path(__file__).parents[2]
 HEAD = """

@@ -14,7 +14,7 @@ from turgor.meshing.surface import outer_triangles
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import Solution, State, Status, Step
 
 Array = NDArray[np.float64]

@@ -36,14 +36,14 @@ from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.response_plots import response_figure
 from turgor.results.report import describe
 from turgor.results.report.page import Report, write_report
-from turgor.solvers import static_run
-from turgor.solvers.checks import unloaded_cavities
-from turgor.solvers.contact_checks import meeting_walls
-from turgor.solvers.driver import solve
-from turgor.solvers.predictor import predicted
-from turgor.solvers.procedures import Static
+from turgor.solvers.checks.contact import meeting_walls
+from turgor.solvers.checks.supports import unloaded_cavities
+from turgor.solvers.continuation import load_control as static_run
+from turgor.solvers.continuation.predictor import predicted
+from turgor.solvers.continuation.step_control import StepControl
+from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import Solution
-from turgor.solvers.stepping import StepControl
+from turgor.solvers.solve import solve
 from turgor.units import kPa, mL, mm
 
 UP_AND_DOWN = ((0, 0), (0.5, 1), (1, 0.5))
@@ -152,9 +152,9 @@ def test_beyond_a_kink_the_path_starts_anew(twin: Mesh, monkeypatch: pytest.Monk
     """What the predictor knows and how long a step is, after a kink as at the start."""
     known: dict[float, int] = {}
 
-    def watched(system: Any, tangent: Any, history: Any, load: float) -> Any:
-        known[history[-1][0]] = len(history)
-        return predicted(system, tangent, history, load)
+    def watched(constraint: Any, tangent: Any, history: Any, load: float, how: Any) -> Any:
+        known[history[-1].parameter] = len(history)
+        return predicted(constraint, tangent, history, load, how)
 
     monkeypatch.setattr(static_run, "predicted", watched)
     loads = (Pressure("cavity_1", 1 * kPa, ((0, 0), (0.5, 1), (1, 0))),)

@@ -12,7 +12,7 @@ import pytest
 import turgor.job.run
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
-from turgor.solvers.driver import solve
+from turgor.solvers.solve import solve
 
 JOB = """\
 [actuator]

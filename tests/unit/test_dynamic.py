@@ -16,13 +16,13 @@ from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
 from turgor.results.files.modes_vtu import write_modes
 from turgor.results.measures.energies import energy_columns
-from turgor.solvers.dynamic import Dynamic
+from turgor.solvers.dynamics.generalized_alpha import Motion, TimeStep, Weights
+from turgor.solvers.dynamics.modes import natural_frequencies
+from turgor.solvers.dynamics.time_step_control import TimeControl
 from turgor.solvers.energies import Energies, imbalance, too_viscous, unbalanced
-from turgor.solvers.modes import natural_frequencies
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.solution import State, Status
-from turgor.solvers.stabilized import Stabilized
-from turgor.solvers.time_integration import Motion, TimeStep, Weights
-from turgor.solvers.time_steps import TimeControl
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.5e5), density=1e3)

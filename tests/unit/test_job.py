@@ -31,7 +31,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane, Model
 from turgor.model.supports import Fixed, Symmetry
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 from turgor.source import Source
 from turgor.units import deg, kPa, mm
 

@@ -14,9 +14,9 @@ from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.settings import MeshSettings
 from turgor.model.loads import Pressure
-from turgor.solvers.driver import solve
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import Solution, SolveError
+from turgor.solvers.solve import solve
 from turgor.units import kPa, mm
 
 RUBBER = Material(name="rubber", law=NeoHooke(C10=50 * kPa), bulk_modulus=np.inf)

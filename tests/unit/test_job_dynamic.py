@@ -13,8 +13,8 @@ from turgor.job.text.problems import JobError
 from turgor.model.history import over_time, share_at
 from turgor.model.loads import Gravity, Pressure
 from turgor.response import read_response
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.stabilized import Stabilized
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.stabilized import Stabilized
 
 HEAD = """
 [actuator]

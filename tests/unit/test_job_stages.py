@@ -28,12 +28,12 @@ from turgor.response import Column, Response, read_response
 from turgor.results.drive import stage_column
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.response_plots import response_figure
-from turgor.solvers.driver import solve
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.path_procedures import VolumeControl
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.stages import Sealed, Stage, Stages
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.solution import Iteration
-from turgor.solvers.stages import Sealed, Stage, Stages
+from turgor.solvers.solve import solve
 from turgor.source import Source
 from turgor.units import kPa, mL, mm
 

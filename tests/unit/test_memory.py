@@ -15,11 +15,13 @@ from turgor.materials.history.isochoric import isochoric_stress, isochoric_tange
 from turgor.materials.history.softening import Mullins
 from turgor.materials.history.viscoelastic import Prony
 from turgor.results.fields.state_fields import StateFields
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.modes import natural_frequencies
-from turgor.solvers.path_procedures import ArcLength, Auto, VolumeControl
-from turgor.solvers.procedures import Static
-from turgor.solvers.stabilized import Stabilized
+from turgor.solvers.dynamics.modes import natural_frequencies
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.volume_control import VolumeControl
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 LAW = tg.laws.MooneyRivlin(C10=0.4e5, C01=0.1e5)

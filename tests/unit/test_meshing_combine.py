@@ -30,7 +30,7 @@ from turgor.results.fields.state_fields import StateFields
 from turgor.results.files.mesh_vtu import write_mesh_vtu
 from turgor.results.measures.cavities import enclosed_volume
 from turgor.results.report.mesh_text import describe_mesh
-from turgor.solvers.checks import check_supports
+from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 

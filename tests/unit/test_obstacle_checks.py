@@ -6,7 +6,7 @@ import pytest
 import turgor as tg
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphere
-from turgor.solvers.obstacle_checks import overlapping_obstacles
+from turgor.solvers.checks.obstacles import overlapping_obstacles
 from turgor.units import mm
 
 CORNERS = np.array([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])

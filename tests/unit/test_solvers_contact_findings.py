@@ -17,7 +17,7 @@ from turgor.model.contact import SELF, Contact
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.solvers.contact_checks import check_contact, deep_penetrations, meeting_walls
+from turgor.solvers.checks.contact import check_contact, deep_penetrations, meeting_walls
 from turgor.solvers.solution import Touch
 from turgor.units import kPa, mm
 

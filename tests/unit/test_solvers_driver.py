@@ -13,9 +13,9 @@ from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.model.loads import Pressure, Traction
 from turgor.model.model import Membrane, Model
 from turgor.model.supports import Displacement, Fixed
-from turgor.solvers.driver import solve
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import SolveError, Status
+from turgor.solvers.solve import solve
 
 RUBBER = Material(name="rubber", law=NeoHooke(C10=0.1e6))
 

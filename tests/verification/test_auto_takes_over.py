@@ -7,12 +7,13 @@ import pytest
 
 import meshes
 import turgor as tg
-from turgor.solvers import arcs, following
-from turgor.solvers.continuity import JUMPS, TURNS, Verdict
-from turgor.solvers.distortion import distortion_text, worst_volume
-from turgor.solvers.doubts import LOST
-from turgor.solvers.load_rates import LEAPT, UNSTABLE
-from turgor.solvers.path_procedures import ArcLength, Auto
+from turgor.solvers.checks.distortion import distortion_text, worst_volume
+from turgor.solvers.continuation import arc_length as arcs
+from turgor.solvers.continuation import scalar_path
+from turgor.solvers.continuation.continuity import Verdict
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.reasons import Cause, Reason
 
 KPA = 1e3
 YOUNG = 6 * 0.12e6
@@ -48,15 +49,15 @@ def test_a_leap_within_few_steps_is_taken_back():
     """Steps of the load lead over both limit points of this sphere, none five times as long as the one before."""
     solution = solve(sphere(170, MOONEY_RIVLIN, around=2), Auto(first_step=1.0, max_step=1.0))
     assert [limit.kind for limit in solution.limit_points] == ["maximum", "minimum"]
-    assert LEAPT in [step.reason for step in solution.steps]
+    assert Cause.BRANCH_JUMP in [step.cause for step in solution.steps]
     moved = [np.linalg.norm(state.displacement) for state in solution.states]
     assert moved == sorted(moved)
 
 
 def test_the_first_unstable_state_is_taken_back():
     solution = solve(column(), Auto(first_step=0.4))
-    reasons = [step.reason for step in solution.steps]
-    assert reasons.count(UNSTABLE) == 1
+    causes = [step.cause for step in solution.steps]
+    assert causes.count(Cause.UNSTABLE) == 1
     assert sum(step.accepted for step in solution.steps) == len(solution.states) - 1
     assert solution.converged
     assert "Bifurcation: at load factor 0.5" in solution.message
@@ -65,7 +66,7 @@ def test_the_first_unstable_state_is_taken_back():
 def test_a_first_step_that_is_unstable_is_shortened():
     for procedure in (Auto(first_step=0.9), ArcLength(first_step=0.9)):
         solution = solve(column(), procedure)
-        assert solution.steps[0].reason in (UNSTABLE, LOST)
+        assert solution.steps[0].cause in (Cause.UNSTABLE, Cause.STABILITY_LOST)
         assert 0 < solution.states[1].load_factor < 0.5
         assert solution.states[1].unstable_modes == 0
         assert "Bifurcation: at load factor 0.5" in solution.message
@@ -119,19 +120,22 @@ def test_auto_ends_where_its_caller_says_and_is_not_taken_for_lost():
     assert max(asked[:-1]) <= 0.3
 
 
-@pytest.mark.parametrize(("reason", "status"), [(JUMPS, tg.Status.TURNED_BACK), (TURNS, tg.Status.STEP_TOO_SMALL)])
-def test_an_arc_that_cannot_go_on_is_no_limit_point(monkeypatch, reason, status):
+@pytest.mark.parametrize(
+    ("cause", "status"),
+    [(Cause.OTHER_BRANCH, tg.Status.TURNED_BACK), (Cause.SHARP_TURN, tg.Status.STEP_TOO_SMALL)],
+)
+def test_an_arc_that_cannot_go_on_is_no_limit_point(monkeypatch, cause, status):
     """No step beyond a stretch of the sphere is a piece of the path; none of them becomes a state."""
-    judged = following.judged
+    judged = scalar_path.judged
 
     def refuse(run, last, now):
-        return Verdict(reason) if now.scalars[0] > 0.35 else judged(run, last, now)
+        return Verdict(Reason(cause)) if now.scalars[0] > 0.35 else judged(run, last, now)
 
-    monkeypatch.setattr(following, "judged", refuse)
+    monkeypatch.setattr(scalar_path, "judged", refuse)
     for procedure in (ArcLength(), Auto(first_step=1.0, max_step=1.0, past=2.0)):
         solution = solve(sphere(300), procedure)
         assert solution.status is status, solution.message
-        assert reason in solution.message
+        assert str(Reason(cause)) in solution.message
         assert "The path up to there" in solution.advice
         assert not solution.steps[-1].accepted
         assert not solution.complete
@@ -139,7 +143,7 @@ def test_an_arc_that_cannot_go_on_is_no_limit_point(monkeypatch, reason, status)
 
 def test_a_way_back_is_no_path_that_was_followed(monkeypatch):
     """Let the falling branch of a sphere count as the way back."""
-    monkeypatch.setattr(arcs, "retraces", lambda run, now: bool(run.limits))
+    monkeypatch.setattr(arcs, "reverses", lambda run, now: bool(run.limits))
     solution = solve(sphere(125), ArcLength())
     (limit,) = solution.limit_points
     assert solution.status is tg.Status.TURNED_BACK

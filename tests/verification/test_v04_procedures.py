@@ -13,10 +13,13 @@ from turgor.engine.algebra.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.results.drive import drive_of
 from turgor.results.files.vtu import write_series
-from turgor.solvers.contact_checks import meeting_walls
+from turgor.solvers.checks.contact import meeting_walls
 from turgor.solvers.path_outcomes import reached
-from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
 from turgor.solvers.pressures import pressure_text, pressures_of
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import kPa, mL
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))

@@ -22,7 +22,7 @@ from turgor.materials.history.softening import Mullins
 from turgor.materials.history.stress_history import stress_history
 from turgor.materials.history.viscoelastic import Prony
 from turgor.materials.laws.laws import Ogden
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 
 TIMES = np.array([0.5, 1, 2, 5, 10, 20, 50, 100])
 TABLE = [0.2321620, 0.2188951, 0.2049315, 0.1930402, 0.1866552, 0.1807618, 0.1775040, 0.1773345]  # MPa

@@ -25,7 +25,7 @@ from turgor.materials.history.softening import Mullins, softening_dissipation
 from turgor.materials.history.stress_history import stress_history
 from turgor.materials.history.viscoelastic import Prony
 from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 
 INNER, OUTER = 10 * problems.MM, 15 * problems.MM
 SERIES = Prony(g=(0.15, 0.1), tau=(1.0, 8.0), moduli="long_term")

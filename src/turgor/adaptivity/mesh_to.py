@@ -21,8 +21,8 @@ from turgor.meshing.sizing.sizes import check_target
 from turgor.model.model import Model
 from turgor.results.measures.reading import Measure
 from turgor.results.report.error_text import with_error
-from turgor.solvers.driver import solve
 from turgor.solvers.solution import Procedure, Solution, SolveError
+from turgor.solvers.solve import solve
 from turgor.units import mm
 
 Array = NDArray[np.float64]

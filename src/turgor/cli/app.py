@@ -104,7 +104,7 @@ def _check(job: JobFile, debug: Debug = False) -> None:
         from turgor.job.run import prepare
         from turgor.results.report.describe import contact
         from turgor.results.report.describe_procedure import procedure
-        from turgor.solvers.stages import Stages
+        from turgor.solvers.procedures.stages import Stages
 
         asked = read_job(job)
         model, findings = prepare(asked)

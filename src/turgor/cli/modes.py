@@ -9,7 +9,7 @@ from turgor.cli.exits import DONE, errors_as_sentences, warn
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
-    from turgor.solvers.modes import Modes
+    from turgor.solvers.dynamics.modes import Modes
 
 
 def modes_command(
@@ -27,9 +27,9 @@ def modes_command(
             raise TurgorError(f"--output is '{output}', which exists; name a new folder.")
         from turgor.job.read import read_job
         from turgor.job.run import prepare
-        from turgor.solvers.driver import solve
-        from turgor.solvers.modes import natural_frequencies
-        from turgor.solvers.stages import Stages
+        from turgor.solvers.dynamics.modes import natural_frequencies
+        from turgor.solvers.procedures.stages import Stages
+        from turgor.solvers.solve import solve
 
         asked = read_job(job)
         model, findings = prepare(asked)

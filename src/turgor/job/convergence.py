@@ -14,8 +14,8 @@ from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.sizing.sizes import size_range
 from turgor.results.convergence.study import Convergence
 from turgor.results.measures.measures import Measure, find_measure, measure
-from turgor.solvers.driver import Progress, solve
 from turgor.solvers.solution import Solution, SolveError
+from turgor.solvers.solve import Progress, solve
 from turgor.units import mm
 
 #: Sizes of a study differ by this factor: about three times the cells from one mesh to the next.

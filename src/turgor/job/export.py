@@ -15,8 +15,8 @@ from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.model.write_inp import PROGRAMS, compressible, write_inp
-from turgor.solvers.procedures import question_of
-from turgor.solvers.stages import Stages
+from turgor.solvers.methods import question_of
+from turgor.solvers.procedures.stages import Stages
 
 #: What can be exported.
 KINDS = ("inp", "step", "stl", "mold")

@@ -43,8 +43,8 @@ from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
 from turgor.model.supports import Fixed, Radial
-from turgor.solvers.procedures import Static
-from turgor.solvers.stages import OneProcedure, Stages
+from turgor.solvers.procedures.stages import OneProcedure, Stages
+from turgor.solvers.procedures.static import Static
 
 
 class Actuator(Protocol):

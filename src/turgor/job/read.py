@@ -22,7 +22,7 @@ from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import shown
 from turgor.model.loads import Gravity, Pressure
-from turgor.solvers.stages import OneProcedure, Stages
+from turgor.solvers.procedures.stages import OneProcedure, Stages
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
 SECTIONS = (

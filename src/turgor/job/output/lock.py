@@ -23,7 +23,7 @@ from turgor.materials.library.records import DIMENSIONLESS, LAWS
 from turgor.materials.material import Material
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.model import Membrane
-from turgor.solvers.stages import Stages
+from turgor.solvers.procedures.stages import Stages
 from turgor.units import format_quantity
 
 #: Units in which a lock file states the dimensions of a value.

@@ -28,8 +28,8 @@ from turgor.results.pictures.state_picture import picture_title, shared_view, wr
 from turgor.results.plots.response_plots import write_plot
 from turgor.results.report.describe_procedure import ending
 from turgor.results.report.page import Picture, Report, write_report
+from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution
-from turgor.solvers.stages import Stages
 
 #: What each file holds, for the report.
 CONTENTS: Mapping[str, str] = {

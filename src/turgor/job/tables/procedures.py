@@ -1,7 +1,7 @@
 """Procedures in a job: ``[procedure]``, both ways; those of stages are written alike."""
 
 from collections.abc import Mapping
-from dataclasses import Field, fields
+from dataclasses import Field
 from functools import cache, partial
 from typing import Annotated, Any
 
@@ -12,13 +12,17 @@ from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, chosen_kind, default_of, fields_of_table, read_table, shown
 from turgor.model.loads import Gravity, Load, Pressure
-from turgor.solvers.blocked_force import BlockedForce
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.grasp import Grasp
-from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
-from turgor.solvers.procedures import Static
-from turgor.solvers.stabilized import Stabilized
-from turgor.solvers.stages import OneProcedure, Sealed
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.blocked_force import BlockedForce
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.solvers.procedures.stages import OneProcedure, Sealed
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.step_options import fields_in_order
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import format_quantity, kPa, parse_quantity
 
 #: Procedures by the name that job files use. A new one is one line here; its keys are its fields.
@@ -90,7 +94,7 @@ def procedure_table(value: type) -> type[Table]:
 
 def procedure_fields(value: type) -> list[Field[Any]]:
     """Return the fields of a procedure that job files state: all but functions, ``field(metadata={"job": False})``."""
-    return [item for item in fields(value) if item.init and item.metadata.get("job", True)]
+    return [item for item in fields_in_order(value) if item.init and item.metadata.get("job", True)]
 
 
 def written_procedure(procedure: OneProcedure, loads: tuple[Load, ...] = ()) -> dict[str, Any]:

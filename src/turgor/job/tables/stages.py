@@ -21,7 +21,7 @@ from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.obstacles import Vector
 from turgor.model.supports import Displacement, Fixed, Radial, Shift
-from turgor.solvers.stages import Stage, Stages, check_stage
+from turgor.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.units import format_quantity
 
 STAGES = "stages"

@@ -7,7 +7,7 @@ import numpy as np
 
 from turgor.results.files.vtu import grid_text
 from turgor.results.files.vtu_xml import VtuArray
-from turgor.solvers.modes import Modes
+from turgor.solvers.dynamics.modes import Modes
 
 
 def write_modes(folder: str | Path, modes: Modes, name: str = "mode") -> Path:

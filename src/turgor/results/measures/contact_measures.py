@@ -11,9 +11,10 @@ from turgor.model.model import Model
 from turgor.model.obstacles import Obstacle, Plane
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.measures.reading import Measure
-from turgor.solvers.blocked_force import PLATE, BlockedForce
-from turgor.solvers.blocking import HeldTip
-from turgor.solvers.grasp import BETWEEN, Grasp, Grasped
+from turgor.solvers.procedures.blocked_force import PLATE, BlockedForce
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.setups.blocked_tip import HeldTip
+from turgor.solvers.setups.grasped_object import BETWEEN, Grasped
 from turgor.solvers.solution import Solution
 
 Array = NDArray[np.float64]

@@ -37,9 +37,9 @@ from turgor.results.measures.field_measures import (
 )
 from turgor.results.measures.reading import Measure as Measure
 from turgor.results.measures.rotations import face_rotation, twist
-from turgor.solvers.pressures import pressures_of
+from turgor.solvers.pressures import pressures_of, stated_by_loads
+from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, State
-from turgor.solvers.stages import Stages
 from turgor.source import Source
 
 Array = NDArray[np.float64]
@@ -161,7 +161,7 @@ def _drive(solution: Solution) -> tuple[Column, ...]:
     factors = np.array([state.load_factor for state in solution.states])
     columns = [Column("load_factor", "", factors), *stage_column(solution), *time_column(solution)]
     common = common_pressure(solution.model)
-    if any(state.pressures for state in solution.states):
+    if not all(state.model is solution.model and stated_by_loads(state) for state in solution.states):
         found = [pressures_of(state) for state in solution.states]
         for face in found[0]:
             name = "pressure" if len(found[0]) == 1 else f"{as_column(face)}_pressure"

@@ -7,8 +7,9 @@ from typing import Any
 from turgor.model.loads import RAMP, Load
 from turgor.model.supports import Displacement, Shift
 from turgor.results.report.describe import Rows, history_text, in_mm, load_text
+from turgor.solvers.procedures.stages import OneProcedure, Stages
+from turgor.solvers.procedures.step_options import fields_in_order
 from turgor.solvers.solution import Procedure, Status
-from turgor.solvers.stages import OneProcedure, Stages
 from turgor.units import kPa, mL, mm
 
 
@@ -60,7 +61,7 @@ def _moved(each: Displacement) -> str:
 def fields_of(value: Any) -> Rows:
     """Fields of a dataclass as rows, empty ones left out."""
     rows = []
-    for each in fields(value):
+    for each in fields_in_order(type(value)):
         content = getattr(value, each.name)
         if each.init and content not in ((), None, ""):
             rows.append((each.name.replace("_", " "), _content(content, each.metadata.get("dimension", ""))))

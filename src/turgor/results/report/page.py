@@ -23,8 +23,8 @@ from turgor.results.plots.response_plots import response_svg
 from turgor.results.report import describe, describe_procedure
 from turgor.results.report.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
 from turgor.results.report.error_text import last_with_error, with_error
+from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, Timing
-from turgor.solvers.stages import Stages
 
 #: Largest width and height of a picture on the page, in its pixels.
 PAGE_WIDTH, PICTURE_HEIGHT = 984, 760
