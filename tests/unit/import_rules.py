@@ -60,7 +60,7 @@ LONGEST_FILE = 500
 LARGEST_FOLDER = 15
 
 #: Folders that may hold more: lists of like things, and a room that is being rebuilt.
-LARGE_FOLDERS = ("turgor.geometry.actuators", "turgor.solvers")
+LARGE_FOLDERS = ("turgor.geometry.actuators",)
 
 
 def room_of(module: str) -> str | None:

@@ -25,9 +25,6 @@ FILES = sorted(SOURCE.rglob("*.py"))
 #: Files that gather the public names.
 OUTSIDE = [SOURCE / f"{name}.py" for name in ("__init__", *PUBLIC)]
 
-#: Files that still need each other; to be removed.
-KNOWN_CYCLES = [("turgor.solvers.procedures.blocked_force", "turgor.solvers.setups.blocked_tip")]
-
 
 def module_of(path):
     parts = path.relative_to(SOURCE.parent).with_suffix("").parts
@@ -123,7 +120,7 @@ def test_a_large_folder_is_noticed():
 
 def test_no_two_files_need_each_other():
     graph = file_imports({module_of(path): path.read_text(encoding="utf-8") for path in FILES})
-    assert [group for group in cycles(graph) if group not in KNOWN_CYCLES] == []
+    assert cycles(graph) == []
 
 
 def test_a_cycle_is_noticed_wherever_the_import_stands():

@@ -8,10 +8,10 @@ import pytest
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget
 from turgor.solvers.continuation import continuity
-from turgor.solvers.continuation.arc_scaling import next_conditions
 from turgor.solvers.continuation.continuity import judged, orientation, straightness
 from turgor.solvers.continuation.path_points import Point
 from turgor.solvers.continuation.path_reversal import reverses
+from turgor.solvers.continuation.scalar_control.arc_scaling import next_conditions
 from turgor.solvers.continuation.thresholds import CORNER_CUTS
 from turgor.solvers.reasons import Cause
 

@@ -8,9 +8,9 @@ import pytest
 import meshes
 import turgor as tg
 from turgor.solvers.checks.distortion import distortion_text, worst_volume
-from turgor.solvers.continuation import arc_length as arcs
-from turgor.solvers.continuation import scalar_path
 from turgor.solvers.continuation.continuity import Verdict
+from turgor.solvers.continuation.scalar_control import arc_length as arcs
+from turgor.solvers.continuation.scalar_control import scalar_path
 from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.reasons import Cause, Reason

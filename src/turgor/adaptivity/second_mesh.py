@@ -18,7 +18,7 @@ from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import LoadFactor, WorkTarget
 from turgor.solvers.constraints.loads import load_control
-from turgor.solvers.continuation.cavity_control import asked_cavities
+from turgor.solvers.continuation.scalar_control.cavity_control import asked_cavities
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonSettings, Start, newton

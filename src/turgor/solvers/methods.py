@@ -12,10 +12,10 @@ from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.bodies.bodies import find_bodies
 from turgor.model.model import Model
-from turgor.solvers.continuation.arc_length import follow_arc
 from turgor.solvers.continuation.branch_switch import follow_auto
-from turgor.solvers.continuation.cavity_control import controlled_faces, follow_gas, follow_volume
 from turgor.solvers.continuation.load_control import follow_load
+from turgor.solvers.continuation.scalar_control.arc_length import follow_arc
+from turgor.solvers.continuation.scalar_control.cavity_control import controlled_faces, follow_gas, follow_volume
 from turgor.solvers.dynamics.stabilization import follow_viscously
 from turgor.solvers.dynamics.time_stepping import follow_motion
 from turgor.solvers.energies import too_viscous, unbalanced

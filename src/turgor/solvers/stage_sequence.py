@@ -10,7 +10,7 @@ from turgor.model.continuing import continued, movable, with_loads
 from turgor.model.drive import pressures_at
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
-from turgor.solvers.continuation.cavity_control import asked_cavities
+from turgor.solvers.continuation.scalar_control.cavity_control import asked_cavities
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.methods import method_of
 from turgor.solvers.pressures import pressures_of

@@ -10,7 +10,11 @@ from numpy.typing import NDArray
 from turgor.engine.chambers import Chambers
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget, LoadFactor, WorkTarget, displacement_of
-from turgor.solvers.continuation.arc_length import (
+from turgor.solvers.continuation.branch_jump import move_ratio_to
+from turgor.solvers.continuation.load_control import load_run
+from turgor.solvers.continuation.path_follower import follow
+from turgor.solvers.continuation.path_points import Point, Run, begin, nothing
+from turgor.solvers.continuation.scalar_control.arc_length import (
     Bounds,
     arc_run,
     bounds,
@@ -20,11 +24,7 @@ from turgor.solvers.continuation.arc_length import (
     from_rest,
     start_of,
 )
-from turgor.solvers.continuation.branch_jump import move_ratio_to
-from turgor.solvers.continuation.load_control import load_run
-from turgor.solvers.continuation.path_follower import follow
-from turgor.solvers.continuation.path_points import Point, Run, begin, nothing
-from turgor.solvers.continuation.scalar_path import Goal, scalar_run
+from turgor.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import exceeds_tangent, rate_at
 from turgor.solvers.continuation.thresholds import (

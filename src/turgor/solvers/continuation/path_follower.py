@@ -7,9 +7,9 @@ Newton's method starts, whether a result is the next point of the path, and what
 from collections.abc import Callable
 from time import perf_counter
 
-from turgor.solvers.continuation.arc_scaling import next_conditions
 from turgor.solvers.continuation.limit_points import insert_limit_points
 from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
+from turgor.solvers.continuation.scalar_control.arc_scaling import next_conditions
 from turgor.solvers.continuation.thresholds import HISTORY
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps

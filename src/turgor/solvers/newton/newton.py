@@ -63,17 +63,19 @@ class NewtonResult:
     ----------
     evaluation : Evaluation or None
         The equations at the last iterate.
-    scalars : (k,) array
-        The scalars there.
-    iterations, hardest : int
-        Updates in all, and of the longest pass where friction and contact stiffness were renewed.
+    iterations : int
+        Updates in all.
     residual : float [-]
         The last relative residual.
     converged : bool
+    scalars : (k,) array
+        The scalars at the last iterate.
     unstable_modes : int or None
         None where a border needs them counted with the rates.
     reason : Reason or None
         Why it failed, or how the state was found.
+    hardest : int
+        Updates of the longest pass where friction and contact stiffness were renewed.
     """
 
     evaluation: Evaluation | None

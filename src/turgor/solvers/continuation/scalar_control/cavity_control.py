@@ -17,7 +17,7 @@ from turgor.solvers.constraints.clock import Clock
 from turgor.solvers.constraints.constraint import Constraint, Target
 from turgor.solvers.continuation.path_follower import follow
 from turgor.solvers.continuation.path_points import Ending, Point, Run, begin
-from turgor.solvers.continuation.scalar_path import Goal, scalar_run
+from turgor.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.thresholds import NO_VOLUME
 from turgor.solvers.outcomes import Outcome

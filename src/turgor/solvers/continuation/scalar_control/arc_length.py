@@ -20,7 +20,7 @@ from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import follow
 from turgor.solvers.continuation.path_points import Ending, Point, Run, begin, fixed_load, nothing, settings_of
 from turgor.solvers.continuation.path_reversal import reverses
-from turgor.solvers.continuation.scalar_path import Goal, scalar_run
+from turgor.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import exceeds_tangent, load_response, rate_at
 from turgor.solvers.continuation.thresholds import STEP_CUT
