@@ -25,14 +25,16 @@ of second order that jump between regions, on cells of its own that are curved t
 carry most of the error. It shares dimensions, material parameters and definitions of measures with turgor, and nothing
 of the engine. *Refined* are turgor's meshes from the default one on, refined by `refine_to` toward an estimate of 0.1 %
 or up to 120,000 unknowns. Contact is not modeled by the code in NGSolve; where walls touch, refined tetrahedra and
-refined hexahedra are the two discretizations, and their mean is the reference.
+refined hexahedra are the two discretizations, and their mean is the reference. The tubes, the wound bender, the bellows
+and the contact case still have the values of cells of one size, with fine uniform cells as second discretization.
 
 Corners decide. On cells of one size, third order and second order agreed with each other and both stood 0.5 % to 1.3 %
 below these values (slow PneuNet, joint, round chambers): two uniform ladders of meshes share the same slow convergence.
 
 Times are CPU seconds of one thread, meshing and solving included, compilation not. Other work ran on the machine:
 compare times within a row, and take more than 10 % for noise. Fibers are smeared. Volumes are volumes of the cavity,
-so their errors are small by nature; angles, displacements and twists are changes from rest.
+so their errors are small by nature; angles, displacements and twists are changes from rest. Not every run of the plan
+is stored: `python benchmarks/truth.py --missing` makes the others, which takes some hours of one core.
 """
 TRUTH = """## Reference values
 

@@ -50,6 +50,7 @@ CASES = (
         pressures={"cavity": 5.0},
         measures=(tg.measures.tip_displacement_x, tg.cavity_volume),
         third_order_size=3.0,
+        bisections=(),
     ),
     Case(
         name="revolute_joint",

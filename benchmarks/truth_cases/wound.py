@@ -55,7 +55,7 @@ CASES = (
             replace(ROD, face="strain_limiting_layer", winding=LENGTHWISE),
         ),
         third_order_size=5.0,
-        bisections=(0.1,),
+        bisections=(),
     ),
     Case(
         name="twisting_tube",
