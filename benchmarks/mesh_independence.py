@@ -82,8 +82,8 @@ by `python benchmarks/mesh_independence.py`.
 
 Angle and volume are integrals over the whole actuator. They settle, but slowly, because corners limit the rate: a value
 that stands still between two sizes is not yet converged, and the estimate says how far it may be off. The stretch and
-stress that 99 % of the volume stay below settle as well. Largest values sit at re-entrant edges, where the exact
-solution has no finite one: they grow with refinement, so they have no error here and are no headline.
+stress that 99 % of the volume stay below settle too, the stress more slowly. Largest values sit at re-entrant edges,
+where the exact solution has no finite one: they grow with refinement, so they have no error here and are no headline.
 
 ![Bending angle against pressure at three mesh sizes, with mesh errors](images/{FIGURE.name})
 """

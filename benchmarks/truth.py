@@ -3,7 +3,7 @@
     python benchmarks/truth.py                 all runs, and docs/truth.md anew; an hour or two of one core
     python benchmarks/truth.py --case NAME     only this case (may be given again); the others stay as they were
     python benchmarks/truth.py --only-truth    only the reference values; needs NGSolve (make truth)
-    python benchmarks/truth.py --quick         only default sizes, against the stored values
+    python benchmarks/truth.py --quick         only default sizes and the target of 2 %, against the stored values
     python benchmarks/truth.py --missing       only what is not stored yet
     python benchmarks/truth.py --page          nothing but the page, from what is stored
 
@@ -29,7 +29,8 @@ VALUES, RUNS = HERE / "truth_values.json", HERE / "truth_runs.json"
 PAGE = HERE.parent / "docs" / "truth.md"
 #: Meshes with more unknowns than this are not solved.
 MOST = 200_000
-STEPS = ("double", "default", "half", "target")
+#: Steps that every kind of cells is solved at.
+LADDER = ("double", "default", "half", "target")
 
 
 def read(path: Path) -> dict[str, Any]:
@@ -84,7 +85,7 @@ def wanted(case: Case, *, only_truth: bool, quick: bool) -> list[tuple[str, str,
     before = [(kind, "default", "continuous") for kind in case.kinds]
     if case.jumps:
         before.append(("tetrahedra", "half", "continuous"))
-    ladder = [(kind, step, "mixed") for kind in case.kinds for step in STEPS]
+    ladder = [(kind, step, "mixed") for kind in case.kinds for step in LADDER]
     return list(dict.fromkeys([*kinds, *ladder, *before, *proof]))
 
 

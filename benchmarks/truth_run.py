@@ -13,21 +13,17 @@ import numpy as np
 
 import turgor as tg
 from truth_cases import CASES
-from truth_cases.case import Case
+from truth_cases.case import ESTIMATED, STEPS, Case
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.sizes import default_size, size_range
 from turgor.units import mm
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
-#: Times the default size; those with a target start from the default one.
-STEPS = {"double": 2.0, "default": 1.0, "half": 0.5, "target": 1.0, "refined": 1.0}
 #: Estimated mesh errors of the headline at which refinement ends.
 TARGETS = {"target": 0.02, "refined": 0.001}
 #: Most unknowns of refined meshes; every mesh follows the whole path anew where walls touch.
 MOST_REFINED, MOST_TOUCHING = 120_000, 60_000
-#: Sizes whose mesh error is estimated.
-ESTIMATED = ("double", "default", "half")
 
 
 def wanted_size(geometry: Geometry, kind: str, step: str) -> float | None:

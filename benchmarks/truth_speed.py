@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from tables import table
-from truth_cases.case import Case
+from truth_cases.case import STEPS, Case
 
 Store = Mapping[str, Any]
 TEXT = """## What an error costs, against the version before
@@ -33,7 +33,7 @@ def compared(cases: Sequence[Case], values: Store, runs: Store) -> str:
 def ladder(case: Case, runs: Store, truth: float, formulation: str) -> dict[str, tuple[float, float]]:
     """Size of the headline error and CPU seconds of the tetrahedra of a formulation, by step."""
     found = {}
-    for step in ("double", "default", "half", "target", "refined"):
+    for step in STEPS:
         row = runs.get("|".join((case.name, "tetrahedra", step, formulation)), {})
         if "values" in row:
             error = abs(row["values"][case.measures[0].name] / truth - 1)

@@ -8,6 +8,10 @@ import turgor as tg
 from turgor.units import kPa
 
 NO_CONTACT = tg.Contact(self_contact=False)
+#: Steps of the set, as times the default size; those that are refined start from the default one.
+STEPS = {"double": 2.0, "default": 1.0, "half": 0.5, "target": 1.0, "refined": 1.0}
+#: Those whose mesh error is estimated.
+ESTIMATED = ("double", "default", "half")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
