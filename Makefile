@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification actuators docs bench nasty truth fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators docs bench robustness truth fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -26,7 +26,7 @@ help:
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
-	@echo "make nasty         run the nasty cases (some minutes); writes benchmarks/nasty.md"
+	@echo "make robustness    run the hard cases (some minutes); writes benchmarks/robustness.md"
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
 	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
 	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
@@ -65,8 +65,8 @@ docs: $(DOCS)
 bench: $(RUN)
 	$(BIN)/python benchmarks/run.py
 
-nasty: $(RUN)
-	$(BIN)/python benchmarks/nasty.py
+robustness: $(RUN)
+	$(BIN)/python benchmarks/robustness.py
 
 truth: $(RUN) requirements/truth.lock
 	$(PIP) install -r requirements/truth.lock

@@ -40,7 +40,7 @@ def bender_model() -> tg.Model:
         mesh,
         materials={
             "body": rubber(tg.Yeoh(C10=soft["C1"] * MPa, C20=soft["C2"] * MPa, C30=soft["C3"] * MPa), soft["nu0"]),
-            "base": rubber(tg.NeoHooke(C10=hard["C1"] * MPa), hard["nu0"]),
+            "base": rubber(tg.laws.NeoHooke(C10=hard["C1"] * MPa), hard["nu0"]),
         },
         supports=[tg.Fixed("fixed")],
         loads=[tg.Pressure("cavity", problem["load"]["p_max"] * MPa)],
@@ -55,9 +55,9 @@ def rubber(law: Any, nu: float) -> tg.Material:
 
 def sides(cells: np.ndarray) -> np.ndarray:
     """The six-node sides of all cells, normals pointing out of the cell."""
-    from turgor.meshing.mesh import TETRAHEDRON_FACES
+    from turgor.meshing.cells import TETRAHEDRON
 
-    return cells[:, np.array(TETRAHEDRON_FACES)].reshape(-1, 6)
+    return cells[:, np.array(TETRAHEDRON.sides)].reshape(-1, 6)
 
 
 def outward(points: np.ndarray, cells: np.ndarray, triangles: np.ndarray) -> np.ndarray:
@@ -90,8 +90,8 @@ def bender(*, solver: str, threads: int) -> dict[str, Any]:
 
 def demo(*, solver: str, threads: int) -> dict[str, Any]:
     """The actuator of `examples/fast_pneunet.toml`, on a finer mesh, until shortly before its walls meet."""
-    job = tg.read_job(ROOT / "examples" / "fast_pneunet.toml")
-    mesh = tg.mesh(job.actuator.build(), size=2.2 * mm, grading=job.mesh_grading)
+    job = tg.jobs.read_job(ROOT / "examples" / "fast_pneunet.toml")
+    mesh = tg.mesh(job.actuator.build(), size=2.2 * mm, grading=job.mesh.grading)
     model = tg.Model(mesh, materials=job.materials, supports=job.supports, loads=[tg.Pressure("cavity", 6 * kPa)])
     return facts(tg.solve(model, job.procedure, options=EngineOptions(linear_solver=solver, threads=threads)))
 

@@ -21,7 +21,7 @@ import turgor as tg
 from turgor.engine.contact.terms import ContactTerms
 from turgor.engine.runtime import compile_kernels
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
+from turgor.engine.algebra.tangent import Tangent
 from turgor.model.contact import Contact
 from turgor.units import kPa, mm
 
@@ -54,7 +54,7 @@ for owner, name, part in (
     (Tangent, "solve", "solution"),
 ):
     clock(owner, name, part)
-job = tg.read_job(example)
+job = tg.jobs.read_job(example)
 mesh = tg.mesh(job.actuator.build(), size=size * mm)
 contact = Contact() if touch else Contact(self_contact=False)
 model = tg.Model(mesh, job.materials, job.supports, [tg.Pressure("cavity", pressure * kPa)], contact=contact)

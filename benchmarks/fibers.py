@@ -18,14 +18,14 @@ import json, sys, time
 import turgor as tg
 from turgor.engine.runtime import compile_kernels
 from turgor.geometry import FiberReinforcedCylinder
-from turgor.materials.laws import Hooke
+from turgor.materials.laws.laws import Hooke
 from turgor.model.fibers import Fibers, Winding
-from turgor.results.measures import find_measure
+from turgor.results.measures.measures import find_measure
 from turgor.units import MPa, kPa, mm
 
 form, hand, cells, size, pressure = sys.argv[1], sys.argv[2], sys.argv[3], float(sys.argv[4]), float(sys.argv[5])
 kevlar = tg.Material(name="kevlar", law=Hooke(E=31067 * MPa, nu=0.36))
-rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12 * MPa))
+rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12 * MPa))
 compile_kernels(None, 27 if cells == "hexahedra" else 10)
 
 

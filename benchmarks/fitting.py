@@ -11,13 +11,13 @@ from time import perf_counter
 
 import numpy as np
 
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.fitting import fit
-from turgor.materials.handling import crop, thin
-from turgor.materials.homogeneous import nominal_stress, uniaxial
-from turgor.materials.laws import Ogden
-from turgor.materials.ranking import rank
-from turgor.materials.read_tests import read_test
+from turgor.materials.experiments.handling import crop, thin
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.experiments.read_tests import read_test
+from turgor.materials.fitting.fit_laws import fit
+from turgor.materials.fitting.ranking import rank
+from turgor.materials.laws.homogeneous import nominal_stress, uniaxial
+from turgor.materials.laws.laws import Ogden
 
 DATA = Path(__file__).parents[1] / "tests" / "validation" / "data"
 LAWS = ("neo-hooke", "mooney-rivlin", "yeoh", "ogden-3", "gent")

@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import turgor as tg
-from turgor.engine.surfaces import vector_area
+from turgor.engine.faces.surfaces import vector_area
 from turgor.model.write_inp import write_inp
 from turgor.units import MPa, deg, kPa, mm
 
@@ -44,7 +44,7 @@ def rubber(name, law):
 
 def question(mesh, formulation):
     body = rubber("body", tg.Yeoh(C10=0.05 * MPa, C20=0.001 * MPa))
-    base = rubber("base", tg.NeoHooke(C10=1 * MPa))
+    base = rubber("base", tg.laws.NeoHooke(C10=1 * MPa))
     loads = [tg.Pressure("cavity", PRESSURE)]
     return tg.Model(mesh, {"body": body, "base": base}, [tg.Fixed("fixed")], loads, formulation)
 

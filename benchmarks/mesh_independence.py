@@ -25,14 +25,14 @@ SAMPLES = 10  # pressures at which the curves are compared
 MEASURES = (
     tg.bending_angle,
     tg.cavity_volume,
-    tg.principal_stretch_p99,
-    tg.von_mises_p99,
-    tg.maximum_principal_stretch,
-    tg.maximum_von_mises,
+    tg.measures.principal_stretch_p99,
+    tg.measures.von_mises_p99,
+    tg.measures.maximum_principal_stretch,
+    tg.measures.maximum_von_mises,
 )
 
 
-def bend(job: tg.Job, size: float) -> tuple[tg.Mesh, tg.Response]:
+def bend(job: tg.jobs.Job, size: float) -> tuple[tg.Mesh, tg.Response]:
     """Solve the demo at a mesh size [m], hitting the same pressures at every size."""
     mesh = tg.mesh(job.actuator.build(), size=size)
     model = tg.Model(mesh, materials=job.materials, supports=job.supports, loads=[tg.Pressure("cavity", PRESSURE)])
@@ -43,7 +43,7 @@ def bend(job: tg.Job, size: float) -> tuple[tg.Mesh, tg.Response]:
 
 def main() -> None:
     """Solve, tabulate against the finest mesh, draw."""
-    job = tg.read_job(JOB)
+    job = tg.jobs.read_job(JOB)
     runs = [bend(job, size) for size in SIZES]
     finest = runs[-1][1]
     rows = []
@@ -56,7 +56,7 @@ def main() -> None:
     print(PAGE.read_text(encoding="utf-8"))
 
 
-def cell(response: tg.Response, finest: tg.Response, measure: tg.Measure) -> str:
+def cell(response: tg.Response, finest: tg.Response, measure: tg.measures.Measure) -> str:
     """Last value, its mesh error unless it is a maximum, and in brackets the difference from the finest mesh."""
     name = measure.name
     value, scale = response.column(name)[-1], response.find(name).in_unit[-1] / response.column(name)[-1]

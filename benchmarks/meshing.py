@@ -10,7 +10,7 @@ import time
 
 from turgor.job.job import ACTUATORS
 from turgor.meshing.generate import default_size, mesh
-from turgor.meshing.quality import quality
+from turgor.meshing.quality.cell_quality import quality
 from turgor.units import mm
 
 LIMIT = 10.0  # seconds of one processor that building and meshing may take

@@ -1,4 +1,4 @@
-"""What the refinements of Newton's method save: iterations and time, on nasty cases and on the demo.
+"""What the refinements of Newton's method save: iterations and time, on hard cases and on the demo.
 
 Plain Newton with equal steps; steps that adapt with extrapolation; and with mixed integration points too, which is the
 default. All on one thread in this process. Run: python benchmarks/run.py newton; some minutes.
@@ -10,8 +10,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import turgor as tg
-from nasty_cases import CASES
-from nasty_cases.case import OPTIONS
+from robustness_cases import CASES
+from robustness_cases.case import OPTIONS
 from tables import table
 from turgor.engine.runtime import MIXED, NEWTON, PLAIN, compile_kernels
 from turgor.units import kPa, mm
@@ -43,8 +43,8 @@ LIMIT = 300.0
 
 def demo() -> tuple[tg.Model, tg.Static]:
     """The example at 4 mm, until shortly before its walls meet."""
-    job = tg.read_job(ROOT / "examples" / "fast_pneunet.toml")
-    mesh = tg.mesh(job.actuator.build(), size=4 * mm, grading=job.mesh_grading)
+    job = tg.jobs.read_job(ROOT / "examples" / "fast_pneunet.toml")
+    mesh = tg.mesh(job.actuator.build(), size=4 * mm, grading=job.mesh.grading)
     return tg.Model(mesh, job.materials, job.supports, [tg.Pressure("cavity", 6 * kPa)]), tg.Static()
 
 

@@ -18,7 +18,7 @@ import contact
 import newton
 from machine import machine
 from tables import table
-from turgor.engine.linear import available_solvers
+from turgor.engine.algebra.linear import available_solvers
 
 HERE = Path(__file__).parent
 PAGE = HERE / "results.md"

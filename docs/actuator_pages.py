@@ -11,8 +11,7 @@ from dataclasses import MISSING, Field, fields, replace
 from pathlib import Path
 from typing import Any
 
-from turgor.errors import TurgorError
-from turgor.geometry.geometry import Geometry
+from turgor import Geometry, TurgorError
 from turgor.job.job import ACTUATORS
 from turgor.units import deg, mm
 
@@ -148,12 +147,10 @@ def draw(name: str, family: Any) -> None:
     """Draw a family: cut open where it has a mirror plane, and at the end of its example job."""
     from PIL import Image
 
-    from turgor.job.read import read_job
+    from turgor import mesh, solve
     from turgor.job.run import prepare
-    from turgor.meshing.generate import mesh
-    from turgor.results.mesh_picture import write_mesh_picture
-    from turgor.results.pictures import shared_view, write_picture
-    from turgor.solvers.driver import solve
+    from turgor.jobs import read_job
+    from turgor.pictures import shared_view, write_mesh_picture, write_picture
 
     made = mesh(_cut(family).build())
     faces = {side.replace("symmetry_", "cut_"): triangles for side, triangles in made.faces.items()}

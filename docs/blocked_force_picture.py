@@ -9,7 +9,7 @@ import matplotlib
 from matplotlib.figure import Figure
 
 import turgor as tg
-from turgor.results.plots import COLORS, plot_response
+from turgor.pictures import COLORS, plot_response
 from turgor.units import kPa, mm
 
 FIGURE = Path(__file__).parent / "images" / "blocked-force.svg"
@@ -36,7 +36,7 @@ def main():
     axes = figure.add_subplot()
     for distance, color in zip(DISTANCES, COLORS, strict=False):
         solution = tg.solve(model, tg.BlockedForce(distance=distance, direction="-z"))
-        response = tg.measure(solution, tg.blocked_force)
+        response = tg.measure(solution, tg.measures.blocked_force)
         label = f"plate {distance / mm:g} mm below the tip"
         plot_response(axes, response, "pressure", "blocked_force", color=color, label=label)
         print(label, response.find("blocked_force").in_unit[-1])

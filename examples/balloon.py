@@ -4,8 +4,8 @@ A neo-Hookean rubber balloons; one that stiffens at large stretches, as most sil
 """
 
 import turgor as tg
-from turgor.geometry import ExtendingCylinder
-from turgor.solvers.path_procedures import VolumeControl
+from turgor import VolumeControl
+from turgor.actuators import ExtendingCylinder
 from turgor.units import kPa, mL, mm
 
 tube = ExtendingCylinder(length=60 * mm)
@@ -14,7 +14,7 @@ rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 model = tg.Model(mesh, materials={"body": rubber}, supports=[tg.Fixed("fixed")], loads=[])
 
 solution = tg.solve(model, VolumeControl(volume=32 * mL))
-response = tg.measure(solution, tg.cavity_volume, tg.tip_displacement, tg.maximum_principal_stretch)
+response = tg.measure(solution, tg.cavity_volume, tg.tip_displacement, tg.measures.maximum_principal_stretch)
 
 (limit,) = solution.limit_points
 volume = response.column("injected_volume")[limit.state] / mL

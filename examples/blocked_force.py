@@ -14,7 +14,7 @@ model = tg.Model(
     loads=[tg.Pressure("cavity", 15 * kPa)],
 )
 solution = tg.solve(model, tg.BlockedForce(distance=1 * mm))
-response = tg.measure(solution, tg.blocked_force)
+response = tg.measure(solution, tg.measures.blocked_force)
 force = response.column("blocked_force")[-1]
 
 print(f"{solution.message} The tip presses with {force / N:.2f} N.")

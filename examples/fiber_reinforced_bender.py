@@ -4,7 +4,7 @@
 import turgor as tg
 from turgor.units import deg, kPa, mm
 
-bender = tg.FiberReinforcedBender(length=40 * mm, skin=0.0)
+bender = tg.actuators.FiberReinforcedBender(length=40 * mm, skin=0.0)
 mesh = tg.mesh(bender.build(), size=6 * mm, cells="hexahedra")
 
 # %% Thread goes around the round side and the flat side together; the paper resists bending too, which needs hexahedra.

@@ -5,19 +5,19 @@ one.
 """
 
 import turgor as tg
-from turgor.geometry import ExtendingCylinder
+from turgor.actuators import ExtendingCylinder
 from turgor.units import N, kPa, mL, mm
 
 tube = ExtendingCylinder(length=40 * mm)
 mesh = tg.mesh(tube.build(), size=6 * mm)
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
-bar = tg.Box(center=(20 * mm, 0, 18 * mm), size=(12 * mm, 40 * mm, 16 * mm), rounding=2 * mm)
+bar = tg.obstacles.Box(center=(20 * mm, 0, 18 * mm), size=(12 * mm, 40 * mm, 16 * mm), rounding=2 * mm)
 model = tg.Model(
     mesh,
     materials={"body": rubber},
     supports=[tg.Fixed("fixed")],
     loads=[],
-    contact=tg.Contact(obstacles=[tg.Obstacle(name="jaw", shape=bar)]),
+    contact=tg.Contact(obstacles=[tg.obstacles.Obstacle(name="jaw", shape=bar)]),
 )
 
 procedure = tg.Stages(

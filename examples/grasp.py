@@ -8,18 +8,18 @@ finger = tg.FastPneuNet(chambers=3, length=36 * mm, wall=1.5 * mm, channel_wall=
 mesh = tg.mesh(finger.build(), size=5 * mm)
 rubber = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
 stiff = tg.from_library("smooth-sil-950", record="neo-hooke-polygerinos-2020")
-bar = tg.Cylinder(center=(20 * mm, 0, -9 * mm), axis=(0, 1, 0), radius=8 * mm)
+bar = tg.obstacles.Cylinder(center=(20 * mm, 0, -9 * mm), axis=(0, 1, 0), radius=8 * mm)
 model = tg.Model(
     mesh,
     materials={"body": rubber, "base": stiff},
     supports=[tg.Fixed("fixed")],
     loads=[tg.Pressure("cavity", 10 * kPa)],
-    contact=tg.Contact(obstacles=[tg.Obstacle(name="bar", shape=bar, friction=0.5)]),
+    contact=tg.Contact(obstacles=[tg.obstacles.Obstacle(name="bar", shape=bar, friction=0.5)]),
 )
 
 # %% Until load factor 0.5 the fingers close, then the bar moves 3 mm away from the palm.
 solution = tg.solve(model, tg.Grasp(object="bar", pull_distance=3 * mm))
-response = tg.measure(solution, tg.pull_distance, tg.grip_force, tg.holding_force)
+response = tg.measure(solution, tg.measures.pull_distance, tg.measures.grip_force, tg.measures.holding_force)
 pull = response.column("pull_distance")
 grip = response.column("grip_force")[pull == 0][-1]
 holding = response.column("holding_force").max()

@@ -4,7 +4,7 @@
 import turgor as tg
 from turgor.units import deg, kPa, mm
 
-muscle = tg.ContractingTube(length=60 * mm)
+muscle = tg.actuators.ContractingTube(length=60 * mm)
 mesh = tg.mesh(muscle.build(), size=3 * mm, cells="hexahedra")
 bladder = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 ends = tg.from_library("smooth-sil-950", record="neo-hooke-polygerinos-2020")
@@ -26,7 +26,7 @@ def shortening(angle: float) -> float:
         loads=[tg.Pressure("cavity", 20 * kPa)],
         reinforcements=[braid],
     )
-    response = tg.measure(tg.solve(model), tg.tip_displacement_x)
+    response = tg.measure(tg.solve(model), tg.measures.tip_displacement_x)
     return float(-response.column("tip_displacement_x")[-1] / muscle.length)
 
 

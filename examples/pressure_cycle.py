@@ -8,10 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 import turgor as tg
-from turgor.geometry import RectangularBender
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
-from turgor.model.history import over_time
+from turgor import over_time
+from turgor.actuators import RectangularBender
+from turgor.laws import Mullins, Prony
 from turgor.units import deg, kPa, mm
 
 bender = RectangularBender(length=60 * mm)

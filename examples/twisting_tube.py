@@ -4,7 +4,7 @@
 import turgor as tg
 from turgor.units import deg, kPa, mm
 
-tube = tg.TwistingTube(length=60 * mm)
+tube = tg.actuators.TwistingTube(length=60 * mm)
 mesh = tg.mesh(tube.build(), size=6 * mm, cells="hexahedra")
 
 # %% The thread: its diameter is that of the library's record.
@@ -25,7 +25,7 @@ model = tg.Model(
     reinforcements=[helix],
 )
 solution = tg.solve(model)
-response = tg.measure(solution, tg.twist_angle, tg.tip_displacement)
+response = tg.measure(solution, tg.measures.twist_angle, tg.tip_displacement)
 twist = response.column("twist_angle")[-1] / deg
 print(f"{solution.message} The tip turns by {twist:.1f} deg: a right-handed helix turns it to the left.")
 

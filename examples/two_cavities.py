@@ -1,7 +1,7 @@
 """Two cavities, one after the other: the upper one bends the actuator down, the lower one straightens it again."""
 
 import turgor as tg
-from turgor.geometry import BidirectionalBender
+from turgor.actuators import BidirectionalBender
 from turgor.units import deg, kPa, mm
 
 bender = BidirectionalBender()

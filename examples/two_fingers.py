@@ -4,10 +4,8 @@
 import numpy as np
 
 import turgor as tg
-from turgor.geometry.solids import RoundBar
-from turgor.meshing.combine import together
-from turgor.meshing.placing import placed
-from turgor.results.reading import Measure
+from turgor.bodies import RoundBar, placed, together
+from turgor.measures import Measure
 from turgor.units import N, deg, kPa, mm
 
 finger = tg.mesh(tg.FastPneuNet(chambers=2, length=25 * mm).build(), size=4 * mm, cells="hexahedra")

@@ -3,7 +3,7 @@
 import numpy as np
 
 import turgor as tg
-from turgor.geometry import RectangularBender
+from turgor.actuators import RectangularBender
 from turgor.units import deg, kPa, mm
 
 bender = RectangularBender(length=60 * mm)

@@ -50,7 +50,7 @@ class Case:
     actuator: Any
     materials: Mapping[str, Any]
     pressures: Mapping[str, float]
-    measures: tuple[tg.Measure, ...]
+    measures: tuple[tg.measures.Measure, ...]
     third_order_size: float
     supports: tuple[Any, ...] = (tg.Fixed("fixed"),)
     reinforcements: tuple[tg.Fibers, ...] = ()

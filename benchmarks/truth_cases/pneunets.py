@@ -5,7 +5,7 @@ from truth_cases.case import Case
 from turgor.units import MPa, mm
 
 ELASTOSIL = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-STIFF = tg.Material(name="stiff rubber", law=tg.NeoHooke(C10=2.2 * MPa))
+STIFF = tg.Material(name="stiff rubber", law=tg.laws.NeoHooke(C10=2.2 * MPa))
 PAPER = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
 FAST = tg.FastPneuNet(chambers=3, length=30 * mm)
 ON_PAPER = {"body": ELASTOSIL, "base": ELASTOSIL, "strain_limiting_layer": PAPER}
@@ -34,7 +34,7 @@ CASES = (
     Case(
         name="slow_pneunet",
         title="Slow PneuNet of three chambers, base 20 times as stiff, 10 kPa",
-        actuator=tg.SlowPneuNet(chambers=3, length=30 * mm),
+        actuator=tg.actuators.SlowPneuNet(chambers=3, length=30 * mm),
         materials=ON_STIFF,
         pressures={"cavity": 10.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
@@ -45,7 +45,7 @@ CASES = (
     Case(
         name="semicircular_bender",
         title="Half-round bender of two rubbers (the reference bender, 50 mm long), 20 kPa",
-        actuator=tg.SemicircularBender(length=50 * mm, floor=1 * mm, base=1 * mm, end_wall=3 * mm),
+        actuator=tg.actuators.SemicircularBender(length=50 * mm, floor=1 * mm, base=1 * mm, end_wall=3 * mm),
         materials=ON_STIFF,
         pressures={"cavity": 20.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),

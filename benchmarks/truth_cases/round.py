@@ -7,24 +7,24 @@ from turgor.units import MPa, mm
 ELASTOSIL = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
 DRAGON = tg.from_library("dragon-skin-30", record="yeoh-yang-2020")
 ECOFLEX = tg.from_library("ecoflex-00-30", record="yeoh-steck-2019")
-PLASTIC = tg.Material(name="stiff plastic", law=tg.NeoHooke(C10=50 * MPa))
-FLEXIBLE = tg.Material(name="flexible plastic", law=tg.NeoHooke(C10=2 * MPa))
+PLASTIC = tg.Material(name="stiff plastic", law=tg.laws.NeoHooke(C10=50 * MPa))
+FLEXIBLE = tg.Material(name="flexible plastic", law=tg.laws.NeoHooke(C10=2 * MPa))
 
 CASES = (
     Case(
         name="closed_tube",
         title="Closed tube (extending cylinder, a quarter), 30 kPa",
-        actuator=tg.ExtendingCylinder(length=40 * mm),
+        actuator=tg.actuators.ExtendingCylinder(length=40 * mm),
         materials={"body": ELASTOSIL},
         pressures={"cavity": 30.0},
-        measures=(tg.tip_displacement_x, tg.cavity_volume),
+        measures=(tg.measures.tip_displacement_x, tg.cavity_volume),
         third_order_size=3.0,
         bisections=(),
     ),
     Case(
         name="omnidirectional_circles",
         title="Omnidirectional actuator with round chambers, one of three at 12 kPa",
-        actuator=tg.OmnidirectionalActuator(length=40 * mm, symmetric=True),
+        actuator=tg.actuators.OmnidirectionalActuator(length=40 * mm, symmetric=True),
         materials={"body": ECOFLEX},
         pressures={"cavity_1": 12.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
@@ -34,7 +34,7 @@ CASES = (
     Case(
         name="omnidirectional_sectors",
         title="Omnidirectional actuator with chambers like sectors of a ring, one of three at 7 kPa",
-        actuator=tg.OmnidirectionalActuator(
+        actuator=tg.actuators.OmnidirectionalActuator(
             length=40 * mm, chamber_shape="ring_sector", chamber_size=5 * mm, symmetric=True
         ),
         materials={"body": ECOFLEX},
@@ -45,17 +45,17 @@ CASES = (
     Case(
         name="bellows",
         title="Bellows of revolution, two rounded folds, 5 kPa",
-        actuator=tg.BellowsOfRevolution(folds=2),
+        actuator=tg.actuators.BellowsOfRevolution(folds=2),
         materials={"body": DRAGON},
         pressures={"cavity": 5.0},
-        measures=(tg.tip_displacement_x, tg.cavity_volume),
+        measures=(tg.measures.tip_displacement_x, tg.cavity_volume),
         third_order_size=3.0,
         bisections=(),
     ),
     Case(
         name="revolute_joint",
         title="Revolute joint with one cylinder, links 3000 times as stiff, 5 kPa",
-        actuator=tg.RevoluteJoint(actuators=1, length=40 * mm),
+        actuator=tg.actuators.RevoluteJoint(actuators=1, length=40 * mm),
         materials={"body": ECOFLEX, "link": PLASTIC, "hinge": FLEXIBLE},
         pressures={"cavity": 5.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),

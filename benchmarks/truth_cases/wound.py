@@ -6,7 +6,7 @@ import turgor as tg
 from truth_cases.case import Case
 from turgor.units import MPa, deg, mm
 
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12 * MPa))
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12 * MPa))
 KEVLAR = tg.from_library("kevlar-fiber")
 THREAD = 0.1778 * mm
 HOOPS = tg.Winding(angle_from_axis=90 * deg, spacing=2 * mm)
@@ -16,7 +16,7 @@ DOUBLE = tg.Winding(angle_from_axis=70 * deg, spacing=2 * mm, hand="both")
 #: Threads that also take compression: where hoops of a bender go slack, thousands of them change sides at every step.
 ROD = tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=HOOPS, compression=1.0)
 WALLED = {"body": RUBBER, "skin": RUBBER}
-SKINNED = tg.FiberReinforcedCylinder(length=40 * mm, skin=1 * mm)
+SKINNED = tg.actuators.FiberReinforcedCylinder(length=40 * mm, skin=1 * mm)
 
 CASES = (
     Case(
@@ -25,7 +25,7 @@ CASES = (
         actuator=SKINNED,
         materials=WALLED,
         pressures={"cavity": 13.7201},
-        measures=(tg.tip_displacement_x, tg.cavity_volume),
+        measures=(tg.measures.tip_displacement_x, tg.cavity_volume),
         supports=(tg.Fixed("fixed", "x"), tg.Radial("winding")),
         third_order_size=2.0,
         bisections=(),
@@ -37,7 +37,7 @@ CASES = (
         actuator=SKINNED,
         materials=WALLED,
         pressures={"cavity": 40.0},
-        measures=(tg.tip_displacement_x, tg.cavity_volume),
+        measures=(tg.measures.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="winding", material=KEVLAR, diameter=THREAD, winding=DOUBLE),),
         third_order_size=2.0,
         bisections=(),
@@ -46,7 +46,7 @@ CASES = (
     Case(
         name="wound_bender",
         title="Half-round bender with a skin of 1 mm, Kevlar hoops, Kevlar along the base, none slack, 20 kPa",
-        actuator=tg.FiberReinforcedBender(length=50 * mm),
+        actuator=tg.actuators.FiberReinforcedBender(length=50 * mm),
         materials=WALLED,
         pressures={"cavity": 20.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
@@ -60,10 +60,10 @@ CASES = (
     Case(
         name="twisting_tube",
         title="Tube with a helix of Kevlar of one hand, 60° from the axis, 20 kPa",
-        actuator=tg.TwistingTube(length=40 * mm),
+        actuator=tg.actuators.TwistingTube(length=40 * mm),
         materials={"body": RUBBER},
         pressures={"cavity": 20.0},
-        measures=(tg.twist_angle, tg.tip_displacement_x, tg.cavity_volume),
+        measures=(tg.measures.twist_angle, tg.measures.tip_displacement_x, tg.cavity_volume),
         reinforcements=(tg.Fibers(face="outside", material=KEVLAR, diameter=THREAD, winding=HELIX),),
         third_order_size=6.0,
         bisections=(),

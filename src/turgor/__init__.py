@@ -1,30 +1,46 @@
 """turgor: finite element modeling of soft fluidic actuators, from a specimen to a design decision.
 
-Every public name is here, flat: ``import turgor as tg``. The rooms are imported on first use, so that a command that
-only reads a file or prints an error does not wait for the engine. Which names there are says ``__init__.pyi``, in the
-one form that type checkers, editors and the lines below all read.
+The names that most scripts need are here: ``import turgor as tg``. The others stand in namespaces, such as
+``tg.actuators``, ``tg.laws`` and ``tg.measures``. Every name is imported on first use, so that a command that only
+reads a file or prints an error does not wait for the engine. ``__init__.pyi`` lists the names, in the one form that
+type checkers, editors and the lines below all read.
 """
 
-import re
+import warnings
 from importlib import import_module
 from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
-_LINE = re.compile(r"^from (\S+) import (\w+) as \2$", re.MULTILINE)
-_ROOM_OF = {name: room for room, name in _LINE.findall(Path(__file__).with_suffix(".pyi").read_text("utf-8"))}
+from turgor._lazy import found, names_in
+
+_NAMES = names_in(__file__)
+_NAMESPACES = sorted(name for name, source in _NAMES.items() if source == "turgor")
+
+#: Names of the release before that have another name now.
+_RENAMED = {"Step": "Edit", "TestError": "FitResidual"}
 
 __version__ = version("turgor")
-__all__ = sorted(_ROOM_OF)
+__all__ = sorted(_NAMES)
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _ROOM_OF:
-        raise AttributeError(f"module 'turgor' has no attribute '{name}'")
-    value = getattr(import_module(_ROOM_OF[name]), name)
-    globals()[name] = value
-    return value
+    if name in _NAMESPACES:
+        return import_module(f"turgor.{name}")
+    if name in _NAMES or name.startswith("_"):
+        return found(name, _NAMES, globals())
+    return _moved(name)
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *_ROOM_OF])
+    return sorted({*globals(), *_NAMES})
+
+
+def _moved(name: str) -> Any:
+    """Give a name that stood here in the release before, and say where it is now."""
+    now = _RENAMED.get(name, name)
+    for each in _NAMESPACES:
+        namespace = import_module(f"turgor.{each}")
+        if now in namespace.__all__:
+            warnings.warn(f"turgor.{name} is turgor.{each}.{now} now.", DeprecationWarning, stacklevel=3)
+            return getattr(namespace, now)
+    raise AttributeError(f"module 'turgor' has no attribute '{name}'")

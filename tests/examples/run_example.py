@@ -6,8 +6,8 @@ from turgor.job.job import Job
 from turgor.job.read import read_job
 from turgor.job.run import prepare
 from turgor.response import Response
-from turgor.results.measures import find_measure, measure
-from turgor.solvers.driver import solve
+from turgor.results.measures.measures import find_measure, measure
+from turgor.solvers.solve import solve
 
 JOBS = Path(__file__).parents[2] / "examples" / "actuators"
 

@@ -10,9 +10,9 @@ from turgor.job.job import Job
 from turgor.job.read import read_job
 from turgor.job.run import prepare
 from turgor.model.loads import Pressure
-from turgor.results.measures import find_measure, measure
-from turgor.solvers.driver import solve
-from turgor.solvers.procedures import Static
+from turgor.results.measures.measures import find_measure, measure
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.solve import solve
 from turgor.units import deg, kPa, mm
 
 
@@ -29,7 +29,9 @@ def driven(name: str, *pressures: float, size: float | None = None, **dimensions
     loads = tuple(Pressure(f"cavity_{i}", each) for i, each in enumerate(pressures, start=1))
     actuator = replace(job.actuator, **dimensions)
     few = Static(first_step=0.5, max_step=0.5)
-    return at_the_end(replace(job, actuator=actuator, loads=loads, procedure=few, mesh_size=size or job.mesh_size))
+    return at_the_end(
+        replace(job, actuator=actuator, loads=loads, procedure=few, mesh=replace(job.mesh, size=size or job.mesh_size))
+    )
 
 
 def test_a_bellows_extends_by_a_fifth_of_its_length() -> None:

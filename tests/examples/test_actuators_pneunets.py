@@ -7,7 +7,7 @@ from run_example import example, run_example, solve_job
 
 from turgor.geometry import FastPneuNet
 from turgor.model.loads import Pressure
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 from turgor.units import deg, kPa
 
 

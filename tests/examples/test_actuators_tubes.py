@@ -18,8 +18,8 @@ from turgor.job.job import Job
 from turgor.job.read import read_job
 from turgor.job.run import prepare
 from turgor.model.loads import Pressure
-from turgor.results.measures import find_measure, measure
-from turgor.solvers.driver import solve
+from turgor.results.measures.measures import find_measure, measure
+from turgor.solvers.solve import solve
 from turgor.units import deg, kPa, mL, mm
 
 SHEAR_MODULUS = 240 * kPa  # of Elastosil M4601 as Polygerinos et al. 2020 state it

@@ -19,7 +19,7 @@ def run(name):
 
 def asks_the_same(name, solution):
     """Whether the job beside a script leads to the model that the script solved."""
-    job = tg.read_job(EXAMPLES / f"{name}.toml")
+    job = tg.jobs.read_job(EXAMPLES / f"{name}.toml")
     assert job.procedure == solution.procedure
     model, _ = prepare(job)
     amended = job.procedure.amended(model)
@@ -33,7 +33,7 @@ def test_the_tip_presses_on_the_plate(capsys):
     assert "The tip presses with 0.17 N." in capsys.readouterr().out
     solution = made["solution"]
     asks_the_same("blocked_force", solution)
-    response = tg.measure(solution, tg.blocked_force, tg.reaction)
+    response = tg.measure(solution, tg.measures.blocked_force, tg.measures.reaction)
     force, pressure = response.column("blocked_force"), response.column("pressure")
     assert force[-1] == pytest.approx(0.17 * N, rel=0.05)
     assert force == pytest.approx(response.column("reaction"), abs=1e-5 * N), "the clamp takes what the plate gives"

@@ -17,7 +17,7 @@ VOLUME = 4 * 5.5 * 13 * 11.5 + 3 * 4.5 * 9 + pi * 1.44 * 1.5
 
 
 def test_the_finger_bends():
-    job = tg.read_job(JOB)
+    job = tg.jobs.read_job(JOB)
     assert job.actuator.build().cavity_volume / mm**3 == pytest.approx(VOLUME, rel=1e-6)
     model, _ = prepare(job)
     response = tg.measure(tg.solve(model, job.procedure), tg.bending_angle, tg.cavity_volume)

@@ -13,7 +13,7 @@ JOB = Path(__file__).parents[2] / "examples" / "hang_fill_press.toml"
 
 
 def test_the_finger_goes_through_its_stages():
-    response = solve_job(tg.read_job(JOB))
+    response = solve_job(tg.jobs.read_job(JOB))
     assert list(dict.fromkeys(response.stages)) == ["hang", "fill", "press"]
     ends = [int(np.flatnonzero(response.column("stage") == number)[0]) for number in (1, 2, 3)]
     pressure, volume = response.column("pressure")[ends] / kPa, response.column("cavity_volume")[ends] / mL

@@ -27,7 +27,7 @@ def blocks(page, language):
 
 def names(*loads):
     """What the pages take for granted: a short tube of rubber, and its model."""
-    mesh = tg.mesh(tg.ExtendingCylinder(length=20 * mm).build(), size=8 * mm, cells="hexahedra")
+    mesh = tg.mesh(tg.actuators.ExtendingCylinder(length=20 * mm).build(), size=8 * mm, cells="hexahedra")
     rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
     model = tg.Model(mesh, materials={"body": rubber}, supports=[tg.Fixed("fixed")], loads=loads)
     return {"tg": tg, "mL": mL, "kPa": kPa, "mesh": mesh, "rubber": rubber, "model": model}
@@ -42,7 +42,7 @@ def after_each_block(page, known):
 
 def job_of(tmp_path, text):
     (tmp_path / "job.toml").write_text(text, encoding="utf-8")
-    return tg.read_job(tmp_path / "job.toml")
+    return tg.jobs.read_job(tmp_path / "job.toml")
 
 
 def test_volume_and_gas():

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 import turgor as tg
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.viscoelastic import Prony
 from turgor.model.history import over_time
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 
 ROOT = Path(__file__).parents[2]
 HEAD = """
@@ -33,7 +33,7 @@ def test_the_job_of_the_guide_is_read(tmp_path):
     text = (ROOT / "docs" / "howto" / "viscoelasticity.md").read_text(encoding="utf-8")
     (block,) = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
     (tmp_path / "job.toml").write_text(HEAD + block, encoding="utf-8")
-    job = tg.read_job(tmp_path / "job.toml")
+    job = tg.jobs.read_job(tmp_path / "job.toml")
     assert job.procedure == Static(duration=20.0, first_step=0.02, max_step=0.02)
     history = over_time([(0, 0), (5, 1), (10, 0), (15, 1), (20, 0)], 20.0)
     assert job.loads == (tg.Pressure("cavity", 50e3, history),)

@@ -26,7 +26,7 @@ def test_the_job_of_the_guide_is_read(tmp_path):
     text = (ROOT / "docs" / "howto" / "several-cavities.md").read_text(encoding="utf-8")
     (job,) = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
     (tmp_path / "job.toml").write_text(job, encoding="utf-8")
-    one, two = tg.read_job(tmp_path / "job.toml").loads
+    one, two = tg.jobs.read_job(tmp_path / "job.toml").loads
     assert one == tg.Pressure("cavity_1", 50 * kPa, history=((0, 0), (0.5, 1), (1, 0)))
     assert two == tg.Pressure("cavity_2", 20 * kPa, history=((0, 0), (0.5, 0), (1, 1)))
     (statement,) = re.findall(r"```python\nloads = (.*?)```", text, re.DOTALL)

@@ -31,6 +31,6 @@ def test_the_job_of_the_guide_is_read(tmp_path):
     text = (ROOT / "docs" / "howto" / "dynamics.md").read_text(encoding="utf-8")
     (motion,) = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
     (tmp_path / "motion.toml").write_text(HEAD + motion, encoding="utf-8")
-    moving = tg.read_job(tmp_path / "motion.toml")
+    moving = tg.jobs.read_job(tmp_path / "motion.toml")
     assert moving.procedure == tg.Dynamic(duration=0.5, stiffness_damping=1e-3)
     assert moving.loads == (tg.Pressure("cavity", 20e3, tg.over_time([(0, 0), (0.02, 1), (0.5, 1)], 0.5)),)

@@ -4,7 +4,8 @@ The order of the rooms stands here once; ``docs/architecture.md`` shows the same
 """
 
 import ast
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
 
 #: Rooms in the order of import: a room may import from itself and from those before it.
 ROOMS = (
@@ -15,20 +16,24 @@ ROOMS = (
 #: The modules that every room stands on, with a room name in common.
 FOUNDATION = ("units", "errors", "source", "finding", "response")
 
-#: The modules of the command line, which is a client of the public names.
-COMMAND_LINE = (
-    "cli",
-    "cli_convergence",
-    "cli_export",
-    "cli_fit",
-    "cli_fit_history",
-    "cli_inspect",
-    "cli_materials",
-    "cli_mesh",
-    "cli_modes",
-    "console",
-    "__main__",
+#: Modules that only gather names for users; no room imports from them.
+PUBLIC = (
+    "_lazy",
+    "actuators",
+    "bodies",
+    "cad",
+    "experiments",
+    "files",
+    "jobs",
+    "laws",
+    "measures",
+    "obstacles",
+    "pictures",
+    "solutions",
 )
+
+#: The modules of the command line, which is a client of the public names.
+COMMAND_LINE = ("cli", "__main__")
 
 #: Where a heavy part, or a part with one purpose, may be imported.
 HOME = {
@@ -51,14 +56,20 @@ HOME = {
 
 LONGEST_FILE = 500
 
+#: Modules that a folder may hold.
+LARGEST_FOLDER = 15
+
+#: Folders that may hold more: lists of like things, and a room that is being rebuilt.
+LARGE_FOLDERS = ("turgor.geometry.actuators",)
+
 
 def room_of(module: str) -> str | None:
-    """Room of a dotted module such as ``turgor.engine.kernels``; None for the package itself and for other packages.
+    """Room of a dotted module such as ``turgor.engine.system``; None for public modules and other packages.
 
-    The package's ``__init__`` gives the public names, so it is not a room that others may import from.
+    The package's ``__init__`` and its namespaces give the public names, so they are no rooms to import from.
     """
     parts = module.split(".")
-    if parts[0] != "turgor" or len(parts) == 1:
+    if parts[0] != "turgor" or len(parts) == 1 or parts[1] in PUBLIC:
         return None
     if parts[1] in FOUNDATION:
         return "foundation"
@@ -126,3 +137,55 @@ def _signature_problems(tree: ast.Module | ast.ClassDef) -> Iterator[str]:
             continue
         if node.name == "__init__" or not node.name.startswith("_"):
             yield f"line {node.lineno}: **{node.args.kwarg.arg} in the public function {node.name}"
+
+
+def large_folders(modules: Iterable[str]) -> dict[str, int]:
+    """Count the modules of every folder that holds more than it may; folders in it do not count."""
+    held = Counter(module.rpartition(".")[0] for module in modules)
+    return {folder: n for folder, n in held.items() if n > LARGEST_FOLDER and folder not in LARGE_FOLDERS}
+
+
+def file_imports(texts: Mapping[str, str]) -> dict[str, set[str]]:
+    """Find the files of the package that each file imports, anywhere in it.
+
+    Imports inside functions and under ``TYPE_CHECKING`` count too: a cycle that only they close still means that
+    neither file can be read without the other. The ``__init__`` of a folder counts where it is imported by name.
+
+    Parameters
+    ----------
+    texts : mapping of str to str
+        Text of every file, by dotted module.
+
+    Returns
+    -------
+    dict of str to set of str
+    """
+    found: dict[str, set[str]] = {module: set() for module in texts}
+    for module, text in texts.items():
+        for _, name in imported(module, ast.parse(text)):
+            there = name if name in texts else name.rpartition(".")[0]
+            if there in texts and there not in (module, "turgor"):
+                found[module].add(there)
+    return found
+
+
+def cycles(graph: Mapping[str, set[str]]) -> list[tuple[str, ...]]:
+    """Find the groups of files that import each other, directly or by others, each group sorted."""
+    needs = _reachable(graph)
+    groups = {tuple(sorted(b for b in needs[a] if a in needs[b])) for a in graph if a in needs[a]}
+    return sorted(groups)
+
+
+def _reachable(graph: Mapping[str, set[str]]) -> dict[str, set[str]]:
+    """Find what each file needs, directly or by others."""
+    found = {}
+    for start in graph:
+        seen: set[str] = set()
+        stack = list(graph[start])
+        while stack:
+            here = stack.pop()
+            if here not in seen:
+                seen.add(here)
+                stack.extend(graph[here])
+        found[start] = seen
+    return found

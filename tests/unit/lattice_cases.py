@@ -6,7 +6,7 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.reference import reference_nodes
+from turgor.engine.cells.reference import reference_nodes
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType
 from turgor.meshing.mesh import Mesh
 

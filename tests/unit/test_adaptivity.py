@@ -14,11 +14,11 @@ from turgor.adaptivity.mesh_error import path_length
 from turgor.adaptivity.refine import refined
 from turgor.finding import Severity
 from turgor.response import Column, Response
-from turgor.results.error_text import with_error
+from turgor.results.report.error_text import with_error
 from turgor.units import kPa, mL, mm
 
 SOFT = tg.Material(name="soft", law=tg.Yeoh(C10=0.11e6, C20=0.02e6), density=1000.0)
-STIFF = tg.Material(name="stiff", law=tg.NeoHooke(C10=2.2e6), density=1000.0)
+STIFF = tg.Material(name="stiff", law=tg.laws.NeoHooke(C10=2.2e6), density=1000.0)
 G01 = tg.Finding(code="G01", severity=Severity.WARNING, message="One cell.", advice="Look.")
 
 
@@ -99,7 +99,7 @@ def test_a_prescribed_volume_leaves_the_error_to_the_pressure(bent):
 
 
 def test_where_the_path_decides_the_mesh_error_is_unknown_and_says_so(bent):
-    rubbing = replace(bent.model, contact=tg.Contact(self_contact=tg.SelfContact(friction=0.3)))
+    rubbing = replace(bent.model, contact=tg.Contact(self_contact=tg.obstacles.SelfContact(friction=0.3)))
     estimate = mesh_error_of(replace(bent, model=rubbing), (tg.bending_angle,))
     assert np.isnan(estimate.errors["bending_angle"]).all()
     assert estimate.finding.code == "N03"
@@ -209,18 +209,18 @@ def _job(tmp_path: Path, mesh: str = "", output: str = "") -> Path:
 
 
 def test_a_job_states_errors_everywhere_and_repeats_its_target(tmp_path):
-    job = tg.read_job(_job(tmp_path, 'target = "4 %"'))
-    outcome = tg.run_job(job, tmp_path / "out")
+    job = tg.jobs.read_job(_job(tmp_path, 'target = "4 %"'))
+    outcome = tg.jobs.run_job(job, tmp_path / "out")
     assert outcome.response.mesh_error("bending_angle")[-1] <= 0.04 * outcome.response.column("bending_angle")[-1]
     assert "N04" in [found.code for found in outcome.findings]
     assert "±" in (tmp_path / "out" / "report.html").read_text()
     assert "bending_angle_mesh_error_deg" in (tmp_path / "out" / "response.csv").read_text()
-    again = tg.read_job(tmp_path / "out" / "job.lock.toml")
+    again = tg.jobs.read_job(tmp_path / "out" / "job.lock.toml")
     assert (again.mesh_target, again.mesh_most_unknowns) == (0.04, 200_000)
 
 
 def test_a_job_can_do_without_the_estimate(tmp_path):
-    outcome = tg.run_job(tg.read_job(_job(tmp_path, output="mesh_error = false")), tmp_path / "out")
+    outcome = tg.jobs.run_job(tg.jobs.read_job(_job(tmp_path, output="mesh_error = false")), tmp_path / "out")
     assert outcome.response.mesh_error("bending_angle") is None
     assert "±" not in (tmp_path / "out" / "report.html").read_text()
 
@@ -237,4 +237,4 @@ def test_a_job_can_do_without_the_estimate(tmp_path):
 )
 def test_a_wrong_target_in_a_job_is_one_sentence(tmp_path, line, sentence):
     with pytest.raises(tg.TurgorError, match=sentence):
-        tg.read_job(_job(tmp_path, line))
+        tg.jobs.read_job(_job(tmp_path, line))

@@ -38,7 +38,7 @@ CASES = {
 
 def at_rest(mesh):
     """The undeformed state of a model of a mesh."""
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.1e6))
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1e6))
     materials = dict.fromkeys(mesh.regions, rubber)
     return tg.State(
         model=tg.Model(mesh, materials=materials, supports=[tg.Fixed("fixed")], loads=[tg.Pressure("cavity", 1.0)]),

@@ -6,7 +6,8 @@ import cad_cases as cases
 import matplotlib.image
 import pytest
 
-from turgor.cli import BAD_INPUT, DONE, main
+from turgor.cli import main
+from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.geometry.cad.inspection import inspect_cad
 from turgor.units import mm
 

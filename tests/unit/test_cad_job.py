@@ -12,9 +12,9 @@ import turgor as tg
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.geometry.cad.selectors import ByName, InBox, NearestTo, WithNormal
 from turgor.geometry.cad.split import SplitPlane
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.run import prepare
+from turgor.job.text.problems import JobError
 from turgor.units import kPa, mm
 
 JOB = """
@@ -50,7 +50,7 @@ def folder(tmp_path):
 def read(folder, text=JOB):
     path = folder / "job.toml"
     path.write_text(text, encoding="utf-8")
-    return tg.read_job(path)
+    return tg.jobs.read_job(path)
 
 
 def problems(folder, old, new):
@@ -80,13 +80,13 @@ def test_the_lock_file_gives_an_equal_job(folder, tmp_path_factory):
     job = read(folder, more)
     lock = tmp_path_factory.mktemp("elsewhere") / "job.lock.toml"
     lock.write_text(lock_text(job, {}), encoding="utf-8")
-    again = tg.read_job(lock)
+    again = tg.jobs.read_job(lock)
     assert again == job
     assert job.actuator.sha256 in lock.read_text(encoding="utf-8")
     assert isinstance(again.actuator.faces["strain_limiting_layer"], InBox)
     cases.written(folder, cases.finger(), "finger.step")
     with pytest.raises(JobError, match=r"actuator.sha256: .*the file has changed since"):
-        tg.read_job(lock)
+        tg.jobs.read_job(lock)
 
 
 @pytest.mark.parametrize(
@@ -142,7 +142,7 @@ def test_the_page_shows_the_example():
     stated = tomllib.loads(example)
     assert tomllib.loads(shown)["actuator"] == stated["actuator"]
     assert set(tomllib.loads(split)["actuator"]["split"]) == {"thickness"}
-    job = tg.read_job(root / "examples" / "cad_file.toml")
+    job = tg.jobs.read_job(root / "examples" / "cad_file.toml")
     names: dict = {}
     exec(code.replace('"examples/', f'"{root.as_posix()}/examples/').replace("mesh = ", "made = lambda: "), names)
     part = names["part"]

@@ -16,33 +16,34 @@ from turgor.errors import TurgorError
 from turgor.geometry import Geometry
 from turgor.geometry.shapes.solids import box, cut, face_names, name_plane, name_rest
 from turgor.job.job import Job
-from turgor.job.lock import lock_text
-from turgor.job.material_findings import laws_beyond_their_tests
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
+from turgor.job.output.material_findings import laws_beyond_their_tests
 from turgor.job.read import read_job
+from turgor.job.text.problems import JobError
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.proximity import find_facing_walls, smallest_gap
+from turgor.meshing.quality.proximity import find_facing_walls, smallest_gap
 from turgor.meshing.surface import check_surface
 from turgor.model.contact import Contact
 from turgor.model.drive import common_pressure, drive_text, kinks, pressed_together, pressures_at
 from turgor.model.loads import Gravity, Load, Pressure
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.results import describe, measure
-from turgor.results.measures import cavity_volume, find_measure
-from turgor.results.pictures import picture_title
-from turgor.results.plots import response_figure
-from turgor.results.report import Report, write_report
-from turgor.results.vtu import write_series
-from turgor.solvers import static_run
-from turgor.solvers.checks import unloaded_cavities
-from turgor.solvers.contact_checks import meeting_walls
-from turgor.solvers.driver import solve
-from turgor.solvers.predictor import predicted
-from turgor.solvers.procedures import Static
+from turgor.results import measure
+from turgor.results.files.vtu import write_series
+from turgor.results.measures.measures import cavity_volume, find_measure
+from turgor.results.pictures.state_picture import picture_title
+from turgor.results.plots.response_plots import response_figure
+from turgor.results.report import describe
+from turgor.results.report.page import Report, write_report
+from turgor.solvers.checks.contact import meeting_walls
+from turgor.solvers.checks.supports import unloaded_cavities
+from turgor.solvers.continuation import load_control as static_run
+from turgor.solvers.continuation.predictor import predicted
+from turgor.solvers.continuation.step_control import StepControl
+from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import Solution
-from turgor.solvers.stepping import StepControl
+from turgor.solvers.solve import solve
 from turgor.units import kPa, mL, mm
 
 UP_AND_DOWN = ((0, 0), (0.5, 1), (1, 0.5))
@@ -151,9 +152,9 @@ def test_beyond_a_kink_the_path_starts_anew(twin: Mesh, monkeypatch: pytest.Monk
     """What the predictor knows and how long a step is, after a kink as at the start."""
     known: dict[float, int] = {}
 
-    def watched(system: Any, tangent: Any, history: Any, load: float) -> Any:
-        known[history[-1][0]] = len(history)
-        return predicted(system, tangent, history, load)
+    def watched(constraint: Any, tangent: Any, history: Any, load: float, how: Any) -> Any:
+        known[history[-1].parameter] = len(history)
+        return predicted(constraint, tangent, history, load, how)
 
     monkeypatch.setattr(static_run, "predicted", watched)
     loads = (Pressure("cavity_1", 1 * kPa, ((0, 0), (0.5, 1), (1, 0))),)
@@ -338,7 +339,7 @@ history = [[0, 0], [0.5, 1], [1, 0.5]]
 @pytest.fixture
 def family(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(turgor.job.job, "ACTUATORS", {"twin": Twin})
-    monkeypatch.setattr("turgor.job.sections.ACTUATORS", {"twin": Twin})
+    monkeypatch.setattr("turgor.job.tables.sections.ACTUATORS", {"twin": Twin})
 
 
 def read(folder: Path, loads: str, at: str = "0.1") -> Job:

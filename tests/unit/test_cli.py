@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 
 import turgor.job.run
-from turgor.cli import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, main
-from turgor.solvers.driver import solve
+from turgor.cli import main
+from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
+from turgor.solvers.solve import solve
 
 JOB = """\
 [actuator]

@@ -7,9 +7,9 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from turgor.cli_fit import fit_command
-from turgor.materials.laws import Yeoh
-from turgor.materials.record_files import read_records
+from turgor.cli.fit import fit_command
+from turgor.materials.laws.laws import Yeoh
+from turgor.materials.library.record_files import read_records
 
 
 @pytest.fixture

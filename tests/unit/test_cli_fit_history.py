@@ -6,17 +6,17 @@ import typer
 from matplotlib.colors import to_hex
 from typer.testing import CliRunner
 
-from turgor.cli_fit import fit_command
+from turgor.cli.fit import fit_command
 from turgor.errors import TurgorError
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.laws import NeoHooke
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.stress_history import stress_history
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.laws import NeoHooke
+from turgor.materials.library.records import from_library
 from turgor.materials.material import Material
-from turgor.materials.records import from_library
-from turgor.materials.softening import Mullins
-from turgor.materials.stress_history import stress_history
-from turgor.materials.viscoelastic import Prony
-from turgor.results.fit_plots import COLORS
-from turgor.results.history_plots import history_figure
+from turgor.results.plots.fits import COLORS
+from turgor.results.plots.history import history_figure
 
 RUBBER = Material(
     name="r",

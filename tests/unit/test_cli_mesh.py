@@ -9,9 +9,10 @@ import pytest
 from PIL import Image
 
 import turgor as tg
-from turgor.cli import BAD_INPUT, DONE, NOT_CONVERGED, main
+from turgor.cli import main
+from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
 from turgor.job.run import prepare
-from turgor.meshing.checks import check_mesh
+from turgor.meshing.quality.checks import check_mesh
 from turgor.response import read_response
 from turgor.units import mm
 
@@ -122,11 +123,11 @@ def test_what_the_guide_shows_works(folder: Path) -> None:
     settings, *others = re.findall(r"```toml\n(.*?)```", guide, re.DOTALL)
     (target,) = (text for text in others if "target" in text)
     (folder / "guide.toml").write_text(JOB.replace('[mesh]\nsize = "5 mm"', settings), encoding="utf-8")
-    job = tg.read_job(folder / "guide.toml")
-    assert (job.mesh_size, job.mesh_face_sizes, job.mesh_wall_cells) == (3 * mm, {"cavity": 1.5 * mm}, 2)
+    job = tg.jobs.read_job(folder / "guide.toml")
+    assert (job.mesh_size, job.mesh.face_sizes, job.mesh.wall_cells) == (3 * mm, {"cavity": 1.5 * mm}, 2)
     (folder / "guide.toml").write_text(JOB.replace('[mesh]\nsize = "5 mm"', target), encoding="utf-8")
-    assert tg.read_job(folder / "guide.toml").mesh_target == 0.02
-    model = prepare(tg.read_job(folder / "one.toml"))[0]
+    assert tg.jobs.read_job(folder / "guide.toml").mesh_target == 0.02
+    model = prepare(tg.jobs.read_job(folder / "one.toml"))[0]
     names: dict[str, Any] = {"model": model, "solution": tg.solve(model)}
     for block in re.findall(r"```python\n(.*?)```", guide, re.DOTALL):
         exec(block.replace("0.02", "0.4"), names)  # a target that the small model meets at once

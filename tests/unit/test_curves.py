@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.curves import curve
-from turgor.materials.homogeneous import cauchy_stress, nominal_stress, planar, simple_shear
-from turgor.materials.laws import Hooke, NeoHooke, Ogden
+from turgor.materials.laws.curves import curve
+from turgor.materials.laws.homogeneous import cauchy_stress, nominal_stress, planar, simple_shear
+from turgor.materials.laws.laws import Hooke, NeoHooke, Ogden
 
 NEO = NeoHooke(C10=0.12e6)
 OGDEN = Ogden(mu=(24361.0, 66.703, 453.81), alpha=(1.7138, 7.0679, -3.3659))

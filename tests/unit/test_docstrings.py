@@ -40,14 +40,33 @@ def is_parameter(field):
     return not made and not field.target.id.startswith("_")
 
 
-def mistakes(text):
-    """List the docstrings of a module that describe other parameters than there are."""
+def classes_in(text):
+    """Classes of a module by name."""
+    return {node.name: node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ClassDef)}
+
+
+CLASSES = {name: node for path in FILES for name, node in classes_in(path.read_text(encoding="utf-8")).items()}
+
+
+def inherited(node, classes):
+    """Names that a dataclass takes from the classes it extends."""
+    bases = [classes[base.id] for base in getattr(node, "bases", []) if getattr(base, "id", "") in classes]
+    return [name for base in bases for name in [*inherited(base, classes), *accepted(base)]]
+
+
+def mistakes(text, classes=CLASSES):
+    """List the docstrings of a module that describe other parameters than there are.
+
+    Where a class extends another one, it describes its own fields, or in any order those it inherits as well.
+    """
     found = []
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
-            names = described(node)
-            if names is not None and names != accepted(node):
-                found.append(f"{node.name} describes {', '.join(names)}; it takes {', '.join(accepted(node))}")
+            names, more = described(node), inherited(node, classes)
+            takes = list(dict.fromkeys([*more, *accepted(node)]))
+            same = names in (takes, accepted(node)) or (bool(more) and sorted(names or []) == sorted(takes))
+            if names is not None and not same:
+                found.append(f"{node.name} describes {', '.join(names)}; it takes {', '.join(takes)}")
     return found
 
 
@@ -67,3 +86,11 @@ def test_a_mistake_is_noticed(names):
 def test_a_right_docstring_is_not_blamed():
     docstring = '"""Do it.\n\n    Parameters\n    ----------\n    a, b : float [Pa]\n        Text.\n    c\n    """'
     assert mistakes(f"def do(a, *b, c):\n    {docstring}\n") == []
+
+
+def test_inherited_fields_are_parameters():
+    base = "class Base:\n    size: int\n"
+    section = "Parameters\n    ----------\n    shape : str\n    size : int\n"
+    own = f'class Own(Base):\n    """Own.\n\n    {section}    """\n    shape: str\n'
+    assert mistakes(base + own, classes_in(base + own)) == []
+    assert mistakes(own.replace("    shape : str\n", ""), classes_in(base + own)) != []

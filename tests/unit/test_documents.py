@@ -6,9 +6,9 @@ from importlib import import_module
 from pathlib import Path
 
 import turgor as tg
-from turgor.job.contact import ContactTable
-from turgor.job.fibers import FibersTable
-from turgor.job.obstacles import SHAPES, STL, ObstacleTable, obstacle_table
+from turgor.job.tables.contact import ContactTable
+from turgor.job.tables.fibers import FibersTable
+from turgor.job.tables.obstacles import SHAPES, STL, ObstacleTable, obstacle_table
 
 ROOT = Path(__file__).parents[2]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
@@ -58,7 +58,7 @@ def test_links_between_documents_lead_somewhere():
 def test_job_of_the_guide_on_materials_is_read(tmp_path):
     file = tmp_path / "job.toml"
     file.write_text("\n".join(blocks("docs/howto/own-material.md", "toml")), encoding="utf-8")
-    materials = tg.read_job(file).materials
+    materials = tg.jobs.read_job(file).materials
     assert materials["body"].law == tg.Yeoh(C10=48e3, C20=1.5e3)
     assert materials["strain_limiting_layer"].thickness == 0.2e-3
     names = {}
@@ -70,7 +70,7 @@ def test_jobs_of_the_guides_on_reinforcement_are_read(tmp_path):
     file = tmp_path / "job.toml"
     for page, name in (("fibers", "braid"), ("strain-limiting-layer", None)):
         file.write_text(blocks(f"docs/howto/{page}.md", "toml")[0], encoding="utf-8")
-        job = tg.read_job(file)
+        job = tg.jobs.read_job(file)
         assert list(job.fibers) == ([name] if name else [])
     assert job.materials["strain_limiting_layer"].bending
     keys = set(re.findall(r"`(\w+)`", "".join(re.findall(r"(?m)^\| (.*?) \|", read("docs/howto/fibers.md")))))
@@ -83,7 +83,7 @@ def test_job_of_the_guide_on_contact_is_read(tmp_path):
     file.write_text(blocks(page, "toml")[0], encoding="utf-8")
     names = {}
     exec(blocks(page, "python")[0], names)
-    assert tg.read_job(file).contact == names["contact"]
+    assert tg.jobs.read_job(file).contact == names["contact"]
     first = [re.findall(r"`([\w\"]+)`", cell) for cell in re.findall(r"(?m)^\| (.*?) \|", read(page))]
     keys = {name for cell in first for name in cell}
     shapes = (*SHAPES, STL)

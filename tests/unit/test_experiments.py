@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.laws import MooneyRivlin, NeoHooke
-from turgor.materials.read_tests import Specimen, read_test, read_tests
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.experiments.read_tests import Specimen, read_test, read_tests
+from turgor.materials.laws.laws import MooneyRivlin, NeoHooke
 from turgor.units import mm
 
 STRIP = Specimen(length=50 * mm, width=5 * mm, thickness=3 * mm)

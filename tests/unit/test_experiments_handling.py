@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.handling import (
+from turgor.materials.experiments.handling import (
     average,
     crop,
     half_cycles,
@@ -15,6 +14,7 @@ from turgor.materials.handling import (
     set_zero_length,
     thin,
 )
+from turgor.materials.experiments.material_test import MaterialTest
 
 
 def strip(stretch, stress=None, name="strip"):

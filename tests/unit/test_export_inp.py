@@ -7,7 +7,7 @@ import pytest
 
 import turgor as tg
 from turgor.errors import TurgorError
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
 from turgor.meshing.exchange.read import read_mesh
 from turgor.model.inp_materials import material_lines
 from turgor.model.loads import Traction
@@ -17,7 +17,7 @@ from turgor.units import kPa, mm
 
 FINGER = tg.FastPneuNet(chambers=2, length=20 * mm)
 RUBBER = tg.Material(name="soft, blue rubber", law=tg.Yeoh(C10=0.05e6, C20=1e3), bulk_modulus=2e6, density=1070.0)
-PAPER = tg.Membrane(tg.Material(name="paper", law=tg.Hooke(E=1e9, nu=0.2)), thickness=0.1 * mm)
+PAPER = tg.Membrane(tg.Material(name="paper", law=tg.laws.Hooke(E=1e9, nu=0.2)), thickness=0.1 * mm)
 
 
 def question(mesh, **changed):
@@ -119,7 +119,7 @@ def _line(law):
 
 
 def test_laws_in_their_conventions():
-    assert _line(tg.MooneyRivlin(C10=1e5, C01=2e4)) == ["*HYPERELASTIC, MOONEY-RIVLIN", "0.1, 0.02, 0.5"]
+    assert _line(tg.laws.MooneyRivlin(C10=1e5, C01=2e4)) == ["*HYPERELASTIC, MOONEY-RIVLIN", "0.1, 0.02, 0.5"]
     assert _line(Ogden(mu=(30200.0,), alpha=(5.0,))) == ["*HYPERELASTIC, OGDEN, N=1", "0.0755, 5, 0.5"]
     assert _line(YeohN(coefficients=(1e5, 1e3))) == ["*HYPERELASTIC, REDUCED POLYNOMIAL, N=2", "0.1, 0.001, 0.5, 0"]
     rivlin = GeneralizedRivlin.of(C10=1e5, C11=3e3)
@@ -130,7 +130,7 @@ def test_laws_in_their_conventions():
 
 
 def test_incompressible_only_for_abaqus():
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.05e6))
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.05e6))
     assert material_lines("body", rubber, "abaqus")[-1] == "0.05, 0"
     with pytest.raises(TurgorError, match=r"bulk modulus, for example 1\.967 MPa"):
         material_lines("body", rubber, "calculix")

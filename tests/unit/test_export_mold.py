@@ -8,7 +8,7 @@ from turgor.errors import TurgorError
 from turgor.geometry import SlowPneuNet
 from turgor.geometry.mold import MoldSettings, casting_mold
 from turgor.geometry.shapes.solids import box
-from turgor.meshing.exchange.write_stl import write_stl
+from turgor.meshing.exchange.formats.write_stl import write_stl
 from turgor.units import mm
 
 FAMILIES = {

@@ -9,8 +9,8 @@ import turgor as tg
 from turgor.errors import TurgorError
 from turgor.geometry.write_step import write_step
 from turgor.meshing.exchange.fill import mesh_surfaces
-from turgor.meshing.exchange.stl import read_stl, stl_bytes
-from turgor.meshing.exchange.write_stl import write_stl
+from turgor.meshing.exchange.formats.stl import read_stl, stl_bytes
+from turgor.meshing.exchange.formats.write_stl import write_stl
 from turgor.units import mm
 
 FINGER = tg.FastPneuNet(chambers=2, length=20 * mm)

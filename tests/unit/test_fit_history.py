@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.conventions import scaled_law
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.fit_history import fit_history
-from turgor.materials.history_fit import quality_of
-from turgor.materials.laws import GeneralizedRivlin, Gent, NeoHooke, Ogden, Yeoh
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.fitting.fit_history import fit_history
+from turgor.materials.fitting.history_fit import quality_of
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.stress_history import stress_history
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.conventions import scaled_law
+from turgor.materials.laws.laws import GeneralizedRivlin, Gent, NeoHooke, Ogden, Yeoh
 from turgor.materials.material import Material
-from turgor.materials.softening import Mullins
-from turgor.materials.stress_history import stress_history
-from turgor.materials.viscoelastic import Prony
 
 LAW = Yeoh(C10=2e4, C20=-200.0, C30=20.0)
 SERIES = Prony(g=(0.2, 0.1), tau=(1.0, 30.0), moduli="instantaneous")

@@ -9,17 +9,17 @@ from hypothesis import strategies as st
 
 from turgor.errors import TurgorError
 from turgor.finding import Severity
-from turgor.materials.constrained import solve_constrained
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.fit_checks import check_modes, check_order, check_stretch_range
-from turgor.materials.fit_record import can_be_saved, records_toml, save_fits
-from turgor.materials.fitting import fit
-from turgor.materials.law_specs import law_spec
-from turgor.materials.laws import MooneyRivlin, NeoHooke, Ogden, Yeoh
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.fitting.checks import check_modes, check_order, check_stretch_range
+from turgor.materials.fitting.constrained import solve_constrained
+from turgor.materials.fitting.fit_laws import fit
+from turgor.materials.fitting.law_specs import law_spec
+from turgor.materials.fitting.ranking import rank
+from turgor.materials.fitting.save import can_be_saved, records_toml, save_fits
+from turgor.materials.laws.laws import MooneyRivlin, NeoHooke, Ogden, Yeoh
+from turgor.materials.laws.stability import first_instability
+from turgor.materials.library.record_files import read_records
 from turgor.materials.material import Material
-from turgor.materials.ranking import rank
-from turgor.materials.record_files import read_records
-from turgor.materials.stability import first_instability
 
 
 def made(law, mode="uniaxial", upto=3.0, points=30, **values):

@@ -5,10 +5,10 @@ import pytest
 from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.fitting import fit
-from turgor.materials.handling import average, crop
-from turgor.results.fit_plots import fit_figure, plot_law, plot_test, write_fit_plot
+from turgor.materials.experiments.handling import average, crop
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.fitting.fit_laws import fit
+from turgor.results.plots.fits import fit_figure, plot_law, plot_test, write_fit_plot
 
 
 def strip(factor=1.0, mode="uniaxial"):

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from turgor.engine.surfaces import enclosed_volume
+from turgor.engine.faces.surfaces import enclosed_volume
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
 from turgor.meshing.generate import mesh

@@ -84,7 +84,7 @@ def test_a_model_knows_the_extremes_of_its_loads() -> None:
     from turgor.geometry import FastPneuNet
 
     mesh = tg.mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.5e5), density=1e3)
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.5e5), density=1e3)
     loads = [Pressure("cavity", 1e3, "sin(pi*s)"), Gravity((0, 0, -1), history=[(0, 0), (0.2, 1), (1, 0)])]
     model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], loads)
     assert kinks(model) == (0.2,)
@@ -96,9 +96,11 @@ def test_paths_of_obstacles_have_kinks() -> None:
     from turgor.geometry import FastPneuNet
 
     mesh = tg.mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.5e5), density=1e3)
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.5e5), density=1e3)
     path = [(0, (0, 0, 0)), (0.3, (0, 0, -1e-3)), (1, (1e-3, 0, -1e-3))]
-    plate = tg.Obstacle(name="plate", shape=tg.Plane(point=(0, 0, 0.05), normal=(0, 0, -1)), path=path)
+    plate = tg.obstacles.Obstacle(
+        name="plate", shape=tg.obstacles.Plane(point=(0, 0, 0.05), normal=(0, 0, -1)), path=path
+    )
     contact = tg.Contact(obstacles=[plate])
     model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], [], contact=contact)
     assert kinks(model) == (0.3,)

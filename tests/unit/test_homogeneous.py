@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.homogeneous import (
+from turgor.materials.laws.homogeneous import (
     biaxial,
     cauchy_stress,
     equibiaxial,
@@ -21,7 +21,7 @@ from turgor.materials.homogeneous import (
     simple_shear,
     uniaxial,
 )
-from turgor.materials.laws import (
+from turgor.materials.laws.laws import (
     ArrudaBoyce,
     GeneralizedRivlin,
     Gent,

@@ -18,20 +18,20 @@ import turgor.job.job
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
 from turgor.job.job import Job
-from turgor.job.lines import key_lines
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
-from turgor.job.tables import dataclass_table
-from turgor.materials.laws import Hooke, NeoHooke, Yeoh
+from turgor.job.text.lines import key_lines
+from turgor.job.text.problems import JobError
+from turgor.job.text.quantities import dataclass_table
+from turgor.materials.laws.laws import Hooke, NeoHooke, Yeoh
+from turgor.materials.library.records import from_library
 from turgor.materials.material import Material
-from turgor.materials.records import from_library
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane, Model
 from turgor.model.supports import Fixed, Symmetry
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 from turgor.source import Source
 from turgor.units import deg, kPa, mm
 
@@ -276,12 +276,12 @@ def test_a_linear_elastic_region_and_a_rubber_sheet_are_refused(tmp_path: Path) 
 def test_the_settings_of_the_mesh_reach_the_job_and_come_back_from_the_lock_file(tmp_path: Path) -> None:
     job = read(tmp_path, SMALL.replace('size = "3 mm"', 'face_sizes = { cavity = "1.3 mm" }\nwall_cells = 2'))
     assert job.mesh_size == 2 * mm  # twice the wall
-    assert job.mesh_face_sizes == {"cavity": 1.3 * mm}
-    assert job.mesh_wall_cells == 2
+    assert job.mesh.face_sizes == {"cavity": 1.3 * mm}
+    assert job.mesh.wall_cells == 2
     assert read(tmp_path, lock(job)) == job
     assert read(tmp_path, SMALL.replace('[mesh]\nsize = "3 mm"', "")).mesh_size == 2 * mm
     swept = read(tmp_path, SMALL.replace('size = "3 mm"', 'cells = "hexahedra"'))
-    assert (swept.mesh_cells, swept.mesh_size) == ("hexahedra", 2.5 * mm)  # an eighth of the length
+    assert (swept.mesh.cells, swept.mesh_size) == ("hexahedra", 2.5 * mm)  # an eighth of the length
     assert read(tmp_path, lock(swept)) == swept
 
 
@@ -372,7 +372,7 @@ def test_a_new_family_needs_no_schema_code(tmp_path: Path, monkeypatch: pytest.M
         ratio: float = field(default=0.5, metadata={"dimension": "number"})
 
     monkeypatch.setattr(turgor.job.job, "ACTUATORS", {"tilted": Tilted})
-    monkeypatch.setattr("turgor.job.sections.ACTUATORS", {"tilted": Tilted})
+    monkeypatch.setattr("turgor.job.tables.sections.ACTUATORS", {"tilted": Tilted})
     job = read(tmp_path, SMALL.replace('"fast_pneunet"', '"tilted"\ntilt = "30 deg"\nratio = 0.25'))
     assert (job.actuator.tilt, job.actuator.ratio) == (30 * deg, 0.25)
     assert set(dataclass_table(Tilted).model_fields) == {"type", *(item.name for item in fields(Tilted))}

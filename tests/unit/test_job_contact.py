@@ -12,16 +12,16 @@ from turgor.cli import main
 from turgor.errors import TurgorError
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
-from turgor.job.lock import lock_text
-from turgor.job.obstacles import SHAPES, obstacle_table
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.run import prepare
-from turgor.meshing.exchange.stl import stl_bytes
+from turgor.job.tables.obstacles import SHAPES, obstacle_table
+from turgor.job.text.problems import JobError
+from turgor.meshing.exchange.formats.stl import stl_bytes
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, SelfContact, Sphere
 from turgor.model.write_inp import compressible, write_inp
-from turgor.results import describe
+from turgor.results.report import describe
 from turgor.units import mm
 
 FINGER = """\

@@ -10,20 +10,20 @@ from turgor.geometry import FastPneuNet
 from turgor.job.convergence import RATIO, convergence, study_sizes
 from turgor.job.job import Job
 from turgor.job.run import prepare
-from turgor.materials.laws import NeoHooke
+from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
+from turgor.meshing.settings import MeshSettings
 from turgor.model.loads import Pressure
-from turgor.solvers.driver import solve
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import Solution, SolveError
+from turgor.solvers.solve import solve
 from turgor.units import kPa, mm
 
 RUBBER = Material(name="rubber", law=NeoHooke(C10=50 * kPa), bulk_modulus=np.inf)
 JOB = Job(
     name="one",
     actuator=FastPneuNet(chambers=1, length=20 * mm),
-    mesh_size=4 * mm,
-    mesh_face_sizes={"cavity": 3 * mm},
+    mesh=MeshSettings(size=4 * mm, face_sizes={"cavity": 3 * mm}),
     materials={"body": RUBBER, "base": RUBBER},
     loads=(Pressure("cavity", 1 * kPa),),
     procedure=Static(first_step=1.0, max_step=1.0),
@@ -45,7 +45,7 @@ def test_a_function_may_be_asked_instead() -> None:
 
     def question(size: float) -> Solution:
         asked.append(size)
-        return solve(prepare(replace(JOB, mesh_size=size, mesh_face_sizes={}))[0], JOB.procedure)
+        return solve(prepare(replace(JOB, mesh=MeshSettings(size=size)))[0], JOB.procedure)
 
     study = convergence(question, (2.5 * mm, 6 * mm, 4 * mm), wanted="cavity_volume")
     assert asked == [6 * mm, 4 * mm, 2.5 * mm]  # from coarse to fine
@@ -63,7 +63,7 @@ def test_nor_is_one_that_a_function_returns() -> None:
     cut = Static(first_step=0.5, max_step=0.5, max_steps=1)
 
     def question(size: float) -> Solution:
-        return solve(prepare(replace(JOB, mesh_size=size, mesh_face_sizes={}))[0], cut, throw=False)
+        return solve(prepare(replace(JOB, mesh=MeshSettings(size=size)))[0], cut, throw=False)
 
     with pytest.raises(SolveError, match="step"):
         convergence(question, (6 * mm, 4 * mm, 3 * mm))
@@ -89,7 +89,9 @@ def test_sizes_that_cannot_be_compared_are_refused(sizes, sentence: str) -> None
 
 
 def test_a_coarse_job_stays_within_what_its_walls_allow() -> None:
-    assert study_sizes(replace(JOB, mesh_size=6 * mm), 3) == pytest.approx((6 * mm, 4.286 * mm, 3.061 * mm))
+    assert study_sizes(replace(JOB, mesh=MeshSettings(size=6 * mm)), 3) == pytest.approx(
+        (6 * mm, 4.286 * mm, 3.061 * mm)
+    )
 
 
 def test_a_function_needs_its_sizes() -> None:

@@ -5,15 +5,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from turgor.cli import BAD_INPUT, DONE, main
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.cli import main
+from turgor.cli.exits import BAD_INPUT, DONE
+from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
+from turgor.job.text.problems import JobError
 from turgor.model.history import over_time, share_at
 from turgor.model.loads import Gravity, Pressure
 from turgor.response import read_response
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.stabilized import Stabilized
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.stabilized import Stabilized
 
 HEAD = """
 [actuator]

@@ -11,12 +11,12 @@ import pytest
 from turgor.errors import TurgorError
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.run import prepare
-from turgor.materials.laws import Hooke, NeoHooke
-from turgor.materials.records import from_library
+from turgor.job.text.problems import JobError
+from turgor.materials.laws.laws import Hooke, NeoHooke
+from turgor.materials.library.records import from_library
 from turgor.model.fibers import Fibers, Winding
 from turgor.model.model import Membrane, Model
 from turgor.model.supports import Fixed, Radial

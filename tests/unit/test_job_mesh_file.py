@@ -10,7 +10,7 @@ import pytest
 import turgor as tg
 from turgor.cli import main
 from turgor.geometry.cad.selectors import ByName, InBox, WithNormal
-from turgor.job.lock import lock_text
+from turgor.job.output.lock import lock_text
 from turgor.meshing.exchange import MeshFile, read_mesh, read_stl
 from turgor.units import mm
 
@@ -63,7 +63,7 @@ def folder(tmp_path):
 
 
 def test_mesh_stands_for_actuator_and_mesh(folder):
-    job = tg.read_job(folder / "cube.toml")
+    job = tg.jobs.read_job(folder / "cube.toml")
     assert isinstance(job.actuator, MeshFile)
     assert job.actuator.faces["fixed"] == WithNormal("-x")
     assert job.actuator.faces["corner"] == (InBox((0, 0, 0), (0.01, 0.01, 0.03)), WithNormal("+z"))
@@ -76,12 +76,12 @@ def test_mesh_stands_for_actuator_and_mesh(folder):
 
 
 def test_lock_file_repeats_it(folder):
-    job = tg.read_job(folder / "cube.toml")
+    job = tg.jobs.read_job(folder / "cube.toml")
     (folder / "lock.toml").write_text(lock_text(job, {}))
-    assert tg.read_job(folder / "lock.toml") == job
+    assert tg.jobs.read_job(folder / "lock.toml") == job
     (folder / "cube.vtk").write_bytes((folder / "cube.vtk").read_bytes().replace(b"cube", b"Cube"))
     with pytest.raises(tg.TurgorError, match="the file has changed since"):
-        tg.read_job(folder / "lock.toml")
+        tg.jobs.read_job(folder / "lock.toml")
 
 
 def test_job_of_the_guide_is_read(tmp_path):
@@ -91,7 +91,7 @@ def test_job_of_the_guide_is_read(tmp_path):
     shutil.copy(data / "pneunetCavityCut.stl", tmp_path / "finger-cavity.stl")
     job, cavities = re.findall(r"```toml\n(.*?)```", guide, re.DOTALL)
     (tmp_path / "guide.toml").write_text(job + cavities)
-    geometry = tg.read_job(tmp_path / "guide.toml").actuator.build()
+    geometry = tg.jobs.read_job(tmp_path / "guide.toml").actuator.build()
     assert geometry.faces == ("cavity", "fixed", "outside", "tip")
     assert set(geometry.regions) == {"base", "body"}
     assert geometry.cavity_volume == pytest.approx(8887.5 * mm**3)

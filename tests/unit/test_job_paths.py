@@ -3,13 +3,16 @@
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.run import prepare, run_job
+from turgor.job.text.problems import JobError
 from turgor.model.loads import Gravity, Pressure
-from turgor.results.describe_procedure import fields_of
-from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
+from turgor.results.report.describe_procedure import fields_of
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import kPa, mL, mm
 
 TUBE = """

@@ -9,13 +9,13 @@ import pytest
 from turgor.errors import TurgorError
 from turgor.job.export import export_job
 from turgor.job.job import Job
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.run import prepare
-from turgor.solvers.blocked_force import BlockedForce
-from turgor.solvers.grasp import Grasp
-from turgor.solvers.procedures import Static
+from turgor.job.text.problems import JobError
+from turgor.solvers.procedures.blocked_force import BlockedForce
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.procedures.static import Static
 from turgor.units import mm
 
 GUIDE = Path(__file__).parents[2] / "docs" / "howto" / "blocked-force.md"

@@ -9,30 +9,31 @@ import numpy as np
 import pytest
 import results_cases as cases
 
-from turgor.cli import BAD_INPUT, DONE, main
-from turgor.console import Course, describe
+from turgor.cli import main
+from turgor.cli.console import Course, describe
+from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.errors import TurgorError
 from turgor.job.export import export_job
 from turgor.job.job import Job, Output
-from turgor.job.lines import key_lines
-from turgor.job.lock import lock_text
-from turgor.job.problems import JobError
+from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.run import prepare, run_job
-from turgor.job.stages import StageTable
+from turgor.job.tables.stages import StageTable
+from turgor.job.text.lines import key_lines
+from turgor.job.text.problems import JobError
 from turgor.model.history import over_time
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.supports import Displacement, Fixed, Shift
 from turgor.response import Column, Response, read_response
 from turgor.results.drive import stage_column
-from turgor.results.pictures import picture_title
-from turgor.results.plots import response_figure
-from turgor.solvers.driver import solve
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.path_procedures import VolumeControl
-from turgor.solvers.procedures import Static
+from turgor.results.pictures.state_picture import picture_title
+from turgor.results.plots.response_plots import response_figure
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.stages import Sealed, Stage, Stages
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.solution import Iteration
-from turgor.solvers.stages import Sealed, Stage, Stages
+from turgor.solvers.solve import solve
 from turgor.source import Source
 from turgor.units import kPa, mL, mm
 

@@ -8,9 +8,9 @@ import pytest
 from scipy.optimize import brentq
 
 from turgor.errors import TurgorError
-from turgor.materials.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
-from turgor.materials.homogeneous import cauchy_stress, simple_shear, uniaxial
-from turgor.materials.laws import (
+from turgor.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
+from turgor.materials.laws.homogeneous import cauchy_stress, simple_shear, uniaxial
+from turgor.materials.laws.laws import (
     ArrudaBoyce,
     GeneralizedRivlin,
     Gent,

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.conventions import ogden_moduli, ogden_terms
-from turgor.materials.laws import GeneralizedRivlin, Hooke, MooneyRivlin, NeoHooke, Ogden, Yeoh
-from turgor.materials.record import FILE_KEYS, RECORD_KEYS
-from turgor.materials.record_files import references
-from turgor.materials.records import (
+from turgor.materials.laws.conventions import ogden_moduli, ogden_terms
+from turgor.materials.laws.laws import GeneralizedRivlin, Hooke, MooneyRivlin, NeoHooke, Ogden, Yeoh
+from turgor.materials.library.record import FILE_KEYS, RECORD_KEYS
+from turgor.materials.library.record_files import references
+from turgor.materials.library.records import (
     all_records,
     describe,
     find_record,
@@ -258,7 +258,7 @@ def test_a_wrong_convention_is_refused(law: str, convention: str, printed: dict[
 
 
 def test_files_hold_no_key_that_nothing_reads() -> None:
-    folder = files("turgor.materials").joinpath("library")
+    folder = files("turgor.materials.library").joinpath("data")
     for name in library():
         content = tomllib.loads(folder.joinpath(f"{name}.toml").read_text(encoding="utf-8"))
         assert set(content) <= set(FILE_KEYS)

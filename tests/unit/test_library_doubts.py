@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from turgor.finding import Severity
-from turgor.materials.doubt_checks import USUAL_RANGE, Case, Doubt, falls_at
-from turgor.materials.doubts import doubts_of, find_doubts
-from turgor.materials.homogeneous import equibiaxial, nominal_stress, planar, uniaxial
-from turgor.materials.laws import NeoHooke
+from turgor.materials.laws.homogeneous import equibiaxial, nominal_stress, planar, uniaxial
+from turgor.materials.laws.laws import NeoHooke
+from turgor.materials.laws.pull import pull
+from turgor.materials.laws.stability import first_instability
+from turgor.materials.library.doubt_checks import USUAL_RANGE, Case, Doubt, falls_at
+from turgor.materials.library.doubts import doubts_of, find_doubts
+from turgor.materials.library.records import all_records, find_record, from_library
 from turgor.materials.material import Material
-from turgor.materials.pull import pull
-from turgor.materials.records import all_records, find_record, from_library
-from turgor.materials.stability import first_instability
 from turgor.source import Source
 
 FAR, BORROWED, UNSTABLE = ("M04", "far from the supplier"), ("M04", "borrowed"), ("M06", "unstable")

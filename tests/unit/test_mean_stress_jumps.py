@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from lattice_cases import KINDS, lattice
 
-from turgor.engine.mean_stress_jumps import mean_stress_numbers
-from turgor.materials.laws import Hooke, NeoHooke
+from turgor.engine.cells.mean_stress_jumps import mean_stress_numbers
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.materials.material import Material
-from turgor.materials.viscoelastic import Prony
 from turgor.meshing.mesh import Mesh
 from turgor.model.fibers import Fibers, Winding
 from turgor.model.loads import Pressure, Traction

@@ -6,23 +6,25 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.engine.known_stress import add_known_stress
-from turgor.engine.memory import right_cauchy_green
+from turgor.engine.cells.known_stress import add_known_stress
+from turgor.engine.cells.memory import right_cauchy_green
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
-from turgor.materials.isochoric import isochoric_stress, isochoric_tangent
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
-from turgor.results.fields import StateFields
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.modes import natural_frequencies
-from turgor.solvers.path_procedures import ArcLength, Auto, VolumeControl
-from turgor.solvers.procedures import Static
-from turgor.solvers.stabilized import Stabilized
+from turgor.materials.history.isochoric import isochoric_stress, isochoric_tangent
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.viscoelastic import Prony
+from turgor.results.fields.state_fields import StateFields
+from turgor.solvers.dynamics.modes import natural_frequencies
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.volume_control import VolumeControl
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
-LAW = tg.MooneyRivlin(C10=0.4e5, C01=0.1e5)
+LAW = tg.laws.MooneyRivlin(C10=0.4e5, C01=0.1e5)
 PLAIN = tg.Material(name="rubber", law=LAW, density=1e3)
 SLOW = replace(PLAIN, viscoelasticity=Prony(g=(0.3,), tau=(0.05,), moduli="long_term"))
 QUICK = replace(PLAIN, viscoelasticity=Prony(g=(0.3,), tau=(0.05,), moduli="instantaneous"))

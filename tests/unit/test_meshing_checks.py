@@ -8,9 +8,9 @@ from netgen.occ import Box, Glue, Pnt, Z
 
 from turgor.finding import Severity
 from turgor.geometry import FastPneuNet, Geometry
-from turgor.meshing.checks import check_mesh, crossings
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.quality.checks import check_mesh, crossings
 from turgor.meshing.surface import check_surface, outer_triangles, rim_edges
 from turgor.units import mm
 

@@ -9,28 +9,28 @@ from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry import FastPneuNet
 from turgor.geometry.solids import Block, RoundBar
-from turgor.materials.laws import NeoHooke
+from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
-from turgor.meshing.bodies import find_bodies, find_overlap
-from turgor.meshing.checks import check_mesh
-from turgor.meshing.combine import together
+from turgor.meshing.bodies.bodies import find_bodies, find_overlap
+from turgor.meshing.bodies.combine import together
+from turgor.meshing.bodies.placing import mirrored, placed
 from turgor.meshing.exchange import read_mesh
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.placing import mirrored, placed
-from turgor.meshing.proximity import find_facing_walls, smallest_gap
-from turgor.meshing.quality import cell_volumes, refuse_inverted
+from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
+from turgor.meshing.quality.checks import check_mesh
+from turgor.meshing.quality.proximity import find_facing_walls, smallest_gap
 from turgor.model.contact import Contact
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
 from turgor.model.obstacles import Obstacle, Plane
 from turgor.model.supports import Fixed, Support
 from turgor.model.write_inp import write_inp
-from turgor.results.cavities import enclosed_volume
-from turgor.results.fields import StateFields
-from turgor.results.mesh_text import describe_mesh
-from turgor.results.mesh_vtu import write_mesh_vtu
-from turgor.solvers.checks import check_supports
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.files.mesh_vtu import write_mesh_vtu
+from turgor.results.measures.cavities import enclosed_volume
+from turgor.results.report.mesh_text import describe_mesh
+from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 

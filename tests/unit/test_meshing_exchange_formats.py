@@ -10,7 +10,7 @@ from turgor.meshing.exchange.boundary import enclosed_volume, sides_of
 from turgor.meshing.exchange.frame import Frame
 from turgor.meshing.exchange.read import READERS, read_mesh
 from turgor.meshing.exchange.solids import read_solids
-from turgor.results.vtu import write_vtu
+from turgor.results.files.vtu import write_vtu
 
 MM3 = 1e-9
 

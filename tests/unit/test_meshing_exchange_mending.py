@@ -6,7 +6,7 @@ import pytest
 
 from turgor.errors import TurgorError
 from turgor.meshing.exchange.read import read_mesh
-from turgor.meshing.quality import cell_volumes
+from turgor.meshing.quality.cell_quality import cell_volumes
 
 
 def written(folder, points, cells, kind=10):

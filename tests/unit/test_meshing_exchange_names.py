@@ -6,9 +6,9 @@ import pytest
 
 from turgor.errors import TurgorError
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, WithNormal
-from turgor.meshing.checks import check_mesh
+from turgor.meshing.exchange.formats.stl import stl_bytes
 from turgor.meshing.exchange.read import read_mesh
-from turgor.meshing.exchange.stl import stl_bytes
+from turgor.meshing.quality.checks import check_mesh
 from turgor.units import mm
 
 CUBE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])

@@ -7,14 +7,14 @@ from hypothesis import strategies as st
 from meshing_cases import filleted_pneunet, thin_tube
 from netgen.occ import Box, Cylinder, Glue, Pnt, X, Z
 
-from turgor.engine.surfaces import area, enclosed_volume, vector_area
+from turgor.engine.faces.surfaces import area, enclosed_volume, vector_area
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
 from turgor.meshing import generate
-from turgor.meshing.assemble import Raw
+from turgor.meshing.bodies.assemble import Raw
 from turgor.meshing.generate import default_size, mesh, size_range
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
-from turgor.meshing.quality import cell_volumes
+from turgor.meshing.quality.cell_quality import cell_volumes
 from turgor.meshing.surface import cell_sides, check_surface, corner_keys, outer_triangles
 from turgor.units import mm
 

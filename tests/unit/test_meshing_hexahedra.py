@@ -9,12 +9,12 @@ import pytest
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
 from turgor.meshing.cells import HEXAHEDRON
-from turgor.meshing.checks import check_mesh, crossings
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.proximity import find_facing_walls, smallest_gap
-from turgor.meshing.quality import cell_volumes, jacobian_range, quality, refuse_inverted
-from turgor.meshing.quality_hexahedra import gradients, node_places
+from turgor.meshing.quality.cell_quality import cell_volumes, jacobian_range, quality, refuse_inverted
+from turgor.meshing.quality.checks import check_mesh, crossings
+from turgor.meshing.quality.hexahedra_quality import gradients, node_places
+from turgor.meshing.quality.proximity import find_facing_walls, smallest_gap
 from turgor.units import mm
 
 

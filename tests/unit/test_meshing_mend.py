@@ -8,11 +8,11 @@ from turgor.errors import TurgorError
 from turgor.finding import Severity
 from turgor.geometry import FastPneuNet, Geometry
 from turgor.meshing import generate
-from turgor.meshing.checks import check_mesh
 from turgor.meshing.generate import mesh
-from turgor.meshing.mend import LEAST_JACOBIAN_RATIO, mended
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
-from turgor.meshing.quality import cell_volumes, jacobian_ratios, refuse_inverted
+from turgor.meshing.quality.cell_quality import cell_volumes, jacobian_ratios, refuse_inverted
+from turgor.meshing.quality.checks import check_mesh
+from turgor.meshing.quality.mend import LEAST_JACOBIAN_RATIO, mended
 from turgor.units import mm
 
 

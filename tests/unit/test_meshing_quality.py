@@ -5,7 +5,7 @@ import pytest
 
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
-from turgor.meshing.quality import cell_volumes, jacobian_range, quality, refuse_inverted
+from turgor.meshing.quality.cell_quality import cell_volumes, jacobian_range, quality, refuse_inverted
 
 UNIT = np.vstack([np.zeros(3), np.eye(3)])
 
@@ -79,7 +79,7 @@ def test_a_cell_of_negative_or_no_volume_is_refused() -> None:
 
 
 def test_a_mesh_larger_than_a_chunk_is_looked_at_whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("turgor.meshing.quality.CHUNK", 2)
+    monkeypatch.setattr("turgor.meshing.quality.cell_quality.CHUNK", 2)
     copies = [one_cell(UNIT * [1, 1, scale]).points for scale in (1, 2, 3)]
     points = np.vstack([p[:4] for p in copies] + [p[4:] for p in copies])
     cells = np.array([[*range(4 * i, 4 * i + 4), *range(12 + 6 * i, 18 + 6 * i)] for i in range(3)])

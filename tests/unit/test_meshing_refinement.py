@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from lattice_cases import KINDS, curved, lattice
 
-from turgor.engine.reference import reference_nodes, tables_at
-from turgor.engine.surfaces import area
+from turgor.engine.cells.reference import reference_nodes, tables_at
+from turgor.engine.faces.surfaces import area
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.quality import cell_volumes
-from turgor.meshing.refinement import Refinement
-from turgor.meshing.split import refine_tetrahedra
-from turgor.meshing.split_hexahedra import refine_hexahedra, sheets
+from turgor.meshing.quality.cell_quality import cell_volumes
+from turgor.meshing.refining.refinement import Refinement
+from turgor.meshing.refining.split import refine_tetrahedra
+from turgor.meshing.refining.split_hexahedra import refine_hexahedra, sheets
 from turgor.meshing.surface import cell_sides, corner_keys
 
 Refine = Callable[[Mesh, float], Refinement]

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import results_cases as cases
 
-from turgor.meshing.region_nodes import region_nodes
+from turgor.meshing.refining.region_nodes import region_nodes
 
 
 def test_nodes_are_doubled_between_regions_only():

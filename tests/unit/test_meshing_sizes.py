@@ -9,7 +9,7 @@ from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.meshing.sizes import DEFAULT_UNKNOWNS, UNKNOWNS_PER_SIZE_CUBED, default_size, size_range
+from turgor.meshing.sizing.sizes import DEFAULT_UNKNOWNS, UNKNOWNS_PER_SIZE_CUBED, default_size, size_range
 from turgor.units import mm
 
 SMALL = FastPneuNet(chambers=2, length=20 * mm)

@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 from meshing_cases import filleted_pneunet, thin_tube
 
-from turgor.engine.surfaces import area
+from turgor.engine.faces.surfaces import area
 from turgor.finding import Severity
 from turgor.geometry import FastPneuNet
-from turgor.meshing.checks import check_mesh, crossings
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
-from turgor.meshing.quality import cell_shapes, cell_volumes, jacobian_ratios
-from turgor.meshing.split import split_edges
+from turgor.meshing.quality.cell_quality import cell_shapes, cell_volumes, jacobian_ratios
+from turgor.meshing.quality.checks import check_mesh, crossings
+from turgor.meshing.refining.split import split_edges
+from turgor.meshing.sizing.walls import refine_walls
 from turgor.meshing.surface import cell_sides, check_surface, corner_keys, outer_triangles
-from turgor.meshing.walls import refine_walls
 from turgor.units import mm
 
 

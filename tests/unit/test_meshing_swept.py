@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from turgor.engine.surfaces import area, enclosed_volume
+from turgor.engine.faces.surfaces import area, enclosed_volume
 from turgor.errors import TurgorError
 from turgor.geometry import (
     BellowsOfRevolution,
@@ -30,9 +30,9 @@ from turgor.geometry import (
     TwoMaterialBender,
 )
 from turgor.meshing.cells import HEXAHEDRON, six_node_triangles
-from turgor.meshing.checks import check_mesh
 from turgor.meshing.generate import mesh
-from turgor.meshing.quality import cell_volumes, quality
+from turgor.meshing.quality.cell_quality import cell_volumes, quality
+from turgor.meshing.quality.checks import check_mesh
 from turgor.units import mm
 
 #: Straight shapes are exact; quadratic edges follow circles to a few parts in 10,000 at these sizes.

@@ -6,7 +6,7 @@ import pytest
 import turgor.geometry as geometry
 from turgor.geometry.thin_corners import find_thin_corners
 from turgor.meshing.generate import mesh
-from turgor.meshing.local_sizes import local_sizes
+from turgor.meshing.sizing.local_sizes import local_sizes
 from turgor.units import mm
 
 SECTORS = geometry.OmnidirectionalActuator(chamber_shape="ring_sector", length=30 * mm, symmetric=True)

@@ -6,11 +6,11 @@ from meshing_cases import thin_roof, thin_tube
 
 from turgor.errors import TurgorError
 from turgor.meshing import generate
-from turgor.meshing.checks import check_mesh
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
+from turgor.meshing.quality.checks import check_mesh
+from turgor.meshing.sizing.thin_walls import find_thin_walls
 from turgor.meshing.surface import outer_triangles
-from turgor.meshing.thin_walls import find_thin_walls
 from turgor.units import mm
 
 SIZE = 5 * mm

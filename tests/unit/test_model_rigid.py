@@ -5,8 +5,8 @@ import pytest
 
 import turgor as tg
 from turgor.errors import TurgorError
-from turgor.meshing.exchange.stl import Triangles, stl_bytes
-from turgor.meshing.exchange.write_stl import write_stl
+from turgor.meshing.exchange.formats.stl import Triangles, stl_bytes
+from turgor.meshing.exchange.formats.write_stl import write_stl
 from turgor.model.rigid import read_rigid
 from turgor.units import mm
 

@@ -4,22 +4,24 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.mass import mass_data
 from turgor.engine.runtime import use_threads
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.geometry import FastPneuNet
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.dynamic_run import Listeners, follow_motion
+from turgor.solvers.dynamics.initial_motion import Accelerations
+from turgor.solvers.dynamics.time_stepping import follow_motion
 from turgor.solvers.energies import imbalance
-from turgor.solvers.motion import Accelerations
+from turgor.solvers.problem import Problem
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.restart import Restart
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 
 
 def finger(loads: tuple = (), supports: tuple = (), bulk_modulus: float = np.inf) -> tg.Model:
     mesh = tg.mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.5e5), density=1e3, bulk_modulus=bulk_modulus)
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.5e5), density=1e3, bulk_modulus=bulk_modulus)
     return tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed"), *supports], loads)
 
 
@@ -67,10 +69,15 @@ def test_a_motion_begins_in_a_state() -> None:
     held = tg.solve(finger((tg.Gravity((0, 0, -1), 50.0),)), options=OPTIONS).states[-1]
     free = finger()
     procedure = Dynamic(duration=0.01, first_step=1e-5, spectral_radius=0.9, max_steps=2000)
-    states, steps = [], []
+    states = []
     with use_threads(1):
         system = System(free)
-        outcome = follow_motion(system, Tangent(system, "rslab", 1), procedure, Listeners(), (states, steps), held)
+        outcome = follow_motion(
+            Problem(
+                system=system, tangent=Tangent(system, "rslab", 1), restart=Restart.of(system, held), states=states
+            ),
+            procedure,
+        )
     assert "Reached 0.01 s" in outcome.message
     assert states[0].displacement == pytest.approx(held.displacement)
     first = states[0].energies

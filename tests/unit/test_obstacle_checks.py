@@ -6,7 +6,7 @@ import pytest
 import turgor as tg
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphere
-from turgor.solvers.obstacle_checks import overlapping_obstacles
+from turgor.solvers.checks.obstacles import overlapping_obstacles
 from turgor.units import mm
 
 CORNERS = np.array([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])
@@ -23,7 +23,7 @@ def mesh():
 
 def found(mesh, shape, **given):
     """Findings about one obstacle."""
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=1e5))
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=1e5))
     contact = Contact(obstacles=[Obstacle(name="stone", shape=shape, **given)])
     model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], [], contact=contact)
     return overlapping_obstacles(model)

@@ -5,8 +5,8 @@ import pytest
 from netgen.occ import Box, Cylinder, Pnt, X, Z
 
 import turgor as tg
-from turgor.engine.openings import cap_volume
-from turgor.engine.surfaces import enclosed_volume
+from turgor.engine.faces.openings import cap_volume
+from turgor.engine.faces.surfaces import enclosed_volume
 from turgor.finding import Severity
 from turgor.geometry import Geometry
 from turgor.meshing.openings import find_rims

@@ -12,10 +12,12 @@ from turgor.model.loads import Gravity, Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Sphere
 from turgor.model.supports import Fixed
-from turgor.solvers.blocked_force import HOLDS, BlockedForce
-from turgor.solvers.blocking import NEAR_TIP, HeldTip, first_direction
-from turgor.solvers.grasp import Grasp, Grasped
-from turgor.solvers.procedures import Static
+from turgor.solvers.methods import question_of
+from turgor.solvers.procedures.blocked_force import HOLDS, BlockedForce
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.setups.blocked_tip import NEAR_TIP, HeldTip, first_direction
+from turgor.solvers.setups.grasped_object import Grasped
 from turgor.units import kPa, mm
 
 BAR = Cylinder(center=(30 * mm, 0, -12 * mm), axis=(0, 1, 0), radius=6 * mm)
@@ -39,13 +41,13 @@ def only(obstacles: tuple[Obstacle, ...], name: str) -> Obstacle:
 
 def test_static_asks_the_question_as_it_is():
     question = model()
-    assert Static().amended(question) is question
+    assert question_of(question, Static()) is question
 
 
 @pytest.mark.parametrize("half", [False, True])
 def test_the_plate_stands_below_the_tip(half):
     question = model(half=half)
-    amended = BlockedForce(direction="-z", distance=2 * mm, friction=0.3).amended(question)
+    amended = question_of(question, BlockedForce(direction="-z", distance=2 * mm, friction=0.3))
     plate = only(amended.contact.obstacles, "plate")
     assert plate.shape == Plane(point=(0, 0, -2 * mm), normal=(0, 0, 1))
     assert (plate.friction, plate.face) == (0.3, NEAR_TIP)
@@ -54,7 +56,7 @@ def test_the_plate_stands_below_the_tip(half):
 
 
 def test_only_the_surface_near_the_tip_touches_the_plate():
-    mesh = BlockedForce(direction="-z").amended(model(half=True)).mesh
+    mesh = question_of(model(half=True), BlockedForce(direction="-z")).mesh
     sides = mesh.face(NEAR_TIP)
     middles = mesh.points[sides[:, :3]].mean(axis=1)
     assert middles[:, 0].min() > 0.7 * cases.LENGTH
@@ -68,13 +70,13 @@ def test_only_the_surface_near_the_tip_touches_the_plate():
 
 
 def test_a_plate_before_the_tip_stops_what_extends():
-    plate = only(BlockedForce(direction="+x").amended(model()).contact.obstacles, "plate")
+    plate = only(question_of(model(), BlockedForce(direction="+x")).contact.obstacles, "plate")
     assert plate.shape == Plane(point=(cases.LENGTH, 0, 0), normal=(-1, 0, 0))
 
 
 def test_a_held_tip_needs_no_contact():
     question = model()
-    amended = BlockedForce(hold="xz", direction="-z").amended(question)
+    amended = question_of(question, BlockedForce(hold="xz", direction="-z"))
     assert amended.contact.obstacles == ()
     assert amended.mesh is question.mesh
     assert amended.supports[-1] == HeldTip("tip", "xz", (0.0, 0.0, -1.0))
@@ -95,7 +97,7 @@ def test_the_directions_of_a_hold_have_one_order():
 
 def test_the_free_direction_needs_a_load():
     with pytest.raises(TurgorError, match=r"'free', but the face 'tip' does not set out along x or y or z"):
-        BlockedForce().amended(model(loads=()))
+        question_of(model(loads=()), BlockedForce())
 
 
 @pytest.mark.parametrize(
@@ -128,13 +130,13 @@ def test_what_cannot_block_is_refused(changes, message):
 )
 def test_what_cannot_be_blocked_is_refused(changes, half, message):
     with pytest.raises(TurgorError, match=message):
-        BlockedForce(**changes).amended(model(half=half))
+        question_of(model(half=half), BlockedForce(**changes))
 
 
 def test_a_model_with_a_plate_of_its_own_is_refused():
     own = Obstacle(name="plate", shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))
     with pytest.raises(TurgorError, match="procedure 'blocked_force' adds an obstacle 'plate', but the model has one"):
-        BlockedForce(direction="-z").amended(model(own))
+        question_of(model(own), BlockedForce(direction="-z"))
 
 
 def test_the_holds_are_the_plate_and_every_choice_of_axes():
@@ -143,7 +145,7 @@ def test_the_holds_are_the_plate_and_every_choice_of_axes():
 
 def test_a_grasp_closes_then_pulls():
     floor = Obstacle(name="floor", shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))
-    amended = Grasp(pull_distance=8 * mm, closing=0.4).amended(model(floor, bar(), half=True))
+    amended = question_of(model(floor, bar(), half=True), Grasp(pull_distance=8 * mm, closing=0.4))
     (load,) = amended.pressures
     assert [load.at(factor) for factor in (0.2, 0.4, 0.7, 1.0)] == [10 * kPa, 20 * kPa, 20 * kPa, 20 * kPa]
     grasped = only(amended.contact.obstacles, "object")
@@ -162,7 +164,7 @@ def test_a_grasp_closes_then_pulls():
 def test_three_fingers_stand_a_third_of_a_turn_apart(half):
     """The planes between a finger and the next ones are 60 degrees from its own plane; a half meets one of them."""
     ball = bar(shape=Sphere(center=(30 * mm, 0, -40 * mm), radius=6 * mm))
-    amended = Grasp(pull_distance=8 * mm, fingers=3).amended(model(ball, half=half))
+    amended = question_of(model(ball, half=half), Grasp(pull_distance=8 * mm, fingers=3))
     normals = [each.shape.normal for each in amended.contact.obstacles if each.name.startswith("between_fingers")]
     expected = [(0, -0.5, 3**0.5 / 2), (0, 0.5, 3**0.5 / 2)][: 1 if half else 2]
     assert np.array(normals) == pytest.approx(np.array(expected))
@@ -208,7 +210,7 @@ LYING = RigidSurface(points=np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0.2]]), trian
 )
 def test_what_cannot_be_grasped_is_refused(question, changes, message):
     with pytest.raises(TurgorError, match=message):
-        Grasp(**{"pull_distance": 8 * mm} | changes).amended(question)
+        question_of(question, Grasp(**{"pull_distance": 8 * mm} | changes))
 
 
 def test_weight_does_not_stop_growing_and_is_refused():
@@ -218,4 +220,4 @@ def test_weight_does_not_stop_growing_and_is_refused():
     loads = [Pressure("cavity", 1e3), Gravity()]
     question = Model(cases.body(), materials, [Fixed("fixed")], loads, contact=contact)
     with pytest.raises(TurgorError, match="a grasp cannot hold Gravity, which grows with the load factor"):
-        Grasp(pull_distance=8 * mm).amended(question)
+        question_of(question, Grasp(pull_distance=8 * mm))

@@ -7,6 +7,7 @@ import sys
 import tomllib
 import zipfile
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -23,6 +24,10 @@ IMPORT_NAMES = {"fenics-basix": "basix", "netgen-mesher": "netgen"}
 INSIDE = {"mpl_toolkits"}  # matplotlib
 
 
+#: Modules that hold the public names that are not at the root.
+NAMESPACES = [value for value in (getattr(turgor, name) for name in turgor.__all__) if isinstance(value, ModuleType)]
+
+
 def read(name):
     return (ROOT / name).read_text(encoding="utf-8")
 
@@ -34,12 +39,48 @@ def test_version_is_the_same_everywhere():
 
 def test_every_public_name_exists():
     assert [name for name in turgor.__all__ if not hasattr(turgor, name)] == []
+    for module in NAMESPACES:
+        assert [name for name in module.__all__ if not hasattr(module, name)] == []
+        assert set(module.__all__) <= set(dir(module))
+
+
+def test_a_name_stands_in_one_namespace_only():
+    every = [name for module in NAMESPACES for name in module.__all__]
+    assert sorted(set(every)) == sorted(every)
+
+
+def test_names_of_the_release_before_say_where_they_are_now():
+    table = re.findall(r"^\| `tg\.(\w+)` \| `tg\.([\w.]+)` \|$", read("CHANGELOG.md"), re.MULTILINE)
+    assert len(table) > 120
+    for old, new in table:
+        with pytest.warns(DeprecationWarning, match=rf"turgor\.{old} is turgor\.{new} now"):
+            value = getattr(turgor, old)
+        namespace, name = new.split(".")
+        assert value is getattr(getattr(turgor, namespace), name)
+
+
+def test_an_unknown_name_is_refused():
+    with pytest.raises(AttributeError, match="module 'turgor' has no attribute 'nonsense'"):
+        turgor.nonsense  # noqa: B018
+    with pytest.raises(AttributeError, match=r"module 'turgor\.laws' has no attribute 'Model'"):
+        turgor.laws.Model  # noqa: B018
+
+
+def test_documents_and_examples_import_public_names_only():
+    allowed = {"turgor", "turgor.units", *(module.__name__ for module in NAMESPACES)}
+    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.py")]
+    imported = {
+        (page.name, module)
+        for page in pages
+        for module in re.findall(r"^\s*(?:>>> )?(?:from|import) (turgor[\w.]*)", page.read_text("utf-8"), re.MULTILINE)
+    }
+    assert {each for each in imported if each[1] not in allowed} == set()
 
 
 def test_every_line_of_the_stub_is_a_public_name():
     lines = [node for node in ast.parse(read("src/turgor/__init__.pyi")).body if isinstance(node, ast.ImportFrom)]
     assert sorted(alias.asname or alias.name for line in lines for alias in line.names) == turgor.__all__
-    assert len(turgor.__all__) > 180
+    assert len(turgor.__all__) < 70
 
 
 def test_dependencies_are_those_that_are_imported():
@@ -86,4 +127,4 @@ def test_wheel_holds_data_and_command(tmp_path):
         if path.is_file() and "__pycache__" not in path.parts and "egg-info" not in str(path)
     }
     assert wanted <= held
-    assert {"turgor/py.typed", "turgor/materials/library/paper.toml"} <= held
+    assert {"turgor/py.typed", "turgor/materials/library/data/paper.toml"} <= held

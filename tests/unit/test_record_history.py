@@ -8,17 +8,17 @@ import pytest
 
 import turgor as tg
 from turgor.errors import TurgorError
-from turgor.job.lock import lock_text
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.fit_record import save_material
-from turgor.materials.handling import crop, thin
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
+from turgor.job.output.lock import lock_text
+from turgor.materials.experiments.handling import crop, thin
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.experiments.read_tests import read_test, read_tests
+from turgor.materials.fitting.save import save_material
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
+from turgor.materials.library.record_text import describe_material
+from turgor.materials.library.records import from_library
 from turgor.materials.material import Material
-from turgor.materials.read_tests import read_test, read_tests
-from turgor.materials.record_text import describe_material
-from turgor.materials.records import from_library
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
 from turgor.model.inp_materials import material_lines
 from turgor.model.write_inp import _static
 from turgor.source import Source
@@ -88,8 +88,8 @@ def test_mistakes_in_a_record_are_named(write, old, new, message):
 @pytest.mark.parametrize(
     "law",
     [
-        tg.NeoHooke(C10=1.2e5),
-        tg.MooneyRivlin(C10=1e4, C01=2e3 / 3),
+        tg.laws.NeoHooke(C10=1.2e5),
+        tg.laws.MooneyRivlin(C10=1e4, C01=2e3 / 3),
         Ogden(mu=(2e4, -1e3), alpha=(1.5, -4.0)),
         GeneralizedRivlin.of(C10=2e4, C01=1e3, C11=-7.0),
         Gent(mu=4e4, Jm=20.0),
@@ -119,7 +119,7 @@ def test_what_has_no_form_is_not_saved(tmp_path):
     with pytest.raises(TurgorError, match="no form for the law YeohN"):
         save_material(tmp_path / "a.toml", Material(name="a", law=YeohN(coefficients=(1e4, 10.0))))
     with pytest.raises(TurgorError, match=r"does not end in \.toml"):
-        save_material(tmp_path / "a.csv", Material(name="a", law=tg.NeoHooke(C10=1e5)))
+        save_material(tmp_path / "a.csv", Material(name="a", law=tg.laws.NeoHooke(C10=1e5)))
 
 
 JOB = """\
@@ -154,26 +154,26 @@ pressure = "3 kPa"
 
 
 def test_a_job_states_both_and_its_lock_file_repeats_them(write):
-    job = tg.read_job(write(JOB, "job.toml"))
+    job = tg.jobs.read_job(write(JOB, "job.toml"))
     body, base = job.materials["body"], job.materials["base"]
     assert body.viscoelasticity == Prony(g=(0.2, 0.1), tau=(1.5, 20.0), moduli="long_term")
     assert body.stress_softening == Mullins(r=1.4, m=20e3, beta=0.1)
     assert (base.viscoelasticity, base.stress_softening) == (None, Mullins(r=2.0, m=5e3))
-    again = tg.read_job(write(lock_text(job, {"turgor": "0.0"}), "lock.toml"))
+    again = tg.jobs.read_job(write(lock_text(job, {"turgor": "0.0"}), "lock.toml"))
     assert again.materials == job.materials
 
 
 def test_mistakes_in_a_job_are_named_with_their_line(write):
     with pytest.raises(TurgorError, match=r"(?s)viscoelasticity.*'longterm'.*did you mean 'long_term'"):
-        tg.read_job(write(JOB.replace('"long_term"', '"longterm"'), "job.toml"))
+        tg.jobs.read_job(write(JOB.replace('"long_term"', '"longterm"'), "job.toml"))
     extra = 'thickness = "0.1 mm"\nstress_softening = { r = 2.0, m = "5 kPa" }'
     stiff = write(JOB.replace('thickness = "0.1 mm"', extra), "job.toml")
     with pytest.raises(TurgorError, match="stress_softening are for rubbers"):
-        tg.read_job(stiff)
+        tg.jobs.read_job(stiff)
 
 
 def test_abaqus_gets_either_and_calculix_refuses_it():
-    relaxing = Material(name="a", law=tg.NeoHooke(C10=1e5), bulk_modulus=2e6, viscoelasticity=SERIES)
+    relaxing = Material(name="a", law=tg.laws.NeoHooke(C10=1e5), bulk_modulus=2e6, viscoelasticity=SERIES)
     assert material_lines("body", relaxing, "abaqus")[1:] == [
         "*HYPERELASTIC, NEO HOOKE, MODULI=LONG TERM",
         "0.1, 1",

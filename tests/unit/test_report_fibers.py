@@ -5,7 +5,7 @@ import results_cases
 import turgor as tg
 from turgor.model.fibers import Fibers, Winding
 from turgor.model.supports import Radial
-from turgor.results import describe
+from turgor.results.report import describe
 from turgor.units import deg, mm
 
 

@@ -15,19 +15,19 @@ from turgor.model.model import Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Sphere
 from turgor.model.supports import Fixed
 from turgor.response import Column, Response
-from turgor.results import pictures
-from turgor.results.contact import contact_results, drawn_obstacles, extents_of, place_of
-from turgor.results.contact_patches import laid_over
-from turgor.results.contact_report import CONTACT_HEADS, contact_plot, contact_rows
 from turgor.results.drive import pressures_in
-from turgor.results.fields import StateFields
-from turgor.results.measures import measure
-from turgor.results.obstacle_shapes import outline
-from turgor.results.obstacle_skin import obstacle_skin
-from turgor.results.pictures import shared_view, write_picture
-from turgor.results.plots import contact_figure
-from turgor.results.report import Report, write_report
-from turgor.results.vtu import write_series, write_vtu
+from turgor.results.fields.contact import contact_results, drawn_obstacles, extents_of, place_of
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.files.vtu import write_series, write_vtu
+from turgor.results.measures.measures import measure
+from turgor.results.pictures import state_picture as pictures
+from turgor.results.pictures.contact_patches import laid_over
+from turgor.results.pictures.obstacle_shapes import outline
+from turgor.results.pictures.obstacle_skin import obstacle_skin
+from turgor.results.pictures.state_picture import shared_view, write_picture
+from turgor.results.plots.response_plots import contact_figure
+from turgor.results.report.contact_report import CONTACT_HEADS, contact_plot, contact_rows
+from turgor.results.report.page import Report, write_report
 from turgor.solvers.solution import Touch
 from turgor.source import Source
 from turgor.units import kPa, mm

@@ -13,14 +13,15 @@ from turgor.model.model import Model
 from turgor.model.obstacles import Cylinder, Obstacle, Plane
 from turgor.model.supports import Fixed
 from turgor.response import read_response
-from turgor.results import contact_measures as of
-from turgor.results.measures import STANDARD_MEASURES, check_measures, find_measure, measure
-from turgor.solvers.blocked_force import BlockedForce
-from turgor.solvers.blocking import HeldTip
-from turgor.solvers.driver import solve
-from turgor.solvers.grasp import Grasp
-from turgor.solvers.procedures import Static
+from turgor.results.measures import contact_measures as of
+from turgor.results.measures.measures import STANDARD_MEASURES, check_measures, find_measure, measure
+from turgor.solvers.methods import question_of
+from turgor.solvers.procedures.blocked_force import BlockedForce
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.setups.blocked_tip import HeldTip
 from turgor.solvers.solution import Solution, State, Touch
+from turgor.solvers.solve import solve
 from turgor.units import kPa, mm
 
 BAR = Obstacle(name="bar", shape=Cylinder(center=(30 * mm, 0, -12 * mm), axis=(0, 1, 0), radius=6 * mm), friction=0.5)
@@ -32,7 +33,7 @@ def question(procedure: Static, *obstacles: Obstacle, half: bool = False) -> Mod
         cases.body(half=half), {"body": cases.RUBBER, "base": cases.RUBBER}, [Fixed("fixed")],
         [Pressure("cavity", 20 * kPa)], contact=Contact(obstacles=obstacles),
     )  # fmt: skip
-    return procedure.amended(model)
+    return question_of(model, procedure)
 
 
 def replace_loads(model: Model, *loads: Traction) -> Model:

@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
 from turgor.response import read_response
-from turgor.results.convergence import Convergence
-from turgor.results.convergence_plots import plot_convergence, write_convergence_plot
-from turgor.results.measures import cavity_volume, maximum_principal_stretch
+from turgor.results.convergence.study import Convergence
+from turgor.results.measures.measures import cavity_volume, maximum_principal_stretch
+from turgor.results.plots.convergence import plot_convergence, write_convergence_plot
 from turgor.units import mL, mm
 
 CELLS = np.array([1000, 3000, 9000])

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from turgor.errors import TurgorError
-from turgor.results.extrapolation import LEAST_ORDER, MOST_ORDER, SAFETY, extrapolate
+from turgor.results.convergence.extrapolation import LEAST_ORDER, MOST_ORDER, SAFETY, extrapolate
 
 UNEVEN = np.array([4.0, 2.9, 2.2])
 

@@ -10,15 +10,15 @@ import results_cases as cases
 import turgor as tg
 from turgor.errors import TurgorError
 from turgor.geometry import FiberReinforcedCylinder
-from turgor.materials.laws import Hooke, NeoHooke
+from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.meshing.generate import mesh
 from turgor.model.fibers import Fibers, Winding
-from turgor.results.fibers import fiber_results
-from turgor.results.fields import StateFields
-from turgor.results.measures import find_measure
-from turgor.results.pictures import shared_view, write_picture
-from turgor.results.vtu import write_series
-from turgor.results.vtu_beside import threads_text
+from turgor.results.fields.fibers import fiber_results
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.files.vtu import write_series
+from turgor.results.files.vtu_beside import threads_text
+from turgor.results.measures.measures import find_measure
+from turgor.results.pictures.state_picture import shared_view, write_picture
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 

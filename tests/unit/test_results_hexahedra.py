@@ -9,9 +9,9 @@ from turgor.meshing.generate import mesh
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.results.fields import StateFields
-from turgor.results.skin import visible_skin
-from turgor.results.vtu import write_vtu
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.files.vtu import write_vtu
+from turgor.results.pictures.skin import visible_skin
 from turgor.solvers.solution import State
 from turgor.units import kPa, mm
 

@@ -10,8 +10,9 @@ from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.results import field_measures, fields, measures
-from turgor.results.measures import Measure, check_measures, find_measure, measure
+from turgor.results.fields import state_fields as fields
+from turgor.results.measures import field_measures, measures
+from turgor.results.measures.measures import Measure, check_measures, find_measure, measure
 from turgor.solvers.solution import Status
 from turgor.units import deg, kPa, mL, mm
 

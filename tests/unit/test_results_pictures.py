@@ -11,13 +11,13 @@ from PIL import Image
 
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
-from turgor.results import pictures
-from turgor.results.colors import color_map
-from turgor.results.fields import StateFields
-from turgor.results.pictures import MARGIN, picture_title, shared_view, write_picture
-from turgor.results.raycast import Raster, Scene, camera
-from turgor.results.shading import Look, find_lines, paint, reduced
-from turgor.results.skin import Skin, visible_skin
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.pictures import state_picture as pictures
+from turgor.results.pictures.colors import color_map
+from turgor.results.pictures.raycast import Raster, Scene, camera
+from turgor.results.pictures.shading import Look, find_lines, paint, reduced
+from turgor.results.pictures.skin import Skin, visible_skin
+from turgor.results.pictures.state_picture import MARGIN, picture_title, shared_view, write_picture
 from turgor.source import Source
 from turgor.units import deg
 

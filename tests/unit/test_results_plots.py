@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
-from turgor.results.plots import plot_response, response_figure, response_svg, write_plot
+from turgor.results.plots.response_plots import plot_response, response_figure, response_svg, write_plot
 from turgor.source import Source
 from turgor.units import deg, kPa
 

@@ -5,27 +5,27 @@ import pytest
 import results_cases as cases
 
 from turgor.errors import TurgorError
-from turgor.job.material_findings import laws_beyond_their_tests
-from turgor.materials.laws import NeoHooke
+from turgor.job.output.material_findings import laws_beyond_their_tests
+from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.exchange.read import read_mesh
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.results.field_measures import (
+from turgor.results.fields.percentiles import weighted_percentile
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.files.vtu import write_vtu
+from turgor.results.measures.field_measures import (
     maximum_principal_stretch,
     maximum_von_mises,
     principal_stretch_in,
     von_mises_in,
     von_mises_p99,
 )
-from turgor.results.fields import StateFields
-from turgor.results.headlines import in_regions
-from turgor.results.measures import check_measures, find_measure, measure
-from turgor.results.percentiles import weighted_percentile
-from turgor.results.pictures import shared_view
-from turgor.results.plots import response_figure
-from turgor.results.skin import visible_skin
-from turgor.results.vtu import write_vtu
+from turgor.results.measures.headlines import in_regions
+from turgor.results.measures.measures import check_measures, find_measure, measure
+from turgor.results.pictures.skin import visible_skin
+from turgor.results.pictures.state_picture import shared_view
+from turgor.results.plots.response_plots import response_figure
 from turgor.units import kPa
 
 STRETCH = 1.3

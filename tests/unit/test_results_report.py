@@ -9,17 +9,17 @@ import results_cases as cases
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
-from turgor.materials.laws import Hooke, NeoHooke, Yeoh
+from turgor.materials.laws.laws import Hooke, NeoHooke, Yeoh
 from turgor.materials.material import Material
-from turgor.meshing.quality import quality
+from turgor.meshing.quality.cell_quality import quality
 from turgor.model.loads import BodyForce, Gravity, Pressure, Traction
 from turgor.model.model import Membrane, Model
 from turgor.model.supports import Displacement, Fixed
 from turgor.response import Column, Response
-from turgor.results import describe
-from turgor.results.measures import bending_angle, find_measure, measure
-from turgor.results.plots import write_plot
-from turgor.results.report import Picture, Report, write_report
+from turgor.results.measures.measures import bending_angle, find_measure, measure
+from turgor.results.plots.response_plots import write_plot
+from turgor.results.report import describe
+from turgor.results.report.page import Picture, Report, write_report
 from turgor.solvers.solution import Status
 from turgor.source import Source
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import results_cases as cases
 
-from turgor.results import measures
-from turgor.results.measures import measure
-from turgor.results.rotations import face_rotation
+from turgor.results.measures import measures
+from turgor.results.measures.measures import measure
+from turgor.results.measures.rotations import face_rotation
 from turgor.units import deg
 
 

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 import results_cases as cases
 
-from turgor.meshing.region_nodes import region_nodes
-from turgor.results.field_measures import von_mises_p99
-from turgor.results.fields import StateFields
-from turgor.results.vtu import SYMMETRIC, write_series, write_vtu
+from turgor.meshing.refining.region_nodes import region_nodes
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.files.vtu import SYMMETRIC, write_series, write_vtu
+from turgor.results.measures.field_measures import von_mises_p99
 
 vtk_io = pytest.importorskip("vtkmodules.vtkIOXML")
 numpy_support = pytest.importorskip("vtkmodules.util.numpy_support")

@@ -5,9 +5,9 @@ import pytest
 from scipy.integrate import quad
 
 from turgor.errors import TurgorError
-from turgor.materials.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
-from turgor.materials.laws import Ogden, Yeoh
-from turgor.materials.softening import Mullins, softened_derivatives, softening, softening_dissipation
+from turgor.materials.history.softening import Mullins, softened_derivatives, softening, softening_dissipation
+from turgor.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
+from turgor.materials.laws.laws import Ogden, Yeoh
 
 MULLINS = Mullins(r=1.7, m=8e3, beta=0.1)
 LAW = Yeoh(C10=3e4, C20=2e3)

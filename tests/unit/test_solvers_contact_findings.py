@@ -11,13 +11,13 @@ from netgen.occ import Box, Cylinder, Pnt, Z
 from turgor.geometry import FastPneuNet, Geometry
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.mirror_gap import find_mirror_walls, mirror_gap
-from turgor.meshing.overlaps import find_overlaps
+from turgor.meshing.quality.mirror_gap import find_mirror_walls, mirror_gap
+from turgor.meshing.quality.overlaps import find_overlaps
 from turgor.model.contact import SELF, Contact
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.solvers.contact_checks import check_contact, deep_penetrations, meeting_walls
+from turgor.solvers.checks.contact import check_contact, deep_penetrations, meeting_walls
 from turgor.solvers.solution import Touch
 from turgor.units import kPa, mm
 

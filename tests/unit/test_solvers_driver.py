@@ -3,18 +3,19 @@
 import numpy as np
 import pytest
 
-from turgor.engine.linear import available_solvers
+from turgor.engine.algebra.linear import available_solvers
 from turgor.engine.runtime import EngineOptions
 from turgor.errors import TurgorError
-from turgor.materials.laws import Hooke, NeoHooke
+from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.materials.material import Material
-from turgor.meshing.mesh import TETRAHEDRON_EDGES, TETRAHEDRON_FACES, Mesh
+from turgor.meshing.cells import TETRAHEDRON
+from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.model.loads import Pressure, Traction
 from turgor.model.model import Membrane, Model
 from turgor.model.supports import Displacement, Fixed
-from turgor.solvers.driver import solve
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import SolveError, Status
+from turgor.solvers.solve import solve
 
 RUBBER = Material(name="rubber", law=NeoHooke(C10=0.1e6))
 
@@ -35,7 +36,7 @@ def bar() -> Mesh:
             nodes.append(middle[edge])
         cells.append(nodes)
     table = np.array(cells)
-    sides = [table[:, list(side)] for side in TETRAHEDRON_FACES]
+    sides = [table[:, list(side)] for side in TETRAHEDRON.sides]
     return Mesh(
         points=np.array(points), cells=table, regions={"body": np.arange(2)},
         faces={"fixed": sides[0][1:], "top": sides[1][:1]},

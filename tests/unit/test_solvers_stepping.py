@@ -3,9 +3,9 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from turgor.solvers.predictor import lagrange_weights
-from turgor.solvers.procedures import Static
-from turgor.solvers.stepping import StepControl
+from turgor.solvers.continuation.path_points import lagrange_weights
+from turgor.solvers.continuation.step_control import StepControl
+from turgor.solvers.procedures.static import Static
 
 
 def test_easy_steps_grow_and_hard_steps_shrink():

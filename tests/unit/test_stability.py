@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike, NDArray
 
 from turgor.errors import TurgorError
-from turgor.materials.homogeneous import biaxial, cauchy_stress, equibiaxial, nominal_stress, planar, uniaxial
-from turgor.materials.laws import GeneralizedRivlin, Gent, Law, MooneyRivlin, NeoHooke, Ogden, Yeoh
-from turgor.materials.stability import MODES, first_instability, nominal_slope
+from turgor.materials.laws.homogeneous import biaxial, cauchy_stress, equibiaxial, nominal_stress, planar, uniaxial
+from turgor.materials.laws.laws import GeneralizedRivlin, Gent, Law, MooneyRivlin, NeoHooke, Ogden, Yeoh
+from turgor.materials.laws.stability import MODES, _pull, first_instability
 
 A = NeoHooke(C10=0.12e6)
 B = Yeoh(C10=0.11e6, C20=0.02e6)
@@ -26,6 +27,13 @@ MODULI = [
     (G_ABAQUS, 24.8815),
     (G_CANONICAL, 20.3469),
 ]
+
+
+def nominal_slope(law: Law, mode: str, stretch: ArrayLike) -> NDArray[np.float64]:
+    """Slope dP/dλ of the nominal stress [Pa], which the search for its maximum follows."""
+    return _pull(law, mode, np.asarray(stretch, dtype=np.float64))[1]  # type: ignore[arg-type]
+
+
 DEFORMATIONS = {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": planar}
 
 

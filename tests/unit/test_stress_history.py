@@ -8,12 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from turgor.errors import TurgorError
-from turgor.materials.homogeneous import equibiaxial, nominal_stress, planar, uniaxial
-from turgor.materials.laws import Gent, Hooke, NeoHooke, Ogden, Yeoh
+from turgor.materials.history.softening import Mullins, softening_dissipation
+from turgor.materials.history.stress_history import energy_of, stress_history
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.homogeneous import equibiaxial, nominal_stress, planar, uniaxial
+from turgor.materials.laws.laws import Gent, Hooke, NeoHooke, Ogden, Yeoh
 from turgor.materials.material import Material
-from turgor.materials.softening import Mullins, softening_dissipation
-from turgor.materials.stress_history import energy_of, stress_history
-from turgor.materials.viscoelastic import Prony
 
 DEFORMATIONS = {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": planar}
 LAWS = [Yeoh(C10=3e4, C20=-500.0, C30=40.0), Ogden(mu=(2e4, 800.0), alpha=(1.5, 4.0)), Gent(mu=5e4, Jm=20.0)]

@@ -5,15 +5,15 @@ import pytest
 from lattice_cases import KINDS, curved, lattice
 from test_meshing_refinement import refined
 
-from turgor.engine.element import element_of, tables_with
-from turgor.engine.memory import Memory
-from turgor.engine.reference import smooth_basis
+from turgor.engine.cells.element import element_of, tables_with
+from turgor.engine.cells.memory import Memory
+from turgor.engine.cells.reference import smooth_basis
 from turgor.engine.transfer import Transfer
-from turgor.materials.laws import NeoHooke
+from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.cells import HEXAHEDRON
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.refinement import Refinement
+from turgor.meshing.refining.refinement import Refinement
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
 

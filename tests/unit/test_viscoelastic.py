@@ -8,10 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from turgor.errors import TurgorError
-from turgor.materials.isochoric import isochoric_stress, isochoric_tangent, scaled_stress
-from turgor.materials.laws import Hooke, NeoHooke
-from turgor.materials.material import Material
-from turgor.materials.viscoelastic import (
+from turgor.materials.history.isochoric import isochoric_stress, isochoric_tangent, scaled_stress
+from turgor.materials.history.viscoelastic import (
     Prony,
     hereditary,
     memory_at_rest,
@@ -19,6 +17,8 @@ from turgor.materials.viscoelastic import (
     remembered_stress,
     step_factor,
 )
+from turgor.materials.laws.laws import Hooke, NeoHooke
+from turgor.materials.material import Material
 
 SERIES = Prony(g=(0.25, 0.15, 0.1), tau=(0.3, 2.0, 40.0), moduli="instantaneous")
 TWICE = np.array([1, 1, 1, 2, 2, 2])

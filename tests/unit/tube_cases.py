@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 import pytest
 
-from turgor.engine.surfaces import enclosed_volume
+from turgor.engine.faces.surfaces import enclosed_volume
 from turgor.geometry import Geometry
 from turgor.meshing.generate import mesh
-from turgor.meshing.quality import cell_volumes
+from turgor.meshing.quality.cell_quality import cell_volumes
 
 
 def areas(geometry: Geometry) -> dict[str, float]:

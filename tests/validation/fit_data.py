@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.handling import crop, remove_slack, select_cycle, thin
-from turgor.materials.read_tests import Specimen, read_test
+from turgor.materials.experiments.handling import crop, remove_slack, select_cycle, thin
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.experiments.read_tests import Specimen, read_test
 from turgor.units import N, mm
 
 DATA = Path(__file__).parent / "data"

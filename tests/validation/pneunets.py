@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import turgor as tg
-from turgor.engine.surfaces import vector_area
+from turgor.engine.faces.surfaces import vector_area
 from turgor.job.job import Actuator
 from turgor.units import deg, kPa, mm
 
@@ -81,7 +81,7 @@ def model_of(actuator: Actuator, *, size: float, pressure: float, contact: tg.Co
 
 def demo(*, size: float, pressure: float, contact: tg.Contact | None = None) -> tg.Model:
     """The model of examples/fast_pneunet.toml, tetrahedra and a membrane, at another size [mm] and pressure [kPa]."""
-    job = tg.read_job(EXAMPLE)
+    job = tg.jobs.read_job(EXAMPLE)
     return tg.Model(
         tg.mesh(job.actuator.build(), size=size * mm),
         materials=job.materials,
@@ -111,4 +111,4 @@ def bend(model: tg.Model, *, until: float = 360.0, procedure: tg.Static | None =
 def push(model: tg.Model) -> float:
     """Force [N] of the tip on a plate that stands where the tip is at rest, at the whole pressure."""
     solution = tg.solve(model, tg.BlockedForce(direction="-z"))
-    return float(tg.measure(solution, tg.blocked_force, mesh_error=False).column("blocked_force")[-1])
+    return float(tg.measure(solution, tg.measures.blocked_force, mesh_error=False).column("blocked_force")[-1])

@@ -31,10 +31,10 @@ def finger(chambers=2):
 def question(mesh, pressure, paper=False):
     materials = {
         "body": rubber(tg.Yeoh(C10=0.05 * MPa, C20=0.001 * MPa)),
-        "base": rubber(tg.NeoHooke(C10=0.2 * MPa)),
+        "base": rubber(tg.laws.NeoHooke(C10=0.2 * MPa)),
     }
     if paper:
-        sheet = tg.Material(name="paper", law=tg.Hooke(E=100 * MPa, nu=0.2))
+        sheet = tg.Material(name="paper", law=tg.laws.Hooke(E=100 * MPa, nu=0.2))
         materials["strain_limiting_layer"] = tg.Membrane(sheet, thickness=0.1 * mm)
     return tg.Model(
         mesh,

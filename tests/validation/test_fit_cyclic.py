@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from fit_data import DATA
 
-from turgor.materials.fit_history import fit_history
-from turgor.materials.fitting import fit
-from turgor.materials.handling import rest_below, select_cycle, thin
-from turgor.materials.history_fit import quality_of
+from turgor.materials.experiments.handling import rest_below, select_cycle, thin
+from turgor.materials.experiments.read_tests import Specimen, read_test
+from turgor.materials.fitting.fit_history import fit_history
+from turgor.materials.fitting.fit_laws import fit
+from turgor.materials.fitting.history_fit import quality_of
 from turgor.materials.material import Material
-from turgor.materials.read_tests import Specimen, read_test
 from turgor.units import N, mm
 
 SECTION = 150 * mm**2

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from turgor.materials.experiments import MaterialTest
-from turgor.materials.fitting import fit
-from turgor.materials.law_specs import law_spec
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.fitting.fit_laws import fit
+from turgor.materials.fitting.law_specs import law_spec
 
 KNOWN = {
     "neo-hooke": [0.12e6],

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from fit_data import DATA, treloar
 
-from turgor.materials.fitting import fit
-from turgor.materials.laws import Ogden
-from turgor.materials.ranking import rank
-from turgor.materials.read_tests import read_test
+from turgor.materials.experiments.read_tests import read_test
+from turgor.materials.fitting.fit_laws import fit
+from turgor.materials.fitting.ranking import rank
+from turgor.materials.laws.laws import Ogden
 
 LAWS = ("neo-hooke", "mooney-rivlin", "yeoh", "gent", "arruda-boyce", "ogden-3")
 

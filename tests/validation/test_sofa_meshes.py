@@ -12,7 +12,7 @@ import turgor as tg
 from turgor.errors import TurgorError
 from turgor.geometry.cad.selectors import InBox, WithNormal
 from turgor.meshing.exchange import mesh_surfaces, read_mesh
-from turgor.results.measures import find_measure
+from turgor.results.measures.measures import find_measure
 from turgor.units import deg, kPa, mm
 
 DATA = Path(__file__).parent / "data" / "sofa-actuator-meshes"
@@ -27,7 +27,7 @@ STIFF = InBox((19 * mm, -8 * mm, -28 * mm), (100 * mm, 8 * mm, -22.5 * mm))
 
 
 def rubber(young):
-    return tg.Material(name="rubber", law=tg.NeoHooke(C10=young / 6))
+    return tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=young / 6))
 
 
 def solved(mesh, materials, pressure):

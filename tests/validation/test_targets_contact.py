@@ -29,7 +29,7 @@ def ratios(fast: Curve, slow: Curve, angle: float) -> tuple[float, float, float]
 def test_t16_a_slow_pneunet_needs_more_pressure_and_more_air(record_validation):
     """Three chambers, a tenth of the whole turn: cheap enough to run always."""
     fast = bend(model_of(tg.FastPneuNet(**FAST | SHORT), size=6, pressure=10))
-    slow = bend(model_of(tg.SlowPneuNet(**SLOW | SHORT), size=6, pressure=85))
+    slow = bend(model_of(tg.actuators.SlowPneuNet(**SLOW | SHORT), size=6, pressure=85))
     got = ratios(fast, slow, 25)
     record_validation(
         claim=f"T16: {WHAT} of three chambers, 25°: {RATIOS}",
@@ -44,7 +44,7 @@ def test_t16_a_slow_pneunet_needs_more_pressure_and_more_air(record_validation):
 @pytest.mark.slow
 def test_t16_full_bending(record_validation):
     fast = bend(model_of(tg.FastPneuNet(**FAST), size=6, pressure=40), until=285)
-    slow = bend(model_of(tg.SlowPneuNet(**SLOW), size=6, pressure=150))
+    slow = bend(model_of(tg.actuators.SlowPneuNet(**SLOW), size=6, pressure=150))
     full = [fast.at_angle(angle)[0] for angle in (180, 270)]
     record_validation(
         claim="T16: fast PneuNet of eight chambers, pressures at 180° and 270° [kPa]; slow one, angle at 150 kPa [°]",
@@ -72,7 +72,7 @@ def test_t16_without_contact_it_bends_less(record_validation):
     """Eleven chambers with walls of 1 mm, the demo: pushing each other apart takes a part in the bending."""
     touching = bend(demo(size=4, pressure=24), until=285)
     through = bend(demo(size=4, pressure=24, contact=tg.Contact(self_contact=False)), until=285)
-    slow = bend(model_of(tg.SlowPneuNet(), size=6, pressure=100))
+    slow = bend(model_of(tg.actuators.SlowPneuNet(), size=6, pressure=100))
     got = [curve.at_angle(angle)[0] for angle in (180, 270) for curve in (touching, through)]
     record_validation(
         claim="T16: fast PneuNet of eleven chambers with and without contact: pressures at 180° and at 270° [kPa]",
@@ -103,7 +103,7 @@ def test_t16_blocked_force(record_validation):
     """
     got = []
     for cut, pressure in ((SHORT, 30), (SHORT, 1.5), ({}, 5)):
-        fast, slow = tg.FastPneuNet(**FAST | cut), tg.SlowPneuNet(**SLOW | cut)
+        fast, slow = tg.FastPneuNet(**FAST | cut), tg.actuators.SlowPneuNet(**SLOW | cut)
         force = [push(model_of(each, size=6, pressure=pressure)) for each in (fast, slow)]
         got.append(force[0] / force[1])
     record_validation(
@@ -164,7 +164,7 @@ def test_t17_t18_t21_thick_walls_bend_less(record_validation):
     )
     assert change[0] < change[1] < -0.05
     assert abs(change[2]) < 0.01
-    void = bend(model_of(tg.SlowPneuNet(**ENVELOPE | SHORT | {"chambers": 1}), size=6, pressure=20))
+    void = bend(model_of(tg.actuators.SlowPneuNet(**ENVELOPE | SHORT | {"chambers": 1}), size=6, pressure=20))
     record_validation(
         claim="T17: R² of a straight line through the angles up to 20 kPa, three chambers and a single void",
         source="review 7.4-1",

@@ -14,7 +14,7 @@ import turgor as tg
 from fiber_tube import FiberTube
 from turgor.units import MPa, deg, kPa, mm
 
-INNER, OUTER, RUBBER = 6.35 * mm, 8.35 * mm, tg.NeoHooke(C10=0.12 * MPa)
+INNER, OUTER, RUBBER = 6.35 * mm, 8.35 * mm, tg.laws.NeoHooke(C10=0.12 * MPa)
 #: Axial stiffness of one Kevlar thread [N].
 THREAD = 31067 * MPa * np.pi * (0.1778 * mm) ** 2 / 4
 KEVLAR = THREAD / (2 * mm)

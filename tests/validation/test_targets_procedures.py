@@ -27,7 +27,7 @@ WAYS = {
 def _arm():
     mesh = meshes.blind_tube()
     mesh = meshes.with_points(mesh, mesh.points * np.array([20, 10 / 3, 10 / 3]) * mm)
-    material = problems.rubber(tg.NeoHooke(C10=12.662 * kPa), density=1070.0)
+    material = problems.rubber(tg.laws.NeoHooke(C10=12.662 * kPa), density=1070.0)
     loads = [tg.Pressure("cavity", 4 * kPa), tg.Gravity((0, 0, -1), 9.81)]
     return tg.Model(mesh, {"body": material}, [tg.Fixed("x0")], loads)
 
@@ -35,7 +35,7 @@ def _arm():
 def _wall():
     mesh = contact_meshes.gap_cell(along=4)
     held = [tg.Fixed("y0", "y"), tg.Fixed("y1", "y"), tg.Fixed("rim"), tg.Fixed("seat", "z")]
-    plate = tg.Obstacle(name="plate", shape=tg.Plane(point=(0, 0, 0), normal=(0, 0, -1)))
+    plate = tg.obstacles.Obstacle(name="plate", shape=tg.obstacles.Plane(point=(0, 0, 0), normal=(0, 0, -1)))
     contact = tg.Contact(self_contact=False, obstacles=[plate])
     materials = {"body": problems.rubber(problems.NEO_HOOKE)}
     return tg.Model(mesh, materials, held, [tg.Pressure("cavity_1", 12 * kPa)], contact=contact)

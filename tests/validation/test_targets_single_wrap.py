@@ -42,7 +42,7 @@ def tube():
 def inflate(mesh, angle, hand="right", pressure=62.5, tolerance=1e-6):
     """States at 30 kPa and at the end, as rows of λz, twist [°/mm], b/B."""
     fibers = slices.family(KEVLAR, angle * deg, hand=hand, axis=(1.0, 0.0, 0.0))
-    materials = {name: tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12 * MPa)) for name in mesh.regions}
+    materials = {name: tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12 * MPa)) for name in mesh.regions}
     load = tg.Pressure("cavity", pressure * kPa)
     model = tg.Model(mesh, materials, [tg.Fixed("fixed")], [load], reinforcements=[fibers])
     share = min(30 / pressure, 1.0)

@@ -121,7 +121,7 @@ class BentSlice:
         slopes = -np.outer(pull, across).ravel()
         by_turn = sp.csr_matrix((slopes, (np.zeros(3 * count, int), dofs)), shape=(1, system.size))
         r = system.residual(unknowns, factor) + G.T @ pull
-        pressure = factor * self.largest / system.stress
+        pressure = factor * self.largest / system.stress_scale
         void, moment = self._void(unknowns, turn)
         half = pressure / 2  # half a model
         ends = [-pull.sum() - half * void, -pull @ t - half * moment]

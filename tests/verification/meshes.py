@@ -17,9 +17,9 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.reference import reference_nodes
+from turgor.engine.cells.reference import reference_nodes
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType, cell_type
-from turgor.meshing.mesh import TETRAHEDRON_EDGES, TETRAHEDRON_FACES, Mesh
+from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 
 Array = NDArray[np.float64]
 Map = Callable[[Array], Array]
@@ -240,7 +240,7 @@ def two_cavities() -> Mesh:
 
 def surface(mesh: Mesh) -> NDArray[np.int64]:
     """All six-node triangles that belong to one cell only, pointing out of the body."""
-    triangles = np.concatenate([mesh.cells[:, list(f)] for f in TETRAHEDRON_FACES])
+    triangles = np.concatenate([mesh.cells[:, list(f)] for f in TETRAHEDRON.sides])
     _, first, count = np.unique(np.sort(triangles[:, :3], axis=1), axis=0, return_index=True, return_counts=True)
     return triangles[first[count == 1]]
 

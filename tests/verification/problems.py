@@ -7,13 +7,13 @@ import numpy as np
 
 import meshes
 import turgor as tg
+from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
 from turgor.engine.fields import CellFields, cell_fields, strain_energy
-from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
-from turgor.materials.laws import Ogden
+from turgor.materials.laws.laws import Ogden
 
 MM, MPA = 1e-3, 1e6
 
-NEO_HOOKE = tg.NeoHooke(C10=0.12 * MPA)
+NEO_HOOKE = tg.laws.NeoHooke(C10=0.12 * MPA)
 YEOH = tg.Yeoh(C10=0.11 * MPA, C20=0.02 * MPA)
 #: Ecoflex 00-30, three terms, constants as Abaqus writes them.
 OGDEN = Ogden.from_abaqus(mu=(24361.0, 66.703, 453.81), alpha=(1.7138, 7.0679, -3.3659))

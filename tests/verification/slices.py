@@ -41,7 +41,7 @@ def family(stiffness: float, from_circumference: float, face: str = "outside", *
     modulus = stiffness * SPACING / (np.pi * THREAD**2 / 4)
     turned = {"hand": "both", "axis": (0.0, 0.0, 1.0)} | {k: more.pop(k) for k in ("hand", "axis") if k in more}
     winding = Winding(angle_from_circumference=from_circumference, spacing=SPACING, **turned)
-    material = tg.Material(name="thread", law=tg.Hooke(E=modulus, nu=0.3))
+    material = tg.Material(name="thread", law=tg.laws.Hooke(E=modulus, nu=0.3))
     return Fibers(face=face, material=material, diameter=THREAD, winding=winding, **more)
 
 

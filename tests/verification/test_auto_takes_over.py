@@ -7,23 +7,24 @@ import pytest
 
 import meshes
 import turgor as tg
-from turgor.solvers import arcs, following
-from turgor.solvers.continuity import JUMPS, TURNS, Verdict
-from turgor.solvers.distortion import distortion_text, worst_volume
-from turgor.solvers.doubts import LOST
-from turgor.solvers.load_rates import LEAPT, UNSTABLE
-from turgor.solvers.path_procedures import ArcLength, Auto
+from turgor.solvers.checks.distortion import distortion_text, worst_volume
+from turgor.solvers.continuation.continuity import Verdict
+from turgor.solvers.continuation.scalar_control import arc_length as arcs
+from turgor.solvers.continuation.scalar_control import scalar_path
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.reasons import Cause, Reason
 
 KPA = 1e3
 YOUNG = 6 * 0.12e6
 #: Load of a column of 100 × 1 × 1 mm, clamped at one end [N].
 EULER = np.pi**2 * YOUNG * 1e-12 / 12 / 0.04
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
-MOONEY_RIVLIN = tg.MooneyRivlin(C10=0.1e6, C01=0.02e6)
+MOONEY_RIVLIN = tg.laws.MooneyRivlin(C10=0.1e6, C01=0.02e6)
 
 
 def sphere(pressure, law=None, around=1):
-    material = tg.Material(name="rubber", law=law or tg.NeoHooke(C10=0.12e6))
+    material = tg.Material(name="rubber", law=law or tg.laws.NeoHooke(C10=0.12e6))
     load = tg.Pressure("cavity", pressure * KPA)
     return tg.Model(meshes.sphere_octant(10e-3, 15e-3, around, 2), {"body": material}, [], [load])
 
@@ -39,7 +40,7 @@ def column(bow=0.0, cells=6):
         return points + np.outer(bow * (1 - np.cos(np.pi * points[:, 0] / 0.2)), [0, 0, 1])
 
     mesh = meshes.box((0.1, 1e-3, 1e-3), (cells, 1, 1), place, kind=meshes.HEXAHEDRON)
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6))
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
     load = tg.Traction("x1", (-2 * EULER / 1e-6, 0.0, 0.0))
     return tg.Model(mesh, {"body": rubber}, [tg.Fixed("x0")], [load])
 
@@ -48,15 +49,15 @@ def test_a_leap_within_few_steps_is_taken_back():
     """Steps of the load lead over both limit points of this sphere, none five times as long as the one before."""
     solution = solve(sphere(170, MOONEY_RIVLIN, around=2), Auto(first_step=1.0, max_step=1.0))
     assert [limit.kind for limit in solution.limit_points] == ["maximum", "minimum"]
-    assert LEAPT in [step.reason for step in solution.steps]
+    assert Cause.BRANCH_JUMP in [step.cause for step in solution.steps]
     moved = [np.linalg.norm(state.displacement) for state in solution.states]
     assert moved == sorted(moved)
 
 
 def test_the_first_unstable_state_is_taken_back():
     solution = solve(column(), Auto(first_step=0.4))
-    reasons = [step.reason for step in solution.steps]
-    assert reasons.count(UNSTABLE) == 1
+    causes = [step.cause for step in solution.steps]
+    assert causes.count(Cause.UNSTABLE) == 1
     assert sum(step.accepted for step in solution.steps) == len(solution.states) - 1
     assert solution.converged
     assert "Bifurcation: at load factor 0.5" in solution.message
@@ -65,7 +66,7 @@ def test_the_first_unstable_state_is_taken_back():
 def test_a_first_step_that_is_unstable_is_shortened():
     for procedure in (Auto(first_step=0.9), ArcLength(first_step=0.9)):
         solution = solve(column(), procedure)
-        assert solution.steps[0].reason in (UNSTABLE, LOST)
+        assert solution.steps[0].cause in (Cause.UNSTABLE, Cause.STABILITY_LOST)
         assert 0 < solution.states[1].load_factor < 0.5
         assert solution.states[1].unstable_modes == 0
         assert "Bifurcation: at load factor 0.5" in solution.message
@@ -119,19 +120,22 @@ def test_auto_ends_where_its_caller_says_and_is_not_taken_for_lost():
     assert max(asked[:-1]) <= 0.3
 
 
-@pytest.mark.parametrize(("reason", "status"), [(JUMPS, tg.Status.TURNED_BACK), (TURNS, tg.Status.STEP_TOO_SMALL)])
-def test_an_arc_that_cannot_go_on_is_no_limit_point(monkeypatch, reason, status):
+@pytest.mark.parametrize(
+    ("cause", "status"),
+    [(Cause.OTHER_BRANCH, tg.Status.TURNED_BACK), (Cause.SHARP_TURN, tg.Status.STEP_TOO_SMALL)],
+)
+def test_an_arc_that_cannot_go_on_is_no_limit_point(monkeypatch, cause, status):
     """No step beyond a stretch of the sphere is a piece of the path; none of them becomes a state."""
-    judged = following.judged
+    judged = scalar_path.judged
 
     def refuse(run, last, now):
-        return Verdict(reason) if now.scalars[0] > 0.35 else judged(run, last, now)
+        return Verdict(Reason(cause)) if now.scalars[0] > 0.35 else judged(run, last, now)
 
-    monkeypatch.setattr(following, "judged", refuse)
+    monkeypatch.setattr(scalar_path, "judged", refuse)
     for procedure in (ArcLength(), Auto(first_step=1.0, max_step=1.0, past=2.0)):
         solution = solve(sphere(300), procedure)
         assert solution.status is status, solution.message
-        assert reason in solution.message
+        assert str(Reason(cause)) in solution.message
         assert "The path up to there" in solution.advice
         assert not solution.steps[-1].accepted
         assert not solution.complete
@@ -139,7 +143,7 @@ def test_an_arc_that_cannot_go_on_is_no_limit_point(monkeypatch, reason, status)
 
 def test_a_way_back_is_no_path_that_was_followed(monkeypatch):
     """Let the falling branch of a sphere count as the way back."""
-    monkeypatch.setattr(arcs, "retraces", lambda run, now: bool(run.limits))
+    monkeypatch.setattr(arcs, "reverses", lambda run, now: bool(run.limits))
     solution = solve(sphere(125), ArcLength())
     (limit,) = solution.limit_points
     assert solution.status is tg.Status.TURNED_BACK
@@ -152,7 +156,7 @@ def test_a_way_back_is_no_path_that_was_followed(monkeypatch):
 @pytest.mark.slow
 def test_a_soft_bender_on_a_stiff_base_does_not_walk_back_to_rest():
     """One cell of this mesh collapses at 1.7 kPa; finer meshes and hexahedra find the maximum at 2.64 kPa."""
-    mesh = tg.mesh(tg.TwoMaterialBender(length=50e-3).build(), size=6e-3)
+    mesh = tg.mesh(tg.actuators.TwoMaterialBender(length=50e-3).build(), size=6e-3)
     soft = tg.from_library("ecoflex-00-30", record="yeoh-elsayed-2014")
     stiff = tg.from_library("fiberglass", record="yeoh-polygerinos-2015")
     materials = dict.fromkeys(mesh.regions, soft) | {"base": stiff}
@@ -191,7 +195,7 @@ def test_a_squeezed_cell_is_named_with_its_place():
 
 def sponge(state):
     """The same state of a material that may change its volume."""
-    foam = tg.Material(name="foam", law=tg.NeoHooke(C10=0.12e6), bulk_modulus=0.5e6)
+    foam = tg.Material(name="foam", law=tg.laws.NeoHooke(C10=0.12e6), bulk_modulus=0.5e6)
     model = tg.Model(state.model.mesh, {"body": foam}, [], state.model.loads)
     return tg.State(
         model=model, load_factor=1.0, displacement=state.displacement, mean_stress=state.mean_stress,

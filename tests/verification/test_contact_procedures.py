@@ -30,8 +30,8 @@ RUBBER = problems.rubber(problems.NEO_HOOKE, density=1070.0)
 
 def _at_a_plane(mesh, height, *, path=(), supports=(), loads=(), up=False, friction=0.0):
     """A body under a plane, or over one."""
-    shape = tg.Plane(point=(0, 0, height), normal=(0, 0, 1 if up else -1))
-    plate = tg.Obstacle(name="plate", shape=shape, path=path, friction=friction)
+    shape = tg.obstacles.Plane(point=(0, 0, height), normal=(0, 0, 1 if up else -1))
+    plate = tg.obstacles.Obstacle(name="plate", shape=shape, path=path, friction=friction)
     contact = tg.Contact(self_contact=False, obstacles=[plate])
     return tg.Model(mesh, {"body": RUBBER}, supports, loads, contact=contact)
 

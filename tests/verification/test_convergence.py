@@ -16,7 +16,7 @@ import meshes
 import problems
 import turgor as tg
 from turgor.job.convergence import convergence
-from turgor.results.measures import cavity_volume
+from turgor.results.measures.measures import cavity_volume
 
 INNER, OUTER = 5 * problems.MM, 7 * problems.MM
 STRETCH = 1.3

@@ -12,14 +12,14 @@ from dataclasses import replace
 import numpy as np
 
 import turgor as tg
-from turgor.engine.surfaces import vector_area
+from turgor.engine.faces.surfaces import vector_area
 from turgor.units import GPa, MPa, deg, kPa, mm
 
 
 def _bend(mesh: tg.Mesh, stiffness: float) -> float:
     """Bending angle [rad] at 6 kPa with a paper of Young's modulus ``stiffness`` [Pa]."""
     rubber = tg.Material(name="rubber", law=tg.Yeoh(C10=0.11 * MPa, C20=0.02 * MPa))
-    paper = tg.Membrane(tg.Material(name="paper", law=tg.Hooke(E=stiffness, nu=0.2)), 0.1 * mm)
+    paper = tg.Membrane(tg.Material(name="paper", law=tg.laws.Hooke(E=stiffness, nu=0.2)), 0.1 * mm)
     model = tg.Model(
         mesh,
         materials={"body": rubber, "base": rubber, "strain_limiting_layer": paper},

@@ -14,8 +14,8 @@ import turgor as tg
 from turgor.units import deg, kPa, mm
 
 SOFT = tg.Material(name="soft", law=tg.Yeoh(C10=0.11e6, C20=0.02e6))
-STIFF = tg.Material(name="stiff", law=tg.NeoHooke(C10=2.2e6))
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6))
+STIFF = tg.Material(name="stiff", law=tg.laws.NeoHooke(C10=2.2e6))
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
 ALONE = tg.Contact(self_contact=False)
 
 
@@ -26,7 +26,7 @@ def _pneunet(size):
 
 
 def _cylinder(size):
-    mesh = tg.mesh(tg.FiberReinforcedCylinder(length=40 * mm, skin=1 * mm).build(), size=size)
+    mesh = tg.mesh(tg.actuators.FiberReinforcedCylinder(length=40 * mm, skin=1 * mm).build(), size=size)
     supports = [tg.Fixed("fixed", "x"), tg.Radial("winding")]
     loads = [tg.Pressure("cavity", 13.7201 * kPa)]
     return tg.Model(mesh, dict.fromkeys(mesh.regions, RUBBER), supports, loads, contact=ALONE)
@@ -37,7 +37,7 @@ def _cylinder(size):
     [
         (_pneunet, None, tg.bending_angle, 6.5571, deg),
         (_pneunet, 3 * mm, tg.bending_angle, 6.5571, deg),
-        (_cylinder, None, tg.tip_displacement_x, 0.70176, mm),
+        (_cylinder, None, tg.measures.tip_displacement_x, 0.70176, mm),
     ],
     ids=["stiff base, default", "stiff base, 3 mm", "held hoops, default"],
 )

@@ -19,7 +19,7 @@ import numpy as np
 
 import problems
 import turgor as tg
-from turgor.engine.surfaces import enclosed_volume
+from turgor.engine.faces.surfaces import enclosed_volume
 
 MM, MPA = problems.MM, problems.MPA
 DATA = Path(__file__).parent / "data" / "reference_bender"
@@ -57,7 +57,7 @@ def _bulk_modulus(law, nu=0.499):
 def test_tip_and_volume_of_all_steps(record_verification):
     mesh, tip = _bender()
     pressures, tip_reference, volume_reference = _reference()
-    soft, stiff = problems.YEOH, tg.NeoHooke(C10=2.2 * MPA)
+    soft, stiff = problems.YEOH, tg.laws.NeoHooke(C10=2.2 * MPA)
     materials = {
         "soft": problems.rubber(soft, _bulk_modulus(soft)),
         "stiff": problems.rubber(stiff, _bulk_modulus(stiff)),

@@ -18,7 +18,7 @@ import turgor as tg
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
 L, H, T = 40e-3, 2e-3, 0.4e-3
-RUBBER, SHEET = tg.NeoHooke(C10=0.12e6), tg.Hooke(E=60e6, nu=0.3)
+RUBBER, SHEET = tg.laws.NeoHooke(C10=0.12e6), tg.laws.Hooke(E=60e6, nu=0.3)
 
 
 def _tip(kind, sheet):
@@ -47,7 +47,7 @@ def _deflection(stiffness):
 
 @pytest.mark.parametrize("modulus", [60e6, 6.5e9], ids=["soft", "paper"])
 def test_bending_of_a_strip_with_a_sheet(modulus, record_verification):
-    material = tg.Material(name="sheet", law=tg.Hooke(E=modulus, nu=SHEET.nu))
+    material = tg.Material(name="sheet", law=tg.laws.Hooke(E=modulus, nu=SHEET.nu))
     rubber = 4 * RUBBER.shear_modulus * H**3 / 12  # E / (1 − ν²) is 4 µ where ν is ½
     plate = modulus / (1 - SHEET.nu**2) * T**3 / 12
     expected = [_deflection(rubber), L**3 / (3 * (rubber + plate))]

@@ -16,17 +16,18 @@ import pytest
 import contact_cases
 import turgor as tg
 from problems import MM
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Obstacle, Plane
-from turgor.solvers.checks import check_supports, free_motions, may_be_free
-from turgor.solvers.dynamic_run import Listeners
+from turgor.solvers.checks.supports import check_supports, free_motions
+from turgor.solvers.dynamics.stabilization import follow_viscously
 from turgor.solvers.energies import imbalance, too_viscous
-from turgor.solvers.moving import follow_moving
+from turgor.solvers.methods import may_be_free
+from turgor.solvers.problem import Problem
 
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=50e3), density=1100.0, bulk_modulus=5e6)
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=50e3), density=1100.0, bulk_modulus=5e6)
 WEIGHT = 1100 * 9.80665 * 10 * 10 * 5 * MM**3
 GROWS = ((0, 0), (0.3, 1), (1, 1))
 AWAY, PUSHED = (0.0, 0.0, 0.0), (1.5 * MM, 0.0, 0.0)
@@ -46,9 +47,8 @@ def stabilized(model):
     system = System(model, ())
     system.materials.begin_step(inf)
     states, steps = [], []
-    outcome = follow_moving(
-        system, Tangent(system, "rslab", 1), tg.Stabilized(), Listeners(None, None), (states, steps)
-    )
+    problem = Problem(system=system, tangent=Tangent(system, "rslab", 1), states=states, steps=steps)
+    outcome = follow_viscously(problem, tg.Stabilized())
     return states, outcome, len(steps)
 
 

@@ -17,12 +17,12 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine import surfaces
+from turgor.engine.faces import surfaces
 from turgor.model.contact import Contact
 from turgor.model.continuing import continued, with_loads
 from turgor.model.obstacles import Obstacle, Plane
 from turgor.model.supports import Shift
-from turgor.results import describe_procedure
+from turgor.results.report import describe_procedure
 from turgor.solvers.pressures import pressures_of
 
 KPA, ML = 1e3, 1e-6
@@ -209,7 +209,7 @@ def test_friction_is_carried_on(record_verification):
 
 
 def test_the_rubber_goes_on_remembering(record_verification):
-    prony = tg.Prony(g=(0.3, 0.2), tau=(0.5, 5.0), moduli="long_term")
+    prony = tg.laws.Prony(g=(0.3, 0.2), tau=(0.5, 5.0), moduli="long_term")
     body = dataclasses.replace(problems.rubber(problems.NEO_HOOKE), viscoelasticity=prony)
     whole = tg.Model(
         box().mesh, {"body": body}, [tg.Fixed("z0")], [tg.Pressure("cavity", 20 * KPA, ((0, 0), (0.5, 1), (1, 1)))]

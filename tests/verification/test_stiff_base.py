@@ -12,7 +12,7 @@ import pytest
 
 import problems
 import turgor as tg
-from turgor.results.measures import find_measure
+from turgor.results.measures.measures import find_measure
 from turgor.units import MPa, deg, kPa, mm
 
 REFERENCE = 6.557
@@ -21,7 +21,7 @@ REFERENCE = 6.557
 def bending_angle(size, formulation="mixed"):
     """Bending angle [°] on tetrahedra of a size [mm]."""
     mesh = tg.mesh(tg.FastPneuNet(chambers=3, length=30 * mm).build(), size=size * mm)
-    body, base = problems.YEOH, tg.NeoHooke(C10=2.2 * MPa)
+    body, base = problems.YEOH, tg.laws.NeoHooke(C10=2.2 * MPa)
     materials = {"body": problems.rubber(body), "base": problems.rubber(base)}
     model = tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", 4 * kPa)], formulation)
     state = problems.solve(model, tg.Static(first_step=0.5)).states[-1]

@@ -26,11 +26,11 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM, MPA
-from turgor.engine.element import element_of
+from turgor.engine.cells.element import element_of
 from turgor.engine.system import System
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 
-SOFT, STIFF = tg.NeoHooke(C10=0.1 * MPA), tg.NeoHooke(C10=5 * MPA)
+SOFT, STIFF = tg.laws.NeoHooke(C10=0.1 * MPA), tg.laws.NeoHooke(C10=5 * MPA)
 LENGTH, END = 20 * MM, 2.5 * MM
 LEVELS = np.array([0, 4, 5, 9]) * MM
 LOADS = {
@@ -105,7 +105,7 @@ def test_a_continuous_mean_stress_is_far_off(kind):
 def inf_sup_constant(kind, ratio):
     """Of 3 × 3 × 3 cells of 1.25 mm along and across, with outer layers that many times as stiff as the inner one."""
     mesh = box_of_layers(kind, (3.75 * MM, 3.75 * MM), (3, 3, 3))
-    laws = {"soft": SOFT, "stiff": tg.NeoHooke(C10=ratio * SOFT.C10)}
+    laws = {"soft": SOFT, "stiff": tg.laws.NeoHooke(C10=ratio * SOFT.C10)}
     materials = {name: problems.rubber(law) for name, law in laws.items()}
     system = System(tg.Model(mesh, materials, [tg.Fixed("x0")], []))
     displaced = 3 * system.node_count
@@ -115,7 +115,7 @@ def inf_sup_constant(kind, ratio):
     mass, numbers, M = np.zeros((system.element.mean_count,) * 2), system.element.mean, system.element.tables.M
     for name, law in laws.items():
         for cell in mesh.regions[name]:
-            inside = (M.T * system.dV[cell]) @ M * system.stress / law.shear_modulus
+            inside = (M.T * system.dV[cell]) @ M * system.stress_scale / law.shear_modulus
             mass[np.ix_(numbers[cell], numbers[cell])] += inside
     seen = coupling @ np.linalg.solve(stiffness, coupling.T)
     return float(np.sqrt(eigh(seen, mass, eigvals_only=True, subset_by_index=(0, 0))[0]))

@@ -17,11 +17,11 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.materials.homogeneous import cauchy_stress, equibiaxial, nominal_stress, planar, simple_shear, uniaxial
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
+from turgor.materials.laws.homogeneous import cauchy_stress, equibiaxial, nominal_stress, planar, simple_shear, uniaxial
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
 A, B = problems.NEO_HOOKE, problems.YEOH
-C = tg.MooneyRivlin(C10=1.190e3, C01=23.028e3)
+C = tg.laws.MooneyRivlin(C10=1.190e3, C01=23.028e3)
 E = GeneralizedRivlin.of(C10=279.3e3, C01=10.5e3, C20=59.1e3)
 F = GeneralizedRivlin.of(C10=-7.48e3, C01=19.6e3, C20=-198.0, C02=-539.0, C11=3.21e3)
 PRINTED = {"mu": (24361.0, 66.703, 453.81), "alpha": (1.7138, 7.0679, -3.3659)}

@@ -19,9 +19,11 @@ import meshes
 import problems
 import turgor as tg
 from test_v04_sphere import LAWS, PRESSURES, STRETCHES
-from turgor.solvers.outcome import converged
-from turgor.solvers.path_procedures import ArcLength, Auto, VolumeControl
+from turgor.solvers.outcomes import converged
 from turgor.solvers.pressures import pressures_of
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.volume_control import VolumeControl
 
 INNER, OUTER = 10 * problems.MM, 15 * problems.MM
 REST = 4 / 3 * np.pi * INNER**3

@@ -8,18 +8,21 @@ import pytest
 
 import meshes
 import turgor as tg
-from turgor.engine.linear import SingularTangentError
-from turgor.engine.tangent import Tangent
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
 from turgor.errors import TurgorError
 from turgor.results.drive import drive_of
-from turgor.results.vtu import write_series
-from turgor.solvers.contact_checks import meeting_walls
+from turgor.results.files.vtu import write_series
+from turgor.solvers.checks.contact import meeting_walls
 from turgor.solvers.path_outcomes import reached
-from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
 from turgor.solvers.pressures import pressure_text, pressures_of
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import kPa, mL
 
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6))
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 
 

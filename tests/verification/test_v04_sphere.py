@@ -39,7 +39,7 @@ PRESSURES = {  # MPa
 RISING = {"neo-Hookean": 5, "Mooney-Rivlin": 6, "Yeoh": 9, "Ogden": 5}  # how many of them come before a limit point
 LAWS = {
     "neo-Hookean": problems.NEO_HOOKE,
-    "Mooney-Rivlin": tg.MooneyRivlin(C10=0.10 * problems.MPA, C01=0.02 * problems.MPA),
+    "Mooney-Rivlin": tg.laws.MooneyRivlin(C10=0.10 * problems.MPA, C01=0.02 * problems.MPA),
     "Yeoh": problems.YEOH,
     "Ogden": problems.OGDEN,
 }

@@ -19,7 +19,7 @@ import exact
 import meshes
 import problems
 import turgor as tg
-from turgor.solvers.path_procedures import VolumeControl
+from turgor.solvers.procedures.volume_control import VolumeControl
 
 INNER, OUTER = 5 * problems.MM, 7 * problems.MM
 STRETCHES = (1.05, 1.10, 1.20, 1.30, 1.50, 1.75, 2.00, 2.50, 3.00)
@@ -35,7 +35,7 @@ TABLE = {  # law, pressure [MPa], axial force [N]
         (0.816509, 1.58268, 3.00886, 4.34836, 6.93909, 10.2618, 13.8608, 22.2075, 32.2770),
     ),
     "Mooney–Rivlin": (
-        tg.MooneyRivlin(C10=0.10 * problems.MPA, C01=0.02 * problems.MPA),
+        tg.laws.MooneyRivlin(C10=0.10 * problems.MPA, C01=0.02 * problems.MPA),
         (0.01078554, 0.01987406, 0.03412093, 0.04452240, 0.05805014),
         (0.903906, 1.77148, 3.41079, 4.94228, 7.76385),
     ),

@@ -16,7 +16,7 @@ import scipy.sparse
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.boundary import held_components
+from turgor.engine.algebra.boundary import held_components
 from turgor.engine.system import System
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.model.supports import Displacement, Radial

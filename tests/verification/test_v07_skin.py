@@ -17,7 +17,7 @@ import exact
 import problems
 import turgor as tg
 from test_v07_hoops import INNER, OUTER, PRESSURE, STRETCH
-from turgor.engine.element import element_of
+from turgor.engine.cells.element import element_of
 from turgor.model.supports import Radial
 from turgor.units import kPa, mm
 
@@ -26,7 +26,7 @@ LOAD, SKIN, HOOPS = 13.7201 * kPa, 1 * mm, OUTER
 
 def loaded(cells, formulation="mixed"):
     """State of the tube under its pressure."""
-    mesh = tg.mesh(tg.FiberReinforcedCylinder(length=40 * mm, skin=SKIN).build(), size=4 * mm, cells=cells)
+    mesh = tg.mesh(tg.actuators.FiberReinforcedCylinder(length=40 * mm, skin=SKIN).build(), size=4 * mm, cells=cells)
     rubber = problems.rubber(problems.NEO_HOOKE)
     supports = [tg.Fixed("fixed"), Radial("winding")]
     materials, loads = dict.fromkeys(mesh.regions, rubber), [tg.Pressure("cavity", LOAD)]

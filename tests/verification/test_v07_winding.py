@@ -20,12 +20,12 @@ import turgor as tg
 from fiber_tube import FiberTube
 from test_v07_hoops import CONTACT, INNER, OUTER, PRESSURE, STIFF_HOOPS, STRETCH, model_of
 from turgor.geometry import FiberReinforcedCylinder
-from turgor.materials.laws import Hooke
+from turgor.materials.laws.laws import Hooke
 from turgor.meshing.cells import HEXAHEDRON
 from turgor.meshing.generate import mesh as make_mesh
 from turgor.model.fibers import Fibers, Winding
-from turgor.results.fibers import FiberResult, fiber_results, piece_tension
-from turgor.results.measures import find_measure
+from turgor.results.fields.fibers import FiberResult, fiber_results, piece_tension
+from turgor.results.measures.measures import find_measure
 from turgor.units import deg, kPa, mm
 
 SPACING = 2 * mm

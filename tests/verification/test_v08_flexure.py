@@ -25,7 +25,7 @@ import turgor as tg
 THICKNESS, LENGTH, WIDTH = 10 * problems.MM, 40 * problems.MM, 2.5 * problems.MM
 ANGLES = (np.pi / 6, np.pi / 2, np.pi, 3 * np.pi / 2)
 MOMENTS = (1.0418634, 3.0071765, 5.3974376, 7.0778784)  # N mm per mm of width
-LAWS = {"neo-Hookean": problems.NEO_HOOKE, "Mooney–Rivlin": tg.MooneyRivlin(C10=0.10e6, C01=0.02e6)}
+LAWS = {"neo-Hookean": problems.NEO_HOOKE, "Mooney–Rivlin": tg.laws.MooneyRivlin(C10=0.10e6, C01=0.02e6)}
 
 
 def _bend(law, along, angles):

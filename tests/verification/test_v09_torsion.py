@@ -20,7 +20,7 @@ TWISTS = (0.2, 0.5, 1.0)  # τA
 TABLE = {  # law, torque [N mm], axial force [N]
     "neo-Hookean": (problems.NEO_HOOKE, (75.398224, 188.49556, 376.99112), (-0.75398224, -4.7123890, -18.849556)),
     "Mooney-Rivlin": (
-        tg.MooneyRivlin(C10=0.10 * MPA, C01=0.02 * MPA),
+        tg.laws.MooneyRivlin(C10=0.10 * MPA, C01=0.02 * MPA),
         (75.398224, 188.49556, 376.99112),
         (-0.87964594, -5.4977871, -21.991149),
     ),

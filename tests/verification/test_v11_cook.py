@@ -33,7 +33,7 @@ def _membrane(count, shared_corner=True):
     mesh = meshes.glued([meshes.Block((count, count, 1), place)])
     supports = [tg.Fixed("x0"), *problems.PLANE_STRAIN]
     loads = [tg.Traction("x1", (0.0, 6.25 * MPA, 0.0))]
-    model = problems.one_material(mesh, tg.NeoHooke(C10=MU / 2), KAPPA, supports, loads)
+    model = problems.one_material(mesh, tg.laws.NeoHooke(C10=MU / 2), KAPPA, supports, loads)
     return problems.solve(model, tg.Static(first_step=0.25, tolerance=1e-8)).states[-1]
 
 

@@ -20,7 +20,8 @@ import meshes
 import problems
 import turgor as tg
 from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.path_procedures import ArcLength, Auto
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
 
 MM = problems.MM
 LENGTH, SIDE = 100 * MM, 1 * MM

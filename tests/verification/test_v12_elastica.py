@@ -117,7 +117,7 @@ def test_moment_closes_the_circle(record_verification):
     mesh = tg.Mesh(points=mesh.points, cells=mesh.cells, regions=regions, faces=mesh.faces)
     pressure = 4 * 2 * np.pi * STIFFNESS / LENGTH / THICKNESS**2
     loads = [tg.Pressure("upper", pressure), tg.Pressure("lower", -pressure)]
-    head_law = tg.NeoHooke(C10=1e3 * problems.NEO_HOOKE.C10)
+    head_law = tg.laws.NeoHooke(C10=1e3 * problems.NEO_HOOKE.C10)
     ((x, y),) = _bend(mesh, loads, ((1, -1.0, 0.0),), head=problems.rubber(head_law, density=DENSITY))
     record_verification(
         claim="slender strip rolled up by a moment at its end: tip (x, y) over the length",

@@ -19,7 +19,7 @@ import turgor as tg
 from turgor.meshing.cells import HEXAHEDRON
 
 MM = problems.MM
-RUBBER = problems.rubber(tg.NeoHooke(C10=0.012662 * problems.MPA), density=1070.0)
+RUBBER = problems.rubber(tg.laws.NeoHooke(C10=0.012662 * problems.MPA), density=1070.0)
 FIRST = ((0, 0), (0.3, 1), (1, 1))
 THEN = ((0, 0), (0.3, 0), (1, 1))
 

@@ -19,8 +19,8 @@ import vibrations
 from turgor.engine.mass import total_mass
 from turgor.errors import TurgorError
 from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.modes import natural_frequencies
-from turgor.solvers.path_procedures import VolumeControl
+from turgor.solvers.dynamics.modes import natural_frequencies
+from turgor.solvers.procedures.volume_control import VolumeControl
 
 MM = problems.MM
 FREQUENCIES = (4.8345, 28.540, 73.76, 75.68)  # Hz

@@ -16,9 +16,9 @@ import problems
 import turgor as tg
 import vibrations
 from turgor.model.history import share_at
-from turgor.solvers.dynamic import Dynamic
+from turgor.solvers.dynamics.modes import natural_frequencies
 from turgor.solvers.energies import imbalance
-from turgor.solvers.modes import natural_frequencies
+from turgor.solvers.procedures.dynamic import Dynamic
 
 SMOOTH = "s**2 * (3 - 2*s)"
 

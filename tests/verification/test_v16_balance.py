@@ -17,7 +17,7 @@ import meshes
 import problems
 import turgor as tg
 from problems import MM
-from turgor.engine.surfaces import enclosed_volume
+from turgor.engine.faces.surfaces import enclosed_volume
 from turgor.engine.system import System
 from turgor.model.contact import SELF, Contact
 from turgor.model.obstacles import Cylinder, Plane, SelfContact, Sphere
@@ -102,7 +102,7 @@ def _penetration_energy(state):
     """Energy stored by the penalty [J]."""
     system = System(state.model)
     contacts = system.contact.look((state.model.mesh.points + state.displacement) / system.length, _none(), 1.0)
-    return system.contact.energy(contacts, _none()) * system.stress * system.length**3
+    return system.contact.energy(contacts, _none()) * system.stress_scale * system.length**3
 
 
 def _none():

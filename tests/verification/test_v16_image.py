@@ -14,7 +14,7 @@ import problems
 import turgor as tg
 from meshes import Block
 from problems import MM
-from turgor.meshing.mirror_gap import faces_its_image
+from turgor.meshing.quality.mirror_gap import faces_its_image
 from turgor.model.contact import Contact
 
 FOOT = {"y0": "symmetry_y", "z0": "fixed"}

@@ -16,13 +16,15 @@ import contact_cases
 import problems
 import turgor as tg
 from problems import MM
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
 from turgor.model.obstacles import Obstacle, Plane, Sphere
-from turgor.solvers.downhill import FELL, downhill
-from turgor.solvers.newton import NewtonSettings, Start
-from turgor.solvers.points import silent
-from turgor.solvers.touching import newton_with_contact
+from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.listeners import silent
+from turgor.solvers.newton.contact_newton import newton_with_contact
+from turgor.solvers.newton.inertia_correction import inertia_corrected
+from turgor.solvers.newton.newton import NewtonSettings, Start
+from turgor.solvers.reasons import Cause
 
 PATH = ((0, (0, 0, 0)), (0.3, (0, 0, -1 * MM)), (1, (4 * MM, 0, -1 * MM)))
 TOP = Plane(point=(0, 0, 5 * MM), normal=(0, 0, -1))
@@ -62,8 +64,8 @@ def test_a_plate_that_drags(friction, dragged, record_verification):
     assert contact_cases.apart(held, -contact_cases.push(solution.states[-1].touches["plate"])) < 1e-4
 
 
-def test_few_iterations_and_some_found_downhill(dragged):
-    assert any(step.reason == FELL for step in dragged.steps if step.accepted)
+def test_few_iterations_and_some_found_by_inertia_correction(dragged):
+    assert any(step.cause is Cause.INERTIA_CORRECTED for step in dragged.steps if step.accepted)
     assert "slipped or snapped to another equilibrium close by" in dragged.message
     assert 0.3 in [state.load_factor for state in dragged.states]  # where the path of the plate turns
     assert dragged.iterations < 400
@@ -120,7 +122,7 @@ def _slid():
     tangent, x = Tangent(system, "rslab", 1), np.zeros(system.size)
     for factor in (0.25, 0.5, 0.75, 1.0):
         start = Start(x, system.stresses(system.evaluate(x, factor)))
-        result = newton_with_contact(system, tangent, start, factor, NewtonSettings(), silent)
+        result = newton_with_contact(load_control(system), tangent, start, factor, NewtonSettings(), silent)
         assert result.converged
         x = result.evaluation.unknowns
         if factor < 1:
@@ -153,10 +155,10 @@ def test_newton_is_quadratic_with_friction(record_verification):
 
 
 def _fallen(system, unknowns):
-    return downhill(system, Tangent(system, "rslab", 1), unknowns, 1.0, NewtonSettings(), silent)
+    return inertia_corrected(load_control(system), Tangent(system, "rslab", 1), unknowns, 1.0, NewtonSettings(), silent)
 
 
-def test_downhill_ends_stable_and_leaves_friction_as_it_was():
+def test_inertia_correction_ends_stable_and_leaves_friction_as_it_was():
     system, unknowns = _rubbing()
     found = _fallen(system, unknowns)
     assert found.converged
@@ -164,7 +166,7 @@ def test_downhill_ends_stable_and_leaves_friction_as_it_was():
     assert not system.contact.limits_kept
 
 
-def test_downhill_needs_a_touch_and_stays_near():
+def test_inertia_correction_needs_a_touch_and_stays_near():
     """Nothing is found out of touch, nor where the plate lies 2.6 mm deep, farther than half an edge of 5 mm."""
     far = contact_cases.pushed(Plane(point=(0, 0, 6 * MM), normal=(0, 0, -1)))
     system = System(contact_cases.standing(contact_cases.block((2, 2, 1)), far))
@@ -176,8 +178,8 @@ def test_downhill_needs_a_touch_and_stays_near():
 
 @pytest.mark.slow
 def test_a_fold_closes_under_vacuum(record_verification):
-    mesh = tg.mesh(tg.BellowsOfRevolution(folds=1).build(), size=6 * MM, cells="hexahedra")
-    rubber = tg.Material(name="rubber", law=tg.NeoHooke(C10=0.12e6), density=1100.0)
+    mesh = tg.mesh(tg.actuators.BellowsOfRevolution(folds=1).build(), size=6 * MM, cells="hexahedra")
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6), density=1100.0)
     model = tg.Model(mesh, dict.fromkeys(mesh.regions, rubber), [tg.Fixed("fixed")], [tg.Pressure("cavity", -6e3)])
     solution = tg.solve(model, throw=False)
     record_verification(

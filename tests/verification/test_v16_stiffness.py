@@ -42,7 +42,7 @@ def _ball(stiffness):
 def _chosen(state):
     """Largest stiffness that the program has chosen for a side [Pa/m]."""
     system = System(state.model)
-    return float(system.contact.parts[0].surface.spring.max()) * system.stress / system.length
+    return float(system.contact.parts[0].surface.spring.max()) * system.stress_scale / system.length
 
 
 def _change(one, other):

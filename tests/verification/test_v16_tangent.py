@@ -192,12 +192,12 @@ def _pull(system, unknowns):
     """Forces of friction: what vanishes with the memory of what has touched."""
     at = system.evaluate(unknowns, 1.0).contacts
     pull = system.contact.forces(at, system.springs(unknowns))[0]
-    kept = [part.anchors for part in system.contact.parts]
+    kept = [part.friction_history for part in system.contact.parts]
     for part in system.contact.parts:
-        part.anchors = None
+        part.friction_history = None
     pull = pull - system.contact.forces(at, system.springs(unknowns))[0]
     for part, anchors in zip(system.contact.parts, kept, strict=True):
-        part.anchors = anchors
+        part.friction_history = anchors
     return pull
 
 

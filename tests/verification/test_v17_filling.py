@@ -16,8 +16,8 @@ import turgor as tg
 from turgor.units import mL, mm
 
 C10 = 0.12e6
-SERIES = tg.Prony(g=(0.3, 0.2), tau=(1.0, 10.0), moduli="instantaneous")
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=C10), viscoelasticity=SERIES)
+SERIES = tg.laws.Prony(g=(0.3, 0.2), tau=(1.0, 10.0), moduli="instantaneous")
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=C10), viscoelasticity=SERIES)
 INNER, OUTER, VOLUME = 10 * mm, 15 * mm, 8 * mL
 STEPS = {"first_step": 0.02, "max_step": 0.04}
 

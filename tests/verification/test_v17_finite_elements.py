@@ -3,7 +3,7 @@
 Problem: a cube of irregular cells stretched along x, its sides free: suddenly by 1.5 and held; in cycles with a Prony
 series, with stress softening, with both; laws in invariants and in stretches. The pull is the reaction over the area.
 Exact: the table of V17; `stress_history` of the material at the times of the states, which takes the same steps.
-Source: verification case V17; the recursion of `turgor.materials.viscoelastic`.
+Source: verification case V17; the recursion of `turgor.materials.history.viscoelastic`.
 Tolerance: 0.5 % is asked for, 1e-4 is left by the ramp of 0.1 ms; 1e-6 against the material, the tolerance of Newton's
 method being 1e-10. The tangent is held against central differences, 1e-6 of its largest entry.
 """
@@ -18,11 +18,11 @@ import meshes
 import problems
 import turgor as tg
 from turgor.engine.system import System
-from turgor.materials.laws import Ogden
-from turgor.materials.softening import Mullins
-from turgor.materials.stress_history import stress_history
-from turgor.materials.viscoelastic import Prony
-from turgor.solvers.procedures import Static
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.stress_history import stress_history
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.laws import Ogden
+from turgor.solvers.procedures.static import Static
 
 TIMES = np.array([0.5, 1, 2, 5, 10, 20, 50, 100])
 TABLE = [0.2321620, 0.2188951, 0.2049315, 0.1930402, 0.1866552, 0.1807618, 0.1775040, 0.1773345]  # MPa
@@ -30,7 +30,7 @@ SERIES = Prony(g=(0.2, 0.1), tau=(1.0, 10.0), moduli="instantaneous")
 SLOW = replace(SERIES, moduli="long_term")
 MULLINS = Mullins(r=1.8, m=8e3, beta=0.1)
 OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))
-RIVLIN = tg.MooneyRivlin(C10=0.08e6, C01=0.03e6)
+RIVLIN = tg.laws.MooneyRivlin(C10=0.08e6, C01=0.03e6)
 
 
 def remembering(law, series=None, mullins=None, bulk_modulus=inf):
@@ -126,7 +126,7 @@ def _tangent_error(case, further, bulk_modulus):
     system = System(tg.Model(mesh, {"body": material}, [tg.Fixed("x0")], []))
     rng = np.random.default_rng(3)
     u = mesh.points @ (0.3 * rng.uniform(-1, 1, (3, 3)))
-    first = system.unknowns(u, rng.uniform(-1, 1, mesh.vertex_count) * system.stress)
+    first = system.unknowns(u, rng.uniform(-1, 1, mesh.vertex_count) * system.stress_scale)
     system.materials.begin_step(0.7)
     system.materials.memory = system.remembered(system.evaluate(first, 0.0))
     system.materials.begin_step(0.4)

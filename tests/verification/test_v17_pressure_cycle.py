@@ -18,14 +18,14 @@ import pytest
 import meshes
 import problems
 import turgor as tg
-from turgor.engine import kernels_geometry
-from turgor.engine.element import element_of
+from turgor.engine.cells import kernels_geometry
+from turgor.engine.cells.element import element_of
 from turgor.geometry import FastPneuNet
-from turgor.materials.softening import Mullins, softening_dissipation
-from turgor.materials.stress_history import stress_history
-from turgor.materials.viscoelastic import Prony
+from turgor.materials.history.softening import Mullins, softening_dissipation
+from turgor.materials.history.stress_history import stress_history
+from turgor.materials.history.viscoelastic import Prony
 from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.procedures import Static
+from turgor.solvers.procedures.static import Static
 
 INNER, OUTER = 10 * problems.MM, 15 * problems.MM
 SERIES = Prony(g=(0.15, 0.1), tau=(1.0, 8.0), moduli="long_term")

@@ -12,8 +12,8 @@ import pytest
 from scipy.integrate import quad
 
 import turgor as tg
-from turgor.materials.stress_history import stress_history
-from turgor.materials.viscoelastic import Prony
+from turgor.materials.history.stress_history import stress_history
+from turgor.materials.history.viscoelastic import Prony
 
 MPA = 1e6
 TIMES = (0, 0.5, 1, 2, 5, 10, 20, 50, 100, 1e9)
@@ -23,7 +23,7 @@ TABLE = (
 )
 C10 = 0.12 * MPA
 SERIES = Prony(g=(0.2, 0.1), tau=(1.0, 10.0), moduli="instantaneous")
-RUBBER = tg.Material(name="rubber", law=tg.NeoHooke(C10=C10), viscoelasticity=SERIES)
+RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=C10), viscoelasticity=SERIES)
 
 
 def test_relaxation_after_a_sudden_stretch(record_verification):
@@ -40,7 +40,7 @@ def test_relaxation_after_a_sudden_stretch(record_verification):
 
 def test_constants_of_a_slow_test_give_the_same_rubber(record_verification):
     """The long-term law has 0.7 of the stiffness; told so, the answer is the same."""
-    law = tg.NeoHooke(C10=0.7 * C10)
+    law = tg.laws.NeoHooke(C10=0.7 * C10)
     slow = tg.Material(name="rubber", law=law, viscoelasticity=Prony(g=(0.2, 0.1), tau=(1.0, 10.0), moduli="long_term"))
     found = stress_history(slow, "uniaxial", TIMES, np.full(len(TIMES), 1.5)).nominal_stress / MPA
     record_verification("the same by constants of a slow test [MPa]", "V17, exact", TABLE, found, "5e-7")

@@ -35,7 +35,7 @@ UNIT = np.pi * RADIUS**2 * PRESSURE
 
 def muscle(angle, shear_modulus, stiffness):
     """A slice and its semi-analytic twin; the angle [rad] is from the axis."""
-    rubber = tg.NeoHooke(C10=shear_modulus / 2)
+    rubber = tg.laws.NeoHooke(C10=shear_modulus / 2)
     around = np.pi / 2 - angle
     model = slices.wound(slices.quarter(RADIUS - WALL, RADIUS, (1, 5, 1)), rubber, [slices.family(stiffness, around)])
     families = [(stiffness, around), (stiffness, -around)]

@@ -20,15 +20,15 @@ import pytest
 
 import problems
 import turgor as tg
-from turgor.engine.reference import reference_nodes
+from turgor.engine.cells.reference import reference_nodes
 from turgor.geometry import FiberReinforcedCylinder
-from turgor.materials.laws import Hooke
+from turgor.materials.laws.laws import Hooke
 from turgor.meshing.generate import mesh as make_mesh
 from turgor.model.fibers import Fibers, Winding
 from turgor.units import deg, kPa, mm
 
 KEVLAR = tg.Material(name="kevlar", law=Hooke(E=31067e6, nu=0.36))
-RUBBER = tg.NeoHooke(C10=0.12e6)
+RUBBER = tg.laws.NeoHooke(C10=0.12e6)
 LENGTHS = {False: 50 * mm, True: 100 * mm}
 
 #: At the second pressure the tube widens up to twofold, and what the ends hold back reaches farther: farthest where

@@ -16,17 +16,17 @@ import turgor as tg
 from test_v24_orders import errors_of, manufactured
 from test_v24_tangent import _difference
 from turgor.engine.system import System
-from turgor.materials.laws import Ogden
+from turgor.materials.laws.laws import Ogden
 from turgor.meshing.cells import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON
 
-SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.Hooke(E=5e6, nu=0.3)), 5e-4)
+SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
 LOADS = [tg.Pressure("z1", 4e4)]
 CASES = {
     "27 nodes, mixed": (HEXAHEDRON, problems.YEOH, np.inf, "mixed"),
     "27 nodes, mixed, law in stretches": (HEXAHEDRON, Ogden(mu=(8e4, 2e3), alpha=(1.7, 5.0)), 1e6, "mixed"),
     "20 nodes, mixed": (HEXAHEDRON_20, problems.YEOH, np.inf, "mixed"),
     "27 nodes, displacement": (HEXAHEDRON, problems.YEOH, 1e6, "displacement"),
-    "20 nodes, displacement": (HEXAHEDRON_20, tg.MooneyRivlin(C10=1e4, C01=9e4), 1e6, "displacement"),
+    "20 nodes, displacement": (HEXAHEDRON_20, tg.laws.MooneyRivlin(C10=1e4, C01=9e4), 1e6, "displacement"),
     "10 nodes, displacement": (TETRAHEDRON, problems.YEOH, 1e6, "displacement"),
 }
 

@@ -18,7 +18,7 @@ import meshes
 import problems
 import turgor as tg
 from turgor.engine.system import System
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, YeohN
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, YeohN
 
 
 def _cavity():
@@ -34,7 +34,7 @@ def _cantilever():
 
 LAWS = {
     "neo-Hookean": problems.NEO_HOOKE,
-    "Mooney-Rivlin": tg.MooneyRivlin(C10=1e4, C01=1.4e4),
+    "Mooney-Rivlin": tg.laws.MooneyRivlin(C10=1e4, C01=1.4e4),
     "Yeoh": problems.YEOH,
     "Yeoh, 4 terms": YeohN(coefficients=(1e5, 1e4, -5e2, 2e1)),
     "generalized Rivlin": GeneralizedRivlin.of(C10=-7.48e3, C01=19.6e3, C20=-198.0, C02=-539.0, C11=3.21e3),
@@ -49,7 +49,7 @@ def _residuals(model, tangent_of, count):
     """Norms of the free residual from 80 % to the full load, over the first one."""
     before = problems.state_at(problems.solve(model, tg.Static(at=(0.8,), tolerance=1e-11)), 0.8)
     system = System(model)
-    x = np.concatenate([before.displacement.ravel() / system.length, before.mean_stress / system.stress])
+    x = np.concatenate([before.displacement.ravel() / system.length, before.mean_stress / system.stress_scale])
     return _newton(system, x, tangent_of, count)
 
 

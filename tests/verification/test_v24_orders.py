@@ -18,8 +18,8 @@ import numpy as np
 import meshes
 import problems
 import turgor as tg
-from turgor.engine.element import element_of
-from turgor.engine.reference import reference_cell
+from turgor.engine.cells.element import element_of
+from turgor.engine.cells.reference import reference_cell
 from turgor.meshing.cells import TETRAHEDRON
 
 A, K, MU = 0.2, np.pi, 1.0e5
@@ -55,7 +55,9 @@ def manufactured(count, kind=TETRAHEDRON):
 
     supports = [tg.Displacement(side, moved, "xy") for side in ("x0", "y0", "y1")]
     supports += [tg.Displacement("x1", moved, "y"), *problems.PLANE_STRAIN]
-    model = problems.one_material(mesh, tg.NeoHooke(C10=MU / 2), supports=supports, loads=[tg.BodyForce(_body_force)])
+    model = problems.one_material(
+        mesh, tg.laws.NeoHooke(C10=MU / 2), supports=supports, loads=[tg.BodyForce(_body_force)]
+    )
     return problems.solve(model, tg.Static(first_step=0.25, tolerance=1e-10)).states[-1]
 
 

@@ -18,13 +18,13 @@ import meshes
 import problems
 import turgor as tg
 from test_v24_tangent import _difference
-from turgor.engine import kernels_geometry
+from turgor.engine.cells import kernels_geometry
 from turgor.engine.energy import stored_energy
 from turgor.engine.system import System
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.meshing.surface import cell_sides
 
-SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.Hooke(E=5e6, nu=0.3)), 5e-4)
+SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
 KINDS = {"ten-node tetrahedra": TETRAHEDRON, "27-node hexahedra": HEXAHEDRON}
 BULK = {"incompressible": (np.inf, np.inf), "compressible": (1e6, 3e6), "one of each": (np.inf, 1e6)}
 
@@ -44,7 +44,9 @@ def two_rubbers(kind, bulk):
         regions={"soft": np.flatnonzero(~right), "stiff": np.flatnonzero(right)},
         faces={**flat.faces, "middle": middle[once]},
     )
-    soft, stiff = (problems.rubber(law, k) for law, k in zip((problems.YEOH, tg.NeoHooke(C10=1e6)), bulk, strict=True))
+    soft, stiff = (
+        problems.rubber(law, k) for law, k in zip((problems.YEOH, tg.laws.NeoHooke(C10=1e6)), bulk, strict=True)
+    )
     return tg.Model(mesh, {"soft": soft, "stiff": stiff, "middle": SHEET}, [tg.Fixed("x0")], [])
 
 
@@ -63,7 +65,7 @@ def saddle(system, unknowns):
     J = kernels_geometry.kinematics(e.shape, system.cells, u, r.dN, system.Jinv)[2]
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean])
     lost = J - 1 - mean * system.materials.compliance[:, None]
-    scale = system.stress * system.length**3
+    scale = system.stress_scale * system.length**3
     return stored_energy(system, unknowns) / scale + float((system.dV * mean * lost).sum())
 
 

@@ -16,14 +16,14 @@ import meshes
 import problems
 import turgor as tg
 from turgor.engine.system import System
-from turgor.materials.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
-SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.Hooke(E=5e6, nu=0.3)), 5e-4)
+SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
 OPEN = tg.Pressure("z1", 4e4)
 OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))
 CASES = {
     "neo-Hookean, incompressible": (problems.NEO_HOOKE, np.inf, None, ()),
-    "Mooney-Rivlin, compressible": (tg.MooneyRivlin(C10=1e4, C01=9e4), 1e6, None, ()),
+    "Mooney-Rivlin, compressible": (tg.laws.MooneyRivlin(C10=1e4, C01=9e4), 1e6, None, ()),
     "Yeoh, incompressible": (tg.Yeoh(C10=1e5, C20=2e4, C30=-1e3), np.inf, None, ()),
     "Ogden, incompressible": (OGDEN, np.inf, None, ()),
     "Ogden, compressible": (OGDEN, 1e6, None, ()),

@@ -6,7 +6,7 @@ import pytest
 import meshes
 from turgor.engine.chambers import Chambers
 from turgor.engine.system import System
-from turgor.materials.laws import NeoHooke
+from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model

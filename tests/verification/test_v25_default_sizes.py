@@ -15,8 +15,8 @@ import pytest
 import turgor as tg
 from turgor.units import MPa, deg, kPa, mm
 
-RUBBER = tg.Material(name="soft", law=tg.NeoHooke(C10=0.11 * MPa))
-STIFF = tg.Material(name="stiff", law=tg.NeoHooke(C10=2.2 * MPa))
+RUBBER = tg.Material(name="soft", law=tg.laws.NeoHooke(C10=0.11 * MPa))
+STIFF = tg.Material(name="stiff", law=tg.laws.NeoHooke(C10=2.2 * MPa))
 
 #: Bending angle of the ring sectors on fine meshes.
 FINE = 11.24 * deg
@@ -31,7 +31,7 @@ def angle(mesh: tg.Mesh, materials: dict[str, tg.Material], cavity: str, pressur
 
 @pytest.mark.parametrize("cells", ["tetrahedra", pytest.param("hexahedra", marks=pytest.mark.slow)])
 def test_ring_sectors_near_their_largest_pressure(cells, record_verification):
-    part = tg.OmnidirectionalActuator(chamber_shape="ring_sector", symmetric=True).build()
+    part = tg.actuators.OmnidirectionalActuator(chamber_shape="ring_sector", symmetric=True).build()
     got = angle(tg.mesh(part, cells=cells), {"body": RUBBER}, "cavity_1", 48 * kPa)
     record_verification(
         claim=f"ring sectors 8 % below their largest pressure, default mesh of {cells}: bending angle [°]",

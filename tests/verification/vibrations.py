@@ -6,8 +6,8 @@ import meshes
 import problems
 import turgor as tg
 from turgor.meshing.cells import HEXAHEDRON
-from turgor.solvers.dynamic import Dynamic
-from turgor.solvers.modes import natural_frequencies
+from turgor.solvers.dynamics.modes import natural_frequencies
+from turgor.solvers.procedures.dynamic import Dynamic
 
 LENGTH, THICKNESS = 100 * problems.MM, 10 * problems.MM
 DENSITY = 1070.0

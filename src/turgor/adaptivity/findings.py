@@ -5,7 +5,7 @@ from math import isfinite
 
 from turgor.finding import Finding, Severity
 from turgor.response import Column, Response
-from turgor.results.error_text import last_with_error
+from turgor.results.report.error_text import last_with_error
 
 #: Relative mesh errors of the last state above which a measure is noted, and doubted.
 NOTED, DOUBTED = 0.02, 0.05

@@ -8,10 +8,10 @@ error of any measure. Averages stop where the mean stress may jump, because ther
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.element import tables_with
+from turgor.engine.cells.element import tables_with
+from turgor.engine.cells.mean_stress_jumps import mean_stress_numbers
+from turgor.engine.cells.reference import reference_nodes, smooth_basis
 from turgor.engine.fields import cell_fields
-from turgor.engine.mean_stress_jumps import mean_stress_numbers
-from turgor.engine.reference import reference_nodes, smooth_basis
 from turgor.meshing.cells import HEXAHEDRON
 from turgor.solvers.solution import State
 

@@ -5,12 +5,13 @@ from functools import partial
 from turgor.adaptivity.mesh_error import MeshError, estimate_mesh_error, procedure_of
 from turgor.engine.runtime import EngineOptions
 from turgor.response import MESH_ERROR, Column, Response
-from turgor.results.fields import StateFields
-from turgor.results.measures import chosen_measures
-from turgor.results.measures import measure as read
-from turgor.results.reading import Measure
-from turgor.solvers.path_procedures import ArcLength, Auto
-from turgor.solvers.pressures import pressures_of
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.measures.measures import chosen_measures
+from turgor.results.measures.measures import measure as read
+from turgor.results.measures.reading import Measure
+from turgor.solvers.pressures import pressures_of, stated_by_loads
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.solution import Solution
 
 
@@ -109,7 +110,9 @@ def _found_pressures(solution: Solution) -> tuple[Measure, ...]:
     last = solution.states[-1]
     acting, stated = pressures_of(last), {load.face for load in solution.model.pressures}
     by_path = isinstance(procedure_of(solution, last), ArcLength | Auto)
-    found = list(acting) if by_path else [name for name in last.pressures if name not in stated]
+    given = last.model is solution.model and stated_by_loads(last)
+    sought = [] if given else [name for name, value in last.pressures.items() if name not in stated and value]
+    found = list(acting) if by_path else sought
     return tuple(
         Measure(
             name="pressure" if len(acting) == 1 else f"{face}_pressure",

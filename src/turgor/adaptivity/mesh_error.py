@@ -20,12 +20,12 @@ from turgor.adaptivity.second_mesh import SecondMesh
 from turgor.engine.runtime import EngineOptions, use_threads
 from turgor.engine.transfer import Transfer
 from turgor.finding import Finding, Severity
-from turgor.meshing.refinement import Refinement
-from turgor.results.fields import MeshFacts, StateFields
-from turgor.results.reading import Measure
-from turgor.solvers.dynamic import Dynamic
+from turgor.meshing.refining.refinement import Refinement
+from turgor.results.fields.state_fields import MeshFacts, StateFields
+from turgor.results.measures.reading import Measure
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.solution import Solution, State
-from turgor.solvers.stages import OneProcedure, Stages
 
 Array = NDArray[np.float64]
 

@@ -16,13 +16,13 @@ from turgor.engine.transfer import Transfer
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.refinement import Refinement
-from turgor.meshing.sizes import check_target
+from turgor.meshing.refining.refinement import Refinement
+from turgor.meshing.sizing.sizes import check_target
 from turgor.model.model import Model
-from turgor.results.error_text import with_error
-from turgor.results.reading import Measure
-from turgor.solvers.driver import solve
+from turgor.results.measures.reading import Measure
+from turgor.results.report.error_text import with_error
 from turgor.solvers.solution import Procedure, Solution, SolveError
+from turgor.solvers.solve import solve
 from turgor.units import mm
 
 Array = NDArray[np.float64]

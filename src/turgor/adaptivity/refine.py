@@ -5,9 +5,9 @@ from numpy.typing import NDArray
 
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.refinement import Refinement
-from turgor.meshing.split import refine_tetrahedra
-from turgor.meshing.split_hexahedra import refine_hexahedra, sheets
+from turgor.meshing.refining.refinement import Refinement
+from turgor.meshing.refining.split import refine_tetrahedra
+from turgor.meshing.refining.split_hexahedra import refine_hexahedra, sheets
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

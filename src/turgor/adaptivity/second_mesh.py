@@ -6,21 +6,29 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.chambers import Chambers
-from turgor.engine.linear import SingularTangentError
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import Evaluation, System
-from turgor.engine.tangent import Tangent
 from turgor.engine.transfer import Transfer
-from turgor.meshing.refinement import Refinement
+from turgor.meshing.refining.refinement import Refinement
 from turgor.model.model import Model
-from turgor.solvers.bordered import BorderedStart, bordered_newton
-from turgor.solvers.controls import CavityPressures, Control, LoadFactor, VolumeTarget, WorkTarget, acting_pressures
-from turgor.solvers.newton import NewtonSettings, Start, relative_residual
-from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
+from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.constraints.load_factor import LoadFactor, WorkTarget
+from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.continuation.scalar_control.cavity_control import asked_cavities
+from turgor.solvers.newton.contact_newton import newton_with_contact
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.newton import NewtonSettings, Start, newton
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.stages import OneProcedure
+from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.solution import State
-from turgor.solvers.stages import OneProcedure
-from turgor.solvers.touching import newton_with_contact, touches
+from turgor.solvers.states import acting_pressures, touches
 
 Array = NDArray[np.float64]
 
@@ -113,8 +121,7 @@ def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
     """Cavities whose pressure the procedure sought."""
     if not isinstance(procedure, VolumeControl | GasMass):
         return ()
-    stated = {load.face for load in state.model.pressures}
-    return tuple(name for name in state.pressures if name not in stated)
+    return asked_cavities(state.model, procedure)
 
 
 def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, exact: bool) -> State | None:
@@ -139,21 +146,21 @@ def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, ex
         if at is None or total > FAR * size_of_state:
             break
         if size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
-            return _state(system, at, state, {}, tangent.unstable_modes())
+            return _state(system, at, state, tangent.unstable_modes())
         fresh, before = size > CONTRACTION * before, size
     return _carefully(system, tangent, first, state)
 
 
 def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -> State | None:
     """Equilibrium by Newton's method with all its care: where walls touch, or where simple updates go astray."""
-    start = Start(at.unknowns, system.stresses(at), at)
-    result = newton_with_contact(system, tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
+    start = Start(at.unknowns, system.stresses(at), evaluation=at)
+    result = newton_with_contact(load_control(system), tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
     if not result.converged or result.evaluation is None:
         return None
     moved = (result.evaluation.unknowns - at.unknowns)[: 3 * system.node_count]
     if np.linalg.norm(moved) > FAR * np.linalg.norm(at.unknowns[: 3 * system.node_count]):
         return None  # another equilibrium
-    return _state(system, result.evaluation, state, {}, result.unstable_modes)
+    return _state(system, result.evaluation, state, result.unstable_modes)
 
 
 def _at_volume(
@@ -163,8 +170,8 @@ def _at_volume(
     if controlled:
         chambers = Chambers(system, controlled)
         volumes = chambers.volumes(unknowns)
-        control = Control(CavityPressures(system), VolumeTarget(chambers, volumes, np.zeros_like(volumes)))
-        scalars = np.array([state.pressures[name] for name in controlled]) / system.stress
+        constraint = Constraint(CavityPressures(system), VolumeTarget(chambers, volumes, np.zeros_like(volumes)))
+        scalars = np.array([state.pressures[name] for name in controlled]) / system.stress_scale
         parameter = state.load_factor
     else:
         weights = {load.face: load.pressure for load in state.model.pressures}
@@ -173,33 +180,27 @@ def _at_volume(
         chambers = Chambers(system, tuple(weights))
         shares = np.array(list(weights.values())) / max(map(abs, weights.values()))
         now, rest = (float(shares @ chambers.volumes(x)) for x in (unknowns, np.zeros(system.size)))
-        control = Control(LoadFactor(system), WorkTarget(chambers, shares, rest, now))
+        constraint = Constraint(LoadFactor(system), WorkTarget(chambers, shares, rest, now))
         scalars, parameter = np.array([state.load_factor]), 1.0
-    start = BorderedStart(unknowns, scalars, None)
-    result = bordered_newton(control, tangent, start, parameter, SETTINGS, _unheard)
+    start = Start(unknowns, None, scalars)
+    result = newton(constraint, tangent, start, parameter, SETTINGS, _unheard)
     if not result.converged or result.evaluation is None:
         return None
-    found = acting_pressures(system, result.scalars) if controlled else {}
-    return _state(system, result.evaluation, state, dict(found))
+    return _state(system, result.evaluation, state)
 
 
-def _state(
-    system: System, at: Evaluation, state: State, pressures: dict[str, float], modes: int | None = None
-) -> State:
+def _state(system: System, at: Evaluation, state: State, modes: int | None = None) -> State:
     displacement, mean_stress = system.physical(at.unknowns)
-    if not pressures and state.pressures:
-        share = at.load_factor / state.load_factor if state.load_factor else 1.0
-        pressures = {name: value * share for name, value in state.pressures.items()}
     return replace(
         state,
         model=system.model,
         load_factor=at.load_factor,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.split(at.residual)[0] * system.stress * system.length**2,
+        nodal_force=system.split(at.residual)[0] * system.stress_scale * system.length**2,
         unstable_modes=modes,
         touches=touches(system, at),
-        pressures=pressures,
+        pressures={**state.pressures, **acting_pressures(system, at)},
         memory=system.materials.memory,
     )
 

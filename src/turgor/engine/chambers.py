@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import surfaces
-from turgor.engine.openings import cap_gradient
-from turgor.engine.reference import side_tables
+from turgor.engine.cells.reference import side_tables
+from turgor.engine.faces import surfaces
+from turgor.engine.faces.openings import cap_gradient
 from turgor.engine.system import System
 
 Array = NDArray[np.float64]
@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 class Chambers:
     """Cavities of the whole actuator, in scaled units.
 
-    An opening is closed by a cap, as in `turgor.engine.surfaces.enclosed_volume`.
+    An opening is closed by a cap, as in `turgor.engine.faces.surfaces.enclosed_volume`.
 
     Parameters
     ----------

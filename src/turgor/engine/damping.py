@@ -1,9 +1,9 @@
-"""Damping: forces in proportion to the rate of strain, which leave rigid motions alone."""
+"""Damping: viscous forces in proportion to the rate of strain; rigid motions are not damped."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels, kernels_geometry
+from turgor.engine.cells import kernels, kernels_geometry
 from turgor.engine.system import System
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ class StrainRateDamping:
         model = system.model
         viscosity = np.empty(len(model.mesh.cells))
         for name, material in model.region_materials.items():
-            viscosity[model.mesh.regions[name]] = 2 * time * material.law.shear_modulus / system.stress
+            viscosity[model.mesh.regions[name]] = 2 * time * material.law.shear_modulus / system.stress_scale
         self._viscosity = viscosity
         self._rows = np.arange(len(viscosity))
 

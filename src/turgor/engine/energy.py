@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels_geometry
+from turgor.engine.cells import kernels_geometry
+from turgor.engine.cells.stabilization import penalty_energy
 from turgor.engine.evaluation import Evaluation
-from turgor.engine.stabilization import penalty_energy
 from turgor.engine.system import System
 
 Array = NDArray[np.float64]
@@ -24,17 +24,17 @@ def stored_energy(system: System, unknowns: Array) -> float:
     compliance = rubber.compliance[:, None]
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean]) if e.modes else (J - 1) / compliance
     lost = J - 1 - mean * compliance
-    density = rubber.energy(I1, I2, F) / system.stress + 0.5 * mean**2 * compliance
+    density = rubber.energy(I1, I2, F) / system.stress_scale + 0.5 * mean**2 * compliance
     position = system.points + u
     faces = system.faces.membrane_energy(position) + system.faces.fiber_energy(position)
     penalty = float(penalty_energy(system.rubber.penalty, system.dV, lost).sum())
-    return (float((system.dV * density).sum()) + penalty + faces) * system.stress * system.length**3
+    return (float((system.dV * density).sum()) + penalty + faces) * system.stress_scale * system.length**3
 
 
 def contact_energy(system: System, at: Evaluation) -> float:
     """Energy of the modeled part in what is pressed into each other, and in the springs of obstacles [J]."""
     scaled = system.contact.energy(at.contacts, system.springs(at.unknowns))
-    return scaled * system.stress * system.length**3
+    return scaled * system.stress_scale * system.length**3
 
 
 def softening_loss(system: System, at: Evaluation) -> float:

@@ -1,4 +1,4 @@
-"""What is known of the equations at one point: the residual with all that the tangent needs again, and the stresses."""
+"""Evaluation: the residual at given unknowns, with what the tangent needs again, and the stresses."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.cell_materials import Isochoric
+from turgor.engine.cells.cell_materials import Isochoric
 from turgor.engine.contact.terms import Contacts
-from turgor.engine.faces import FaceStresses
+from turgor.engine.faces.face_terms import FaceStresses
 
 Array = NDArray[np.float64]
 
@@ -36,7 +36,7 @@ class Stresses:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Evaluation:
-    """The equations at one point: what the residual computed and the tangent needs again.
+    """The residual at given unknowns, and what the tangent needs again.
 
     Parameters
     ----------

@@ -6,15 +6,15 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels_geometry
-from turgor.engine.cell_materials import CellMaterials
-from turgor.engine.element import Element, element_of, tables_with
-from turgor.engine.faces import FaceTerms
-from turgor.engine.memory import Memory
-from turgor.engine.reference import reference_nodes, smooth_basis, tables_at
-from turgor.engine.stabilization import penalty_energy, volume_penalty
+from turgor.engine.cells import kernels_geometry
+from turgor.engine.cells.cell_materials import CellMaterials
+from turgor.engine.cells.element import Element, element_of, tables_with
+from turgor.engine.cells.memory import Memory
+from turgor.engine.cells.reference import reference_nodes, smooth_basis, tables_at
+from turgor.engine.cells.stabilization import penalty_energy, volume_penalty
+from turgor.engine.faces.face_terms import FaceTerms
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.region_nodes import RegionNodes
+from turgor.meshing.refining.region_nodes import RegionNodes
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine import kernels_geometry
-from turgor.engine.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.engine.cells import kernels_geometry
+from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
@@ -59,7 +59,7 @@ def mass_data(system: System, density: Array | None = None) -> Array:
     mesh = system.model.mesh
     density = densities(system.model) if density is None else density
     N = reference_cell(mesh.cell_type.nodes, CELL_QUADRATURE_DEGREE).N
-    weights = density[:, None] * _volumes(mesh, system.points) * (system.length**2 / system.stress)
+    weights = density[:, None] * _volumes(mesh, system.points) * (system.length**2 / system.stress_scale)
     rows, columns = np.tril_indices(system.cell_size)
     same = (rows % 3 == columns % 3) & (rows < 3 * mesh.cell_type.nodes)
     a, b = rows[same] // 3, columns[same] // 3

@@ -10,8 +10,8 @@ from time import perf_counter
 import numba
 from threadpoolctl import threadpool_limits
 
+from turgor.engine.cells.kernels_warmup import touch_kernels
 from turgor.engine.contact.warmup import touch_contact_kernels
-from turgor.engine.kernels_warmup import touch_kernels
 from turgor.errors import TurgorError, unknown
 
 #: Ways of Newton's method, for measurements: all that is done; without mixed integration points; and without

@@ -1,4 +1,4 @@
-"""System: the discrete equations of a model, residual and tangent.
+"""System: the discrete equilibrium equations of a model, with their residual and tangent.
 
 Inside, lengths are divided by the mean edge length and stresses by the stiffest rubber's shear modulus, so that the
 unknowns and the entries of the tangent are of the order of one whatever the units and the size of the actuator.
@@ -8,19 +8,19 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.engine.additions import Addition
-from turgor.engine.boundary import held_components
-from turgor.engine.cell_terms import CellTerms
+from turgor.engine.algebra.additions import Addition
+from turgor.engine.algebra.boundary import held_components
+from turgor.engine.algebra.pattern import Pattern, build_pattern
+from turgor.engine.cells.cell_terms import CellTerms
+from turgor.engine.cells.memory import Memory
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.surface import whole_surface
 from turgor.engine.contact.terms import Contacts, ContactTerms
-from turgor.engine.dead_loads import dead_forces
 from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
 from turgor.engine.evaluation import Stresses as Stresses
-from turgor.engine.faces import FaceTerms
-from turgor.engine.memory import Memory
-from turgor.engine.pattern import Pattern, build_pattern
+from turgor.engine.faces.dead_loads import dead_forces
+from turgor.engine.faces.face_terms import FaceTerms
 from turgor.errors import TurgorError
 from turgor.model.drive import extremes
 from turgor.model.model import Model
@@ -67,9 +67,9 @@ class System:
         self.controlled = controlled
         self.node_count = len(mesh.points)
         self.length = _mean_edge(mesh.points, mesh.cells)
-        self.stress = max(m.law.shear_modulus for m in model.region_materials.values())
+        self.stress_scale = max(m.law.shear_modulus for m in model.region_materials.values())
         self.points = np.ascontiguousarray(mesh.points / self.length)
-        self.rubber = CellTerms(model, self.points, self.stress)
+        self.rubber = CellTerms(model, self.points, self.stress_scale)
         self.cells, self.element, self.materials = self.rubber.cells, self.rubber.element, self.rubber.materials
         self.Jinv, self.dV = self.rubber.Jinv, self.rubber.dV
         self.mean_stress_volumes = self.rubber.mean_stress_volumes
@@ -80,8 +80,8 @@ class System:
         bodies = self.contact.bodies.held
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
         self.size = len(self.held)
-        self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress, controlled)
-        self._dead = dead_forces(model, self.points, self.dV, self.element.tables.N, (self.length, self.stress))
+        self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress_scale, controlled)
+        self._dead = dead_forces(model, self.points, self.dV, self.element.tables.N, (self.length, self.stress_scale))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
         base = build_pattern(self.rubber.unknowns, self.size, *self.faces.couplings)
         self.rubber.locate(base)
@@ -89,9 +89,9 @@ class System:
         self.layout = Layout(base, self.held)
 
     def _contact_terms(self) -> ContactTerms:
-        scales = (self.length, self.stress)
+        scales = (self.length, self.stress_scale)
         first = 3 * self.node_count + self.element.mean_count
-        surface = whole_surface(self.model, self.points, self.dV.sum(axis=1), self.stress)
+        surface = whole_surface(self.model, self.points, self.dV.sum(axis=1), self.stress_scale)
         return ContactTerms(self.model, surface, self.points, scales, first)
 
     def _applied(self, load_factor: float) -> float:
@@ -129,12 +129,12 @@ class System:
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
         """Displacement (n, 3) [m] and mean stress (m,) [Pa]."""
         u, p = self.split(unknowns)
-        return u * self.length, p * self.stress
+        return u * self.length, p * self.stress_scale
 
     def unknowns(self, displacement: Array, mean_stress: Array) -> Array:
         """Scaled unknowns (size,) of a displacement (n, 3) [m] and mean stress (m,) [Pa]; inverse of `physical`."""
         components = self._frames.to_local(displacement / self.length)
-        return np.concatenate([components.ravel(), mean_stress / self.stress])
+        return np.concatenate([components.ravel(), mean_stress / self.stress_scale])
 
     @property
     def cell_size(self) -> int:

@@ -3,11 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.element import element_of, tables_with
-from turgor.engine.memory import Memory
-from turgor.engine.reference import reference_nodes, smooth_basis, tables_at
+from turgor.engine.cells.element import element_of, tables_with
+from turgor.engine.cells.memory import Memory
+from turgor.engine.cells.reference import reference_nodes, smooth_basis, tables_at
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.refinement import Refinement
+from turgor.meshing.refining.refinement import Refinement
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]

@@ -2,16 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding
-
-if TYPE_CHECKING:
-    from turgor.geometry.sweep import Sweep
-
-#: Shapes are built in millimeters: the tolerances of the CAD kernel (1e-7 of its unit) suit parts of 1 to 1000 units.
-METERS_PER_CAD_UNIT = 1e-3
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.sweep import Sweep
 
 #: Planar and cylindrical parts reach 1e-13; a face that went missing in a boolean is off by far more than 1e-9.
 VOLUME_TOLERANCE = 1e-9
@@ -62,7 +58,7 @@ class Geometry:
     length_scale: float = METERS_PER_CAD_UNIT
     findings: tuple[Finding, ...] = ()
     _shape: Any = field(repr=False)
-    _sweep: "Sweep | None" = field(default=None, repr=False)
+    _sweep: Sweep | None = field(default=None, repr=False)
 
     @property
     def cavity_volume(self) -> float:

@@ -10,7 +10,8 @@ from netgen.occ import Cylinder, Pnt, Z
 from turgor.errors import TurgorError
 from turgor.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.geometry.actuators.slow_pneunet import SlowPneuNet
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT, Geometry, check_volume
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.geometry import Geometry, check_volume
 from turgor.geometry.rules import check_length
 from turgor.geometry.shapes.solids import box, cut, union, volume
 from turgor.units import mm

@@ -2,6 +2,9 @@
 
 from collections.abc import Iterable
 
+#: Name of the faces between two regions that have no better one.
+INTERFACE = "interface"
+
 
 def cavity_names(faces: Iterable[str]) -> tuple[str, ...]:
     """Return the names that mean a cavity, those that begin with ``cavity``, in the order in which they are counted.

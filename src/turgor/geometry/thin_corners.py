@@ -2,7 +2,7 @@
 
 The wall over a ring sector is an arch between two webs, the wall over a long box a plate between two others. Pressure
 bends them about the corners as about hinges, so the corners decide how far they bulge;
-`turgor.meshing.local_sizes` makes the cells there smaller.
+`turgor.meshing.sizing.local_sizes` makes the cells there smaller.
 """
 
 from dataclasses import dataclass

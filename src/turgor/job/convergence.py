@@ -11,11 +11,11 @@ from turgor.errors import TurgorError
 from turgor.job.job import Job
 from turgor.job.run import prepare
 from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.sizes import size_range
-from turgor.results.convergence import Convergence
-from turgor.results.measures import Measure, find_measure, measure
-from turgor.solvers.driver import Progress, solve
+from turgor.meshing.sizing.sizes import size_range
+from turgor.results.convergence.study import Convergence
+from turgor.results.measures.measures import Measure, find_measure, measure
 from turgor.solvers.solution import Solution, SolveError
+from turgor.solvers.solve import Progress, solve
 from turgor.units import mm
 
 #: Sizes of a study differ by this factor: about three times the cells from one mesh to the next.
@@ -139,8 +139,8 @@ def _limits(job: Job) -> tuple[float, float]:
 
 def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress | None) -> Solution:
     share = size / job.mesh_size
-    faces = {name: length * share for name, length in job.mesh_face_sizes.items()}
-    model, _ = prepare(replace(job, mesh_size=size, mesh_face_sizes=faces), say)
+    faces = {name: length * share for name, length in job.mesh.face_sizes.items()}
+    model, _ = prepare(replace(job, mesh=replace(job.mesh, size=size, face_sizes=faces)), say)
     options = EngineOptions(notify=say)
     if job.threads is not None:
         options = replace(options, threads=job.threads)

@@ -10,13 +10,13 @@ from turgor.geometry.mold import casting_mold
 from turgor.geometry.write_step import write_step
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
+from turgor.meshing.exchange.formats.write_stl import write_stl
 from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.meshing.exchange.write_stl import write_stl
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.model.write_inp import PROGRAMS, compressible, write_inp
-from turgor.solvers.procedures import question_of
-from turgor.solvers.stages import Stages
+from turgor.solvers.methods import question_of
+from turgor.solvers.procedures.stages import Stages
 
 #: What can be exported.
 KINDS = ("inp", "step", "stl", "mold")

@@ -35,14 +35,16 @@ from turgor.geometry import (
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.materials.material import Material
 from turgor.meshing.exchange.mesh_file import MeshFile
+from turgor.meshing.settings import MeshSettings
+from turgor.meshing.sizing.sizes import default_size
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
 from turgor.model.supports import Fixed, Radial
-from turgor.solvers.procedures import Static
-from turgor.solvers.stages import OneProcedure, Stages
+from turgor.solvers.procedures.stages import OneProcedure, Stages
+from turgor.solvers.procedures.static import Static
 
 
 class Actuator(Protocol):
@@ -108,7 +110,7 @@ def standard_measures() -> tuple[str, ...]:
     >>> standard_measures()[0]
     'bending_angle'
     """
-    from turgor.results.measures import STANDARD_MEASURES  # here, because it loads the engine
+    from turgor.results.measures.measures import STANDARD_MEASURES  # here, because it loads the engine
 
     return tuple(measure.name for measure in STANDARD_MEASURES)
 
@@ -148,16 +150,8 @@ class Job:
         What the run is called; the default folder of results is ``<name>-results``.
     actuator : Actuator
         Dimensions of the actuator.
-    mesh_size : float [m]
-        Largest edge length aimed at.
-    mesh_grading : float [-]
-        How fast cells may grow away from small ones.
-    mesh_face_sizes : mapping of str to float [m]
-        Smaller sizes for some faces, by name.
-    mesh_wall_cells : int
-        Cells at least through every wall: 1 or 2.
-    mesh_cells : str
-        ``"tetrahedra"`` or ``"hexahedra"``.
+    mesh : MeshSettings
+        Sizes and kind of the cells.
     mesh_target : float or None [-]
         Relative mesh error of one measure at the last state that the mesh is refined to; None leaves the mesh alone.
     mesh_target_measure : str or None
@@ -186,11 +180,7 @@ class Job:
 
     name: str
     actuator: Actuator
-    mesh_size: float
-    mesh_grading: float = 0.5
-    mesh_face_sizes: Mapping[str, float] = field(default_factory=dict)
-    mesh_wall_cells: int = 1
-    mesh_cells: str = "tetrahedra"
+    mesh: MeshSettings = field(default_factory=MeshSettings)
     mesh_target: float | None = None
     mesh_target_measure: str | None = None
     mesh_most_unknowns: int = 200_000
@@ -203,3 +193,8 @@ class Job:
     procedure: OneProcedure | Stages = field(default_factory=Static)
     output: Output = field(default_factory=Output)
     threads: int | None = None
+
+    @property
+    def mesh_size(self) -> float:
+        """Largest edge length aimed at [m]: that of the settings, or the one chosen for the actuator."""
+        return default_size(self.actuator.build(), self.mesh.cells) if self.mesh.size is None else self.mesh.size

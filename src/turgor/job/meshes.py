@@ -3,7 +3,7 @@
 from turgor.geometry import Geometry
 from turgor.job.job import Job
 from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.meshing.generate import mesh
+from turgor.meshing.generate import mesh_with
 from turgor.meshing.mesh import Mesh
 
 
@@ -23,11 +23,4 @@ def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     """
     if isinstance(geometry._shape, MeshedShape):
         return geometry._shape.mesh
-    return mesh(
-        geometry,
-        size=job.mesh_size,
-        grading=job.mesh_grading,
-        face_sizes=job.mesh_face_sizes,
-        wall_cells=job.mesh_wall_cells,
-        cells=job.mesh_cells,
-    )
+    return mesh_with(geometry, job.mesh)

@@ -8,21 +8,21 @@ from typing import Any
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry import Geometry
-from turgor.job.contact import read_contact
-from turgor.job.fibers import read_fibers
 from turgor.job.job import Actuator, Job
-from turgor.job.lines import key_lines
-from turgor.job.loads import read_loads
-from turgor.job.materials import read_materials, refuse_shells
-from turgor.job.mesh_files import MESH_FILE
-from turgor.job.problems import JobError, Problems
-from turgor.job.procedures import drives, duration_of, read_procedure
-from turgor.job.sections import read_actuator, read_engine, read_mesh, read_output
-from turgor.job.stages import STAGES, Around, first_duration, read_stages, with_names
-from turgor.job.supports import read_supports
-from turgor.job.tables import shown
+from turgor.job.tables.contact import read_contact
+from turgor.job.tables.fibers import read_fibers
+from turgor.job.tables.loads import read_loads
+from turgor.job.tables.materials import read_materials, refuse_shells
+from turgor.job.tables.mesh_files import MESH_FILE
+from turgor.job.tables.procedures import drives, duration_of, read_procedure
+from turgor.job.tables.sections import read_actuator, read_engine, read_mesh, read_output
+from turgor.job.tables.stages import STAGES, Around, first_duration, read_stages, with_names
+from turgor.job.tables.supports import read_supports
+from turgor.job.text.lines import key_lines
+from turgor.job.text.problems import JobError, Problems
+from turgor.job.text.quantities import shown
 from turgor.model.loads import Gravity, Pressure
-from turgor.solvers.stages import OneProcedure, Stages
+from turgor.solvers.procedures.stages import OneProcedure, Stages
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
 SECTIONS = (
@@ -145,11 +145,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     return Job(
         name=name,
         actuator=actuator,
-        mesh_size=mesh.size,
-        mesh_grading=mesh.grading,
-        mesh_face_sizes=mesh.face_sizes,
-        mesh_wall_cells=mesh.wall_cells,
-        mesh_cells=mesh.cells,
+        mesh=mesh.settings(mesh.size),
         mesh_target=mesh.target,
         mesh_target_measure=mesh.target_measure,
         mesh_most_unknowns=mesh.most_unknowns,

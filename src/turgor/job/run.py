@@ -9,27 +9,26 @@ from turgor.adaptivity.measure import mesh_error_of, with_mesh_error
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding
-from turgor.job.folder import claimed, default_folder
 from turgor.job.job import Job
-from turgor.job.material_findings import constants_in_doubt, laws_beyond_their_tests
 from turgor.job.meshes import mesh_of
-from turgor.job.outcome import RunOutcome
-from turgor.job.versions import versions
-from turgor.job.write import write_results
-from turgor.meshing.checks import check_mesh
+from turgor.job.output.folder import claimed, default_folder
+from turgor.job.output.material_findings import constants_in_doubt, laws_beyond_their_tests
+from turgor.job.output.outcome import RunOutcome
+from turgor.job.output.versions import versions
+from turgor.job.output.write import write_results
+from turgor.meshing.quality.checks import check_mesh
 from turgor.model.model import Model
 from turgor.response import Response
-from turgor.results.measures import check_measures, find_measure, measure
-from turgor.solvers.checks import check_supports, may_be_free, unloaded_cavities
-from turgor.solvers.contact_checks import check_contact
-from turgor.solvers.driver import Progress, solve
-from turgor.solvers.fiber_checks import check_fibers
-from turgor.solvers.in_turn import questions
-from turgor.solvers.obstacle_checks import overlapping_obstacles
-from turgor.solvers.paths import controlled_faces
-from turgor.solvers.procedures import question_of
+from turgor.results.measures.measures import check_measures, find_measure, measure
+from turgor.solvers.checks.contact import check_contact
+from turgor.solvers.checks.fibers import check_fibers
+from turgor.solvers.checks.obstacles import overlapping_obstacles
+from turgor.solvers.checks.supports import check_supports, unloaded_cavities
+from turgor.solvers.methods import may_be_free, method_of, question_of
+from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Procedure, Solution
-from turgor.solvers.stages import Stages
+from turgor.solvers.solve import Progress, solve
+from turgor.solvers.stage_sequence import questions
 
 Notify = Callable[[str], None]
 
@@ -88,7 +87,7 @@ def _checked(model: Model, procedure: Procedure) -> Model:
     """Refuse what no solve could begin; return the question of the procedure, in a sequence that of its first stage."""
     if not isinstance(procedure, Stages):
         check_supports(model, inertia=may_be_free(model, procedure))
-        controlled_faces(model, procedure)
+        method_of(procedure).controlled(model, procedure)
         return question_of(model, procedure)
     asked = questions(model, procedure)
     for question, stage in zip(asked, procedure.stages, strict=True):

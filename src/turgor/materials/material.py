@@ -4,9 +4,9 @@ from dataclasses import dataclass, field
 from math import inf
 
 from turgor.errors import TurgorError
-from turgor.materials.laws import Hooke, Law
-from turgor.materials.softening import Mullins
-from turgor.materials.viscoelastic import Prony
+from turgor.materials.history.softening import Mullins
+from turgor.materials.history.viscoelastic import Prony
+from turgor.materials.laws.laws import Hooke, Law
 from turgor.source import Source
 
 UNSTATED = Source(text="stated in the script")
@@ -37,7 +37,7 @@ class Material:
 
     Examples
     --------
-    >>> from turgor.materials.laws import NeoHooke
+    >>> from turgor.materials.laws.laws import NeoHooke
     >>> Material(name="test rubber", law=NeoHooke(C10=0.12e6)).incompressible
     True
     """

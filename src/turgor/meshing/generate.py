@@ -13,13 +13,14 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry.geometry import Geometry
-from turgor.meshing.assemble import Raw, assemble
-from turgor.meshing.local_sizes import LocalSizes, local_sizes
-from turgor.meshing.mend import mended
+from turgor.meshing.bodies.assemble import Raw, assemble
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.quality import cell_volumes, refuse_inverted
+from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
+from turgor.meshing.quality.mend import mended
 from turgor.meshing.quiet import captured_output
-from turgor.meshing.sizes import (
+from turgor.meshing.settings import MeshSettings
+from turgor.meshing.sizing.local_sizes import LocalSizes, local_sizes
+from turgor.meshing.sizing.sizes import (
     CELLS_PER_RADIUS,
     LARGEST_SIZE_PER_WALL,
     check_face_sizes,
@@ -27,10 +28,10 @@ from turgor.meshing.sizes import (
     default_size,
     size_range,
 )
+from turgor.meshing.sizing.thin_walls import ThinWalls, find_thin_walls, thin_walls_left
+from turgor.meshing.sizing.walls import refine_walls
 from turgor.meshing.sweeping.section import Fineness
-from turgor.meshing.swept import check_cells, swept_mesh
-from turgor.meshing.thin_walls import ThinWalls, find_thin_walls, thin_walls_left
-from turgor.meshing.walls import refine_walls
+from turgor.meshing.sweeping.swept import check_cells, swept_mesh
 from turgor.units import mm
 
 Ints = NDArray[np.int64]
@@ -100,18 +101,32 @@ def mesh(
     Traceback (most recent call last):
     turgor.errors.TurgorError: mesh size is 0 mm; allowed is 0.291 mm to 4 mm (four times the thinnest wall, 1 mm).
     """
-    length = default_size(geometry, cells) if size is None else size
-    check_settings(geometry, length, grading, wall_cells)
-    check_face_sizes(geometry, face_sizes, float(length))
-    if check_cells(geometry, cells, face_sizes) == "hexahedra":
-        fine = Fineness(size=float(length), wall_cells=wall_cells, curvature=CELLS_PER_RADIUS, grading=float(grading))
+    settings = MeshSettings(size=size, grading=grading, face_sizes=face_sizes, wall_cells=wall_cells, cells=cells)
+    return mesh_with(geometry, settings)
+
+
+def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
+    """Mesh a geometry as settings say; `mesh` takes them as keywords.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    settings : MeshSettings
+
+    Returns
+    -------
+    Mesh
+    """
+    size, chosen = _checked(geometry, settings)
+    grading = float(chosen.grading)
+    if chosen.cells == "hexahedra":
+        fine = Fineness(size=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading)
         result = swept_mesh(geometry, fine)
         _check_result(result, geometry)
         refuse_inverted(result)
         return result
-    local = local_sizes(geometry, float(length), face_sizes)
-    sizes = _Sizes(size=float(length), grading=float(grading), local=local)
-    with _sizes_on_faces(geometry, local.faces):
+    sizes = _Sizes(size=size, grading=grading, local=local_sizes(geometry, size, chosen.face_sizes))
+    with _sizes_on_faces(geometry, sizes.local.faces):
         try:
             result = _fitting_walls(geometry, sizes)
         except TurgorError as error:
@@ -120,7 +135,15 @@ def mesh(
             except TurgorError:
                 raise error from None
             result = replace(finer, findings=(*finer.findings, _meshed_finer(error)))
-    return refine_walls(result, wall_cells)
+    return refine_walls(result, chosen.wall_cells)
+
+
+def _checked(geometry: Geometry, settings: MeshSettings) -> tuple[float, MeshSettings]:
+    """Size of the mesh [m], chosen where none is given, and the settings, once the geometry allows them."""
+    size = default_size(geometry, settings.cells) if settings.size is None else settings.size
+    check_settings(geometry, replace(settings, size=size))
+    check_face_sizes(geometry, settings.face_sizes, float(size))
+    return float(size), replace(settings, cells=check_cells(geometry, settings.cells, settings.face_sizes))
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,9 +16,6 @@ TETRAHEDRON_EDGES = TETRAHEDRON.edges
 #: Mid-side nodes 3..5 of a six-node triangle lie on these pairs of its vertices.
 TRIANGLE_EDGES = TRIANGLE.edges
 
-#: The six-node triangles on the sides of a ten-node tetrahedron, normals pointing out of the cell.
-TETRAHEDRON_FACES = TETRAHEDRON.sides
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Mesh:

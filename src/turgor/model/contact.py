@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
-from turgor.meshing.bodies import find_bodies
+from turgor.meshing.bodies.bodies import find_bodies
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.mirror_gap import faces_its_image
-from turgor.meshing.proximity import find_facing_walls
+from turgor.meshing.quality.mirror_gap import faces_its_image
+from turgor.meshing.quality.proximity import find_facing_walls
 from turgor.model.obstacles import Obstacle, SelfContact
 
 #: Name of the results of the contact of the actuator with itself.

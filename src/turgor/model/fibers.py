@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws import Hooke
+from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
 from turgor.units import deg, mm
 

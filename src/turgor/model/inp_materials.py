@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from turgor.errors import TurgorError
-from turgor.materials.laws import (
+from turgor.materials.laws.laws import (
     ArrudaBoyce,
     GeneralizedRivlin,
     Hooke,

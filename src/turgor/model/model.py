@@ -7,7 +7,7 @@ from types import MappingProxyType
 import numpy as np
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws import Hooke
+from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws import Hooke
+from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
 from turgor.meshing.cells import TETRAHEDRON
-from turgor.meshing.exchange.abaqus import SIDES
+from turgor.meshing.exchange.formats.abaqus import SIDES
 from turgor.meshing.mesh import Mesh
 from turgor.model.history import RAMP, points_of
 from turgor.model.inp_materials import material_lines
@@ -112,7 +112,7 @@ def compressible(model: Model, poisson: float) -> Model:
     Examples
     --------
     >>> from turgor.geometry import FastPneuNet
-    >>> from turgor.materials.laws import NeoHooke
+    >>> from turgor.materials.laws.laws import NeoHooke
     >>> from turgor.materials.material import Material
     >>> from turgor.meshing.generate import mesh
     >>> rubber = Material(name="rubber", law=NeoHooke(C10=0.5e5))

@@ -1,6 +1,8 @@
 """Results: measures, files, pictures, plots and the report of a solution."""
 
-from turgor.results.field_measures import (
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.files.vtu import write_series, write_vtu
+from turgor.results.measures.field_measures import (
     maximum_principal_stretch,
     maximum_von_mises,
     principal_stretch_in,
@@ -8,8 +10,7 @@ from turgor.results.field_measures import (
     von_mises_in,
     von_mises_p99,
 )
-from turgor.results.fields import StateFields
-from turgor.results.measures import (
+from turgor.results.measures.measures import (
     MEASURES,
     STANDARD_MEASURES,
     Measure,
@@ -27,11 +28,10 @@ from turgor.results.measures import (
     twist_angle,
     volume_of,
 )
-from turgor.results.pictures import picture_title, shared_view, write_picture
-from turgor.results.plots import plot_response, response_figure, write_plot
-from turgor.results.rendering import View
-from turgor.results.report import Picture, Report, write_report
-from turgor.results.vtu import write_series, write_vtu
+from turgor.results.pictures.rendering import View
+from turgor.results.pictures.state_picture import picture_title, shared_view, write_picture
+from turgor.results.plots.response_plots import plot_response, response_figure, write_plot
+from turgor.results.report.page import Picture, Report, write_report
 
 __all__ = [
     "MEASURES",

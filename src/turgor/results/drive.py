@@ -3,8 +3,8 @@
 import numpy as np
 
 from turgor.response import Column, Response
+from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution
-from turgor.solvers.stages import Stages
 
 
 def pressures_in(response: Response) -> tuple[Column, ...]:

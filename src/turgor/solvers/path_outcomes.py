@@ -3,13 +3,12 @@
 from collections.abc import Sequence
 
 from turgor.finding import Finding, Severity
-from turgor.solvers.continuity import JUMPS
-from turgor.solvers.distortion import distortion_text
-from turgor.solvers.outcome import Outcome
-from turgor.solvers.path_procedures import Auto
-from turgor.solvers.points import Bifurcation, Run
+from turgor.solvers.checks.distortion import distortion_text
+from turgor.solvers.continuation.path_points import Bifurcation, Run
+from turgor.solvers.outcomes import Outcome
 from turgor.solvers.pressures import pressure_text
-from turgor.solvers.solution import LimitPoint, Procedure, State, Status, Step
+from turgor.solvers.reasons import Cause
+from turgor.solvers.solution import LimitPoint, State, Status, Step
 from turgor.units import kPa, mL
 
 #: Limit points that a sentence names; the rest is in ``solution.limit_points``.
@@ -58,7 +57,7 @@ def lost_path(run: Run) -> Outcome:
     """No arc is short enough to go on along the same path."""
     last, step = run.states[-1], run.steps[-1]
     return Outcome(
-        Status.TURNED_BACK if step.reason == JUMPS else Status.STEP_TOO_SMALL,
+        Status.TURNED_BACK if step.cause is Cause.OTHER_BRANCH else Status.STEP_TOO_SMALL,
         f"The path could not be followed beyond {_where(last, run.states[0])}{_effort(run.states, run.steps)}: "
         f"{step.reason}, down to steps of {step.increment:.2g}."
         f"{_turns(run.limits)}{_branches(run.bifurcations)}{distortion_text(last)}",
@@ -81,11 +80,10 @@ def turned_back(run: Run) -> Outcome:
     )
 
 
-def limit_point_findings(limits: Sequence[LimitPoint], procedure: Procedure) -> tuple[Finding, ...]:
+def limit_point_findings(limits: Sequence[LimitPoint], severity: Severity) -> tuple[Finding, ...]:
     """Say where the pressure turned (L03): under that pressure the actuator would jump."""
     if not limits:
         return ()
-    severity = Severity.WARNING if isinstance(procedure, Auto) else Severity.NOTE
     return (
         Finding(
             code="L03",

@@ -15,9 +15,26 @@ def pressures_of(state: State) -> dict[str, float]:
     Returns
     -------
     dict of str to float [Pa]
-        Those that the procedure found, and those that the loads state at the load factor.
+        Those of the state; zero in a cavity that nothing presses.
     """
     return {**pressures_at(state.model, state.load_factor), **state.pressures}
+
+
+def stated_by_loads(state: State) -> bool:
+    """Return whether the loads of a state's model state its pressures, so that its procedure found none of them.
+
+    Parameters
+    ----------
+    state : State
+
+    Returns
+    -------
+    bool
+        True where nothing presses.
+    """
+    if not state.pressures:
+        return True
+    return bool(state.model.pressures) and state.pressures == pressures_at(state.model, state.load_factor)
 
 
 def pressure_text(state: State, digits: int = 4) -> str:
@@ -34,7 +51,7 @@ def pressure_text(state: State, digits: int = 4) -> str:
     str
         Empty where no pressure acts.
     """
-    if not state.pressures:
+    if stated_by_loads(state):
         return drive_text(state.model, state.load_factor, digits)
     acting = pressures_of(state)
     if len(acting) == 1:

@@ -1,72 +1,38 @@
-"""Problem: what a procedure beyond load control needs to begin its path."""
+"""Problem: what every procedure starts from, and the lists that it fills."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System
-from turgor.engine.tangent import Tangent
-from turgor.solvers.carried import Carried
-from turgor.solvers.controls import Control
-from turgor.solvers.newton import NewtonSettings
-from turgor.solvers.outcome import Outcome
-from turgor.solvers.path_procedures import ArcLength, Auto, GasMass, VolumeControl
-from turgor.solvers.points import Point, Run, Task, point_at
-from turgor.solvers.solution import Iteration, LimitPoint, State, Step
-from turgor.solvers.stepping import StepControl
-
-Array = NDArray[np.float64]
+from turgor.solvers.listeners import Listeners
+from turgor.solvers.restart import Restart
+from turgor.solvers.solution import LimitPoint, State, Step
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """The equations, how they are solved, what was asked, who listens, the lists to fill, where it begins."""
+    """What every procedure starts from; the caller owns the lists.
+
+    Parameters
+    ----------
+    system : System
+    tangent : Tangent
+    listeners : Listeners
+    restart : Restart or None
+        What the former stage left; None where it begins at rest.
+    states, steps, limits : list
+        What is found.
+    """
 
     system: System
     tangent: Tangent
-    procedure: VolumeControl | GasMass | ArcLength | Auto
-    progress: Callable[[Iteration, State | None], None] | None
-    stop: Callable[[State], str | None] | None
-    states: list[State]
-    steps: list[Step]
-    limits: list[LimitPoint]
-    carried: Carried | None = None
+    listeners: Listeners = field(default_factory=Listeners)
+    restart: Restart | None = None
+    states: list[State] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
+    limits: list[LimitPoint] = field(default_factory=list)
 
-
-def run_of(
-    problem: Problem,
-    control: Control,
-    stepping: StepControl,
-    driven: Callable[[float], dict[str, float]],
-    finished: Callable[[Point, Point, Run], Outcome | None],
-    turns: tuple[float, ...] = (),
-) -> Run:
-    """Make a run that fills the lists of a problem."""
-    procedure = problem.procedure
-    task = Task(
-        system=problem.system,
-        tangent=problem.tangent,
-        settings=NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations),
-        procedure=procedure,
-        progress=problem.progress,
-        stop=problem.stop,
-        driven=driven,
-        finished=finished,
-        kinks=turns,
-    )
-    return Run(task, control, stepping, problem.states, problem.steps, problem.limits)
-
-
-def begin(run: Run, parameter: float, unknowns: Array, scalars: Array) -> None:
-    """Make a known equilibrium the first point of a run, and a state if there is none yet."""
-    timed = run.control.clock.duration is not None
-    if timed:
-        run.control.clock.begin(run.task.system, parameter)
-    at = run.control.sought.evaluate(unknowns, parameter, scalars)
-    assert at is not None
-    point = point_at(run, at, parameter, scalars, ahead=timed)
-    run.history.append(point)
-    if not run.states:
-        run.states.append(point.state)
+    @property
+    def start(self) -> State | None:
+        """The state at which it begins; None at rest."""
+        return None if self.restart is None else self.restart.state

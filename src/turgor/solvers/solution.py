@@ -7,11 +7,12 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.memory import Memory
+from turgor.engine.cells.memory import Memory
 from turgor.finding import Finding
 from turgor.model.model import Model
 from turgor.solvers.energies import Energies
-from turgor.solvers.stages import OneProcedure, Stages
+from turgor.solvers.procedures.stages import OneProcedure, Stages
+from turgor.solvers.reasons import Cause, Reason
 
 Procedure = OneProcedure | Stages
 
@@ -25,7 +26,6 @@ class Status(StrEnum):
     LIMIT_POINT = "limit_point"
     TURNED_BACK = "turned_back"
     STEP_LIMIT = "step_limit"
-    SINGULAR = "singular"
     STOPPED = "stopped"
     INTERRUPTED = "interrupted"
 
@@ -73,7 +73,7 @@ class State:
         Displacement of every node.
     mean_stress : (m,) array [Pa]
         Multipliers of the volume constraint (tension positive): at each vertex, then more where it jumps at a vertex
-        (`turgor.engine.element`); none in the displacement formulation.
+        (`turgor.engine.cells.element`); none in the displacement formulation.
     nodal_force : (n, 3) array [N]
         Internal minus external force at every node: zero where it is free, the support's reaction where it is held.
     unstable_modes : int or None
@@ -82,7 +82,8 @@ class State:
     touches : mapping of str to Touch
         What every contact does, by the name of the obstacle, or ``"self"``.
     pressures : mapping of str to float [Pa], gauge
-        What acts on each pressed face, where the procedure found it; empty where loads and load factor say it.
+        What acts in each cavity and on each pressed face, stated by a load or found by the procedure; empty where
+        nothing presses.
     driven : mapping of str to float [SI]
         What the procedure prescribed besides the load factor, by the names of columns: ``injected_volume`` [m³],
         ``gas_mass_ratio``.
@@ -161,8 +162,18 @@ class Step:
     residual: float
     accepted: bool
     seconds: float
-    reason: str = ""
+    why: Reason | None = None
     stage: str = ""
+
+    @property
+    def reason(self) -> str:
+        """Why it was cut back, or how it was found in spite of a failure; empty where nothing is to be said."""
+        return "" if self.why is None else str(self.why)
+
+    @property
+    def cause(self) -> Cause | None:
+        """The cause of the reason, which programs compare."""
+        return None if self.why is None else self.why.cause
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,10 +1,10 @@
-"""Layout: where the tangent's entries are, while contact ties unknowns of distant cells and lets them go again."""
+"""Layout: the sparsity pattern of the tangent, which changes as contact couples degrees of freedom of distant cells."""
 
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.engine.pattern import Pattern, locate
+from turgor.engine.algebra.pattern import Pattern, locate
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

@@ -1,8 +1,9 @@
-"""Friction: points that touched in the last state stick there until Coulomb's limit, then slip.
+"""Friction: Coulomb's law at the quadrature points, regularized by an elastic slip, with a return mapping.
 
-The tangential traction grows with the slip since the last state and is cut off at the coefficient times the normal
-pressure. At a limit that is kept friction has a potential, and a symmetric tangent; that the limit follows the pressure
-adds an unsymmetric part, which `by_limit` gives and `turgor.engine.tangent` treats apart.
+A point sticks where it was in the last converged state. Its trial traction grows with the slip since then; beyond the
+limit, which is the coefficient times the contact pressure, the traction is returned to the limit and the point slips.
+While the limit is kept, friction has a potential and a symmetric tangent. A limit that follows the pressure adds an
+unsymmetric part, which `by_limit` gives and `turgor.engine.algebra.tangent` treats apart.
 """
 
 from dataclasses import dataclass
@@ -28,8 +29,8 @@ SETTLED = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Anchors:
-    """Points that touched in the last state, k of them.
+class FrictionHistory:
+    """Internal variables of friction: the k points that touched in the last converged state.
 
     Parameters
     ----------
@@ -66,48 +67,48 @@ def elastic_slip(surface: Surface, points: Ints) -> Array:
     return np.asarray(ELASTIC_SLIP * np.sqrt(surface.weights.sum(axis=1))[points[:, 0]])
 
 
-def tractions(anchors: Anchors, apart: Array) -> tuple[Array, Array]:
+def tractions(history: FrictionHistory, apart: Array) -> tuple[Array, Array]:
     """Tractions (k, 3) and their derivatives (k, 3, 3) by the present ``apart`` (k, 3)."""
-    n = anchors.normal
+    n = history.normal
     across = np.eye(3) - n[:, :, None] * n[:, None, :]
-    _, trial, size, slides = _trial(anchors, apart)
-    share = np.where(slides, anchors.limit / size, 1.0)
+    _, trial, size, slides = _trial(history, apart)
+    share = np.where(slides, history.limit / size, 1.0)
     direction = trial / size[:, None]
     along = direction[:, :, None] * direction[:, None, :]
     matrices = across - np.where(slides, 1.0, 0.0)[:, None, None] * along
-    matrices *= (anchors.limit / anchors.slip * share)[:, None, None]
+    matrices *= (history.limit / history.slip * share)[:, None, None]
     return trial * share[:, None], matrices
 
 
-def by_limit(anchors: Anchors, apart: Array) -> Array:
+def by_limit(history: FrictionHistory, apart: Array) -> Array:
     """Derivatives (k, 3) of the tractions by their limits."""
-    slip, trial, size, slides = _trial(anchors, apart)
+    slip, trial, size, slides = _trial(history, apart)
     direction = trial / size[:, None]
-    stretched = slip / anchors.slip[:, None]
+    stretched = slip / history.slip[:, None]
     turning = stretched - direction * np.einsum("ki,ki->k", stretched, direction)[:, None]
-    sliding = direction + (anchors.limit / size)[:, None] * turning
+    sliding = direction + (history.limit / size)[:, None] * turning
     return np.asarray(np.where(slides[:, None], sliding, stretched))
 
 
-def _trial(anchors: Anchors, apart: Array) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
-    """Slips (k, 3) since the last state, tractions (k, 3) if everything stuck and their sizes (k,), and what slides."""
-    n, moved = anchors.normal, apart - anchors.apart
+def _trial(history: FrictionHistory, apart: Array) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+    """Slips (k, 3) since the last state, trial tractions (k, 3), their magnitudes (k,), and which points slide."""
+    n, moved = history.normal, apart - history.apart
     slip = moved - np.einsum("ki,ki->k", moved, n)[:, None] * n
-    trial = anchors.traction + (anchors.limit / anchors.slip)[:, None] * slip
+    trial = history.traction + (history.limit / history.slip)[:, None] * slip
     size = np.maximum(np.linalg.norm(trial, axis=1), 1e-300)
-    return slip, trial, size, size > anchors.limit
+    return slip, trial, size, size > history.limit
 
 
-def taken(anchors: Anchors, apart: Array, weights: Array) -> float:
-    """Energy that friction has taken since the last state, tractions by the trapezoidal rule."""
-    now, _ = tractions(anchors, apart)
-    n, moved = anchors.normal, apart - anchors.apart
+def taken(history: FrictionHistory, apart: Array, weights: Array) -> float:
+    """Energy that friction has dissipated since the last state, by the trapezoidal rule."""
+    now, _ = tractions(history, apart)
+    n, moved = history.normal, apart - history.apart
     slip = moved - np.einsum("ki,ki->k", moved, n)[:, None] * n
-    return float((0.5 * weights * np.einsum("ki,ki->k", anchors.traction + now, slip)).sum())
+    return float((0.5 * weights * np.einsum("ki,ki->k", history.traction + now, slip)).sum())
 
 
 def turned(traction: Array, normal: Array) -> Array:
-    """Tractions (k, 3) laid into the planes across new normals (k, 3) at their size."""
+    """Project tractions (k, 3) onto the planes with the given normals (k, 3); their magnitudes stay."""
     flat = traction - np.einsum("ki,ki->k", traction, normal)[:, None] * normal
     before, after = np.linalg.norm(traction, axis=1), np.linalg.norm(flat, axis=1)
     return np.asarray(flat * (before / np.maximum(after, 1e-300))[:, None])

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.contact import pairs
-from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.contact.part import Found, Look, Ties, dofs, groups, nodal
 from turgor.engine.contact.points_part import PointsPart
 from turgor.engine.contact.search import Grid, centers_of, find_partners, follow_partners, points_of
@@ -147,12 +147,12 @@ class PairPart(PointsPart):
         return find_partners(x, normal, every, p.sides, (own, others), cubes, allowed, p.reach, p.strangers)
 
     def _springs(self, points: Ints, partner: Ints) -> Array:
-        """Pressure per depth (k,) at points: what the softer of both sides has, times the boost of the point's own."""
+        """Pressure per depth (k,) at points: that of the softer side, times the penalty scale of the point's own."""
         side = points[:, 0]
         spring = self.surface.spring[side]
         if self.rigid is None:
             spring = np.minimum(spring, self.surface.spring[partner])
-        return np.asarray(self.share * spring * self.boost[side])
+        return np.asarray(self.share * spring * self.penalty_scale[side])
 
     def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
         return np.hstack([self.surface.sides[points[:, 0]], self.partners.sides[partner]])
@@ -180,7 +180,7 @@ class PairPart(PointsPart):
         local = pairs.press_tangents(every, *sides, self.surface.N, points, partner, at, spring, start)
         return Ties(self.tied_unknowns(keys), local)
 
-    def _apart(self, position: Array, found: Found, a: Anchors) -> Array:
+    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
         places = self._all(position, found.place)[self._nodes(a.points, a.partner, len(position))]
         return np.einsum("ka,kai->ki", self._shares(a.points, a.at), places)
 
@@ -196,8 +196,8 @@ class PairPart(PointsPart):
         """Ties that the tangent needs."""
         points = found.touching
         out = self._key(points[:, 0], found.partner[points[:, 0], points[:, 1]])
-        if self.anchors is not None:
-            out = np.concatenate([out, self._key(self.anchors.points[:, 0], self.anchors.partner)])
+        if self.friction_history is not None:
+            out = np.concatenate([out, self._key(self.friction_history.points[:, 0], self.friction_history.partner)])
         return np.unique(out)
 
     def ready_keys(self, found: Found) -> Ints:

@@ -6,7 +6,7 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.pattern import Pattern, locate, scatter_add
+from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

@@ -1,4 +1,9 @@
-"""PointsPart: what contacts share whose points press with a spring and rub from where they were."""
+"""PointsPart: penalty contact with Coulomb friction at the quadrature points of a surface.
+
+Every point that has penetrated is pushed back with a force in proportion to its depth (the penalty). Friction acts on
+its slip since the last converged state, by a return mapping (`turgor.engine.contact.friction`). What the points may
+touch is left to the subclasses: sides of cells in `PairPart`, shapes with a formula in `ShapePart`.
+"""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
@@ -7,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.contact import friction
-from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.contact.pairs import tie_tangents
 from turgor.engine.contact.part import Found, Ties, groups, nodal
 from turgor.engine.contact.surface import Surface
@@ -18,7 +23,7 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rubbing:
-    """That tractions follow their limits: a matrix of rank one for each of k points.
+    """How the limit of friction changes with the contact pressure: a matrix of rank one for each of k points.
 
     Parameters
     ----------
@@ -52,23 +57,23 @@ class PointsPart(ABC):
 
     Attributes
     ----------
-    boost : (s,) array
-        How much stiffer the sides are than at first.
-    anchors : Anchors or None
-        From where points slip.
+    penalty_scale : (s,) array
+        Factor on the penalty of each side; it grows where the penetration exceeds the tolerance.
+    friction_history : FrictionHistory or None
+        Internal variables of friction at the last converged state: where points stood, and their tractions.
     limits_kept : bool
-        Whether the limits of friction are those of the anchors, or follow the pressure.
+        Whether the limits of friction are those of the friction history, or follow the pressure.
     """
 
     def __init__(self, name: str, surface: Surface, coefficient: float, share: float) -> None:
         self.name, self.surface, self.coefficient, self.share = name, surface, coefficient, share
-        self.boost = np.ones(len(surface.sides))
-        self.anchors: Anchors | None = None
+        self.penalty_scale = np.ones(len(surface.sides))
+        self.friction_history: FrictionHistory | None = None
         self.limits_kept = False
 
     @abstractmethod
     def tied_unknowns(self, keys: Ints) -> Ints:
-        """Unknowns of ties, in rows; −1 where nothing moves freely."""
+        """Degrees of freedom that each tie couples, in rows; −1 where nothing moves freely."""
 
     @abstractmethod
     def _press(self, position: Array, found: Found) -> Array:
@@ -95,7 +100,7 @@ class PointsPart(ABC):
         """Normals (k, 3) of what points touch, out of it."""
 
     @abstractmethod
-    def _apart(self, position: Array, found: Found, a: Anchors) -> Array:
+    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
         """Points minus the places on their partners (k, 3)."""
 
     @abstractmethod
@@ -134,7 +139,7 @@ class PointsPart(ABC):
         return Ties(self.tied_unknowns(keys), local)
 
     def rubbing(self, position: Array, found: Found) -> Rubbing | None:
-        """How the limits of friction follow the pressure; None where nothing rubs or they are kept."""
+        """Change of the limits of friction with the contact pressure; None without friction, or where they are kept."""
         a = None if self.limits_kept else self.bound(found)
         if a is None:
             return None
@@ -168,14 +173,16 @@ class PointsPart(ABC):
         spring = self._springs(points, found.partner[i, q]) * self._weights(points)
         return float(0.5 * (spring * found.gap[i, q] ** 2).sum())
 
-    def stiffened(self, boost: Array, before: Found, found: Found) -> float:
-        """Energy that raising the stiffness from a former ``boost`` (s,) put into what was and is penetrated.
+    def stiffened(self, former: Array, before: Found, found: Found) -> float:
+        """Energy that raising the penalty from the ``former`` scales (s,) put into what was and is penetrated.
 
         Exact where forces do their work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
         """
         points = before.also(found)
         i, q = points.T
-        gain = self._springs(points, found.partner[i, q]) * self._weights(points) * (1 - boost[i] / self.boost[i])
+        gain = (
+            self._springs(points, found.partner[i, q]) * self._weights(points) * (1 - former[i] / self.penalty_scale[i])
+        )
         return float(0.5 * (gain * before.gap[i, q] * found.gap[i, q]).sum())
 
     def rubbed(self, position: Array, found: Found) -> float:
@@ -183,9 +190,9 @@ class PointsPart(ABC):
         a = self.bound(found)
         return 0.0 if a is None else friction.taken(a, self._apart(position, found, a), self._weights(a.points))
 
-    def bound(self, found: Found) -> Anchors | None:
-        """The anchors with the limits that hold; None where there are none."""
-        a = self.anchors
+    def bound(self, found: Found) -> FrictionHistory | None:
+        """The friction history with the limits that hold; None where there are none."""
+        a = self.friction_history
         if a is None or not len(a.points):
             return None
         return a if self.limits_kept else replace(a, limit=self._limits(found, a.points))
@@ -198,16 +205,16 @@ class PointsPart(ABC):
 
     def keep_limits(self, found: Found) -> bool:
         """Keep the present limits of friction; whether any differs noticeably from what was kept."""
-        a = self.anchors
+        a = self.friction_history
         if a is None or not len(a.points):
             return False
         limit = self._limits(found, a.points)
-        self.anchors = replace(a, limit=limit)
+        self.friction_history = replace(a, limit=limit)
         largest = float(max(limit.max(), a.limit.max()))
         return bool(np.abs(limit - a.limit).max() > friction.SETTLED * largest)
 
-    def anchored(self, position: Array, found: Found) -> Anchors:
-        """Anchors of the points that touch or soon may, with the tractions that they have."""
+    def anchored(self, position: Array, found: Found) -> FrictionHistory:
+        """Friction history of the points that touch or soon may, with the tractions that they have."""
         points = np.argwhere(found.gap < friction.NEAR * self.surface.height[:, None])
         i, q = points.T
         normal = self._normals(position, found, points)
@@ -218,5 +225,5 @@ class PointsPart(ABC):
             traction = friction.turned(before[i, q], normal)
         slip, none = friction.elastic_slip(self.surface, points), np.zeros((len(points), 3))
         limit = self._limits(found, points)
-        out = Anchors(points, found.partner[i, q], found.at[i, q], none, normal, traction, limit, slip)
+        out = FrictionHistory(points, found.partner[i, q], found.at[i, q], none, normal, traction, limit, slip)
         return replace(out, apart=self._apart(position, found, out))

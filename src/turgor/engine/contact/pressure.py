@@ -3,11 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.cells.reference import reference_cell
 from turgor.engine.contact.pair_part import PairPart
 from turgor.engine.contact.part import Found
 from turgor.engine.contact.shape_part import ShapePart
 from turgor.engine.contact.surface import DEGREE
-from turgor.engine.reference import reference_cell
 from turgor.meshing.cells import side_type
 
 Array = NDArray[np.float64]

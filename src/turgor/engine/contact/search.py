@@ -199,7 +199,7 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
 
 @njit(cache=True)
 def _near_point(p, u, other, depth, reach, near, some, far):
-    """Fill those of the near sides that a point may touch, with the distance to their centers; how many, the least."""
+    """Keep the near sides that a point may touch, with center distances; return their number and the smallest."""
     others, radii, normals = other
     few, bound = 0, np.inf
     for m in range(len(near)):

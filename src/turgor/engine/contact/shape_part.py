@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.contact.part import Found, Look, Ties, dofs, nodal
 from turgor.engine.contact.points_part import PointsPart
 from turgor.engine.contact.search import points_of
@@ -50,7 +50,7 @@ class ShapePart(PointsPart):
 
     def _springs(self, points: Ints, partner: Ints) -> Array:
         side = points[:, 0]
-        return np.asarray(self.surface.spring[side] * self.boost[side])
+        return np.asarray(self.surface.spring[side] * self.penalty_scale[side])
 
     def _nodes(self, points: Ints, partner: Ints, count: int) -> Ints:
         return np.hstack([self.surface.sides[points[:, 0]], np.full((len(points), 1), count)])
@@ -75,7 +75,7 @@ class ShapePart(PointsPart):
         matrices *= (self._springs(points, found.partner[i, q]) * self._weights(points))[:, None, None]
         return self._tied(points, found.partner[i, q], self._shares(points, found.at[i, q]), matrices)
 
-    def _apart(self, position: Array, found: Found, a: Anchors) -> Array:
+    def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
         return np.asarray(found.x[a.points[:, 0], a.points[:, 1]] - found.place)
 
     def _normals(self, position: Array, found: Found, points: Ints) -> Array:
@@ -89,8 +89,8 @@ class ShapePart(PointsPart):
         if self.unknown < 0:
             return np.zeros(0, dtype=np.int64)
         sides = found.touching[:, 0]
-        if self.anchors is not None:
-            sides = np.concatenate([sides, self.anchors.points[:, 0]])
+        if self.friction_history is not None:
+            sides = np.concatenate([sides, self.friction_history.points[:, 0]])
         return np.unique(sides)
 
     def ready_keys(self, found: Found) -> Ints:

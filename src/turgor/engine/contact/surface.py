@@ -6,8 +6,8 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from turgor.engine.cells.reference import reference_cell
 from turgor.engine.contact.search import centers_of, points_of
-from turgor.engine.reference import reference_cell
 from turgor.meshing.cells import side_type
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import cell_sides, corner_keys

@@ -1,4 +1,4 @@
-"""ContactTerms: everything in a model that touches, in scaled units."""
+"""ContactTerms: forces, tangent and history of all contacts of a model, in scaled units."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.contact.build import Bodies, build_parts
 from turgor.engine.contact.couplings import Layout
-from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.contact.pair_part import PairPart
 from turgor.engine.contact.part import Found, Look
 from turgor.engine.contact.shape_part import ShapePart
@@ -77,17 +77,17 @@ class ContactTerms:
     @property
     def rubs(self) -> bool:
         """Whether friction holds anything."""
-        return any(part.anchors is not None and len(part.anchors.points) > 0 for part in self.parts)
+        return any(part.friction_history is not None and len(part.friction_history.points) > 0 for part in self.parts)
 
     @property
-    def anchors(self) -> tuple[Anchors | None, ...]:
-        """From where the points of each part slip."""
-        return tuple(part.anchors for part in self.parts)
+    def friction_history(self) -> tuple[FrictionHistory | None, ...]:
+        """Friction history of each part: internal variables at the last converged state."""
+        return tuple(part.friction_history for part in self.parts)
 
-    @anchors.setter
-    def anchors(self, anchors: tuple[Anchors | None, ...]) -> None:
-        for part, its in zip(self.parts, anchors, strict=True):
-            part.anchors = its
+    @friction_history.setter
+    def friction_history(self, history: tuple[FrictionHistory | None, ...]) -> None:
+        for part, its in zip(self.parts, history, strict=True):
+            part.friction_history = its
 
     def look(
         self, position: Array, springs: Array, factor: float, known: Contacts | None = None, how: Look = Look.FOLLOW
@@ -131,7 +131,7 @@ class ContactTerms:
         return float(stored + 0.5 * (self.bodies.springs[:, None] * springs**2).sum())
 
     def prepare(self, layout: Layout, at: Contacts) -> None:
-        """Give the tangent room for what touches."""
+        """Extend the sparsity pattern of the tangent by the degrees of freedom that contact couples."""
         offset, needed = 0, []
         for part, found in zip(self.parts, at.found, strict=True):
             needed.append(part.keys(found) + offset)
@@ -194,10 +194,10 @@ class ContactTerms:
         return any(changed)
 
     def accept(self, at: Contacts) -> None:
-        """Take a state as the one from which points slip in the next step."""
+        """Store the friction history of a converged state, from which points slip in the next step."""
         for part, found in zip(self.parts, at.found, strict=True):
             if part.coefficient > 0:
-                part.anchors = part.anchored(at.position, found)
+                part.friction_history = part.anchored(at.position, found)
 
     def share_of_tolerance(self, part: Part, found: Found) -> float:
         """Penetration as a share of what the tolerance allows, at the worst place."""
@@ -208,14 +208,14 @@ class ContactTerms:
         return np.asarray(np.maximum(-found.gap.min(axis=1), 0.0) / (self._tolerance * part.surface.height))
 
     def stiffen(self, at: Contacts) -> bool:
-        """Raise the stiffness of sides that are penetrated too far; whether there were any that could be raised."""
+        """Raise the penalty of sides that are penetrated beyond the tolerance; return whether any could be raised."""
         raised = False
         for part, found in zip(self.parts, at.found, strict=True):
             depth = self._shares(part, found)
             factor = np.clip(1.2 * depth, 1.0, STIFFER_AT_ONCE)
-            boost = np.where(depth > 1, np.minimum(part.boost * factor, STIFFER), part.boost)
-            raised |= bool((boost > part.boost).any())
-            part.boost = boost
+            scale = np.where(depth > 1, np.minimum(part.penalty_scale * factor, STIFFER), part.penalty_scale)
+            raised |= bool((scale > part.penalty_scale).any())
+            part.penalty_scale = scale
         return raised
 
 

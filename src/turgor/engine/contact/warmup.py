@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from turgor.engine.algebra.pattern import Pattern
+from turgor.engine.cells.reference import reference_cell, reference_nodes
 from turgor.engine.contact.couplings import Layout
-from turgor.engine.contact.friction import Anchors
+from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.contact.pair_part import PairPart, Partners
 from turgor.engine.contact.surface import DEGREE, Surface, overhangs, strangers
-from turgor.engine.pattern import Pattern
-from turgor.engine.reference import reference_cell, reference_nodes
 from turgor.meshing.cells import side_type
 
 #: Depth to which the two sides lie in each other.
@@ -38,8 +38,8 @@ def touch_contact_kernels(nodes: int) -> None:
     part = PairPart("self", surface, partners, 0.5, 0.5)
     found = part.look(points, np.zeros(3))
     found = part.look(points, np.zeros(3), found)
-    part.anchors = part.anchored(points, found)
-    assert isinstance(part.anchors, Anchors)
+    part.friction_history = part.anchored(points, found)
+    assert isinstance(part.friction_history, FrictionHistory)
     part.forces(points, found)
     part.passed(points, found, found)
     size = 3 * len(points)

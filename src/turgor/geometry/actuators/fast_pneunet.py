@@ -18,8 +18,8 @@ class FastPneuNet:
     Pressure bulges the thin walls that face each other across the gaps; they push each other apart and the
     actuator bends towards its base, which a strain-limiting layer keeps from stretching.
 
-    Published are, from memory of Mosadegh et al. 2014 and not checked against its drawing ([MEM]): 11 chambers,
-    about 110 x 20 x 15 mm, ``wall`` 1 mm, ``gap`` 1 mm, outer walls of about 2 to 3 mm. Chosen here within that
+    Published (Mosadegh et al. 2014; quoted, not yet checked against its drawing): 11 chambers, about 110 x 20 x 15 mm,
+    ``wall`` 1 mm, ``gap`` 1 mm, outer walls of about 2 to 3 mm. Chosen here within that
     range: ``side_wall``, ``top_wall`` and ``end_wall`` 2 mm. Chosen here without a published number: ``floor`` and
     ``base`` 1.5 mm each, channel 3 x 2 mm with a wall of 1 mm.
 

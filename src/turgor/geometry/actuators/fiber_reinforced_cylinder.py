@@ -15,10 +15,10 @@ from turgor.units import m, mm
 class FiberReinforcedCylinder:
     """Round tube to be wound with fibers, and a thin skin around them.
 
-    Hoops make it extend, two opposite helices extend or contract it, one helix twists it (review, section 7.2,
-    guidelines 6 to 8; a single helix has no mirror plane, see `TwistingTube`). They are wound on the face
-    ``outside``, or on the face ``winding`` below the skin. Radius, wall and length are those of Connolly et al.
-    2015 from memory and not checked ([MEM]); caps and skin are chosen here.
+    Hoops make it extend, two opposite helices extend or contract it, one helix twists it (Xavier, Fleming and Yong
+    2021, section 7.2, guidelines 6 to 8; a single helix has no mirror plane, see `TwistingTube`). They are wound on the
+    face ``outside``, or on the face ``winding`` below the skin. Published (Connolly et al. 2015; quoted, not yet
+    checked against the paper): radius, wall and length. Chosen here: caps and skin.
 
     Axes: x from the fixed end to the tip, on the axis of the tube.
 

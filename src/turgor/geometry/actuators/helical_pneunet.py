@@ -21,7 +21,7 @@ MOST_ANGLE = 75 * deg
 class HelicalPneuNet:
     """Fast PneuNet whose chambers are turned by an angle about z: it winds into a helix instead of a circle.
 
-    A larger chamber angle gives less bending and more twist (review, section 7.4 item 9).
+    A larger chamber angle gives less bending and more twist (Xavier, Fleming and Yong 2021, section 7.4 item 9).
 
     Chosen here, without published numbers: the default `FastPneuNet` with chambers turned by 30 degrees. The two ends
     stay square, so that the first and the last chamber are longer on one side than on the other.

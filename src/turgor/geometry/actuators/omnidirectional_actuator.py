@@ -24,9 +24,9 @@ class OmnidirectionalActuator:
     """Omnidirectional actuator of Suzumori et al.: equal chambers around the axis of a cylinder.
 
     One chamber under pressure bends the cylinder away from that chamber, equal pressures in all of them stretch it.
-    The review compares six chamber sections (Elsayed et al. 2014, Xie et al. 2018). Its reference geometry for
-    three chambers has an outer radius of 12.5 mm, a length of 60 mm and end caps of 5 mm; all other defaults are
-    chosen here.
+    Xavier, Fleming and Yong (2021) compare six chamber sections (Elsayed et al. 2014, Xie et al. 2018). Their reference
+    geometry for three chambers has an outer radius of 12.5 mm, a length of 60 mm and end caps of 5 mm; all other
+    defaults are chosen here.
 
     The first chamber lies at +z, the others follow counterclockwise seen from the tip.
 

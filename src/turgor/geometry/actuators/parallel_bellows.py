@@ -24,17 +24,17 @@ MOST_RIBS = 9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParallelBellows:
-    """Three parallel bellows between two plates, in an equilateral triangle (review, figure 1g).
+    """Three parallel bellows between two plates, in an equilateral triangle (Xavier et al. 2021, fig. 1g).
 
     The bellows under pressure gets longer and tilts the upper plate away from it; equal pressures push the plate
     straight on. No published drawing is at hand; all dimensions are chosen here.
 
-    Constrained parallel bellows bend more than unconstrained ones (review, section 7.3, guideline 4, after Drotman
-    et al. 2019); the review does not say what constrains them. Here it is ribs: plates between the two end plates
-    that hold the three bellows together at their necks, so that they bend as one and do not bow out singly. Without
-    ribs the necks stay, as bare tubes, so that both have the same folds and the same length. In a longer one (eight
-    folds, three ribs) the ribs take a little of the bending at equal pressure, but the driven bellows of the
-    unconstrained one bows out at a pressure that the constrained one still holds.
+    Constrained parallel bellows bend more than unconstrained ones (Xavier, Fleming and Yong 2021, section 7.3,
+    guideline 4, after Drotman et al. 2019); that review does not say what constrains them. Here it is ribs: plates
+    between the two end plates that hold the three bellows together at their necks, so that they bend as one and do not
+    bow out singly. Without ribs the necks stay, as bare tubes, so that both have the same folds and the same length. In
+    a longer one (eight folds, three ribs) the ribs take a little of the bending at equal pressure, but the driven
+    bellows of the unconstrained one bows out at a pressure that the constrained one still holds.
 
     Axes: x from the lower plate (the fixed end) to the upper one (the tip). The first bellows lies at +z, the others
     follow counterclockwise seen from the tip.

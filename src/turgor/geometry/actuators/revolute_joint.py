@@ -12,7 +12,7 @@ from turgor.units import m, mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RevoluteJoint:
-    """Revolute joint with one degree of freedom (review, figure 1f, after Skorina et al. 2015 and 2018).
+    """Revolute joint with one degree of freedom (Xavier et al. 2021, fig. 1f, after Skorina et al. 2015 and 2018).
 
     Each link is an end plate with an arm towards the middle, where a thin hinge joins the two arms. Cylinders run
     from plate to plate beside the arms: the one under pressure gets longer and turns the upper link away from it,

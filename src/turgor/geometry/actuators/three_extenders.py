@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import cos, pi, sin, sqrt
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT, Geometry
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.chambers import arrangement
 from turgor.geometry.parts.layout import Layout, Prism
 from turgor.geometry.rules import SMALLEST_LENGTH, check_fields, check_length, in_mm
@@ -16,11 +17,11 @@ from turgor.units import m, mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ThreeExtenders:
-    """Three parallel extending cylinders between two plates, in an equilateral triangle (review, figure 1g).
+    """Three parallel extending cylinders between two plates, in an equilateral triangle (Xavier et al. 2021, fig. 1g).
 
     The cylinder under pressure gets longer and tilts the upper plate away from it; equal pressures push the plate
-    straight on. Radius, wall, length and caps of the cylinders are the review's reference extender (6.35 mm, 2 mm,
-    100 mm, 5 mm); all other defaults are chosen here.
+    straight on. Radius, wall, length and caps of the cylinders are the reference extender of that review (6.35 mm, 2
+    mm, 100 mm, 5 mm); all other defaults are chosen here.
 
     In the published devices fibers keep the cylinders from ballooning; they lie on the face ``winding``. The
     example job solves the bare silicone, so keep to small pressures.

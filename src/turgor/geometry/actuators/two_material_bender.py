@@ -16,9 +16,9 @@ class TwoMaterialBender:
     """Round bender of two materials: the upper part stretches more than the stiffer part below.
 
     The upper part is the region ``body``, the lower one the region ``base``. Bending is largest when one of them is
-    two to three times as stiff as the other (review, section 7.1, guideline 2). A half-round bender of two
-    materials is the `SemicircularBender`, whose base is a region of its own too. The radii are those of the tubes
-    of Connolly et al. 2015 from memory and not checked ([MEM]); the rest is chosen here.
+    two to three times as stiff as the other (Xavier, Fleming and Yong 2021, section 7.1, guideline 2). A half-round
+    bender of two materials is the `SemicircularBender`, whose base is a region of its own too. Published for tubes
+    (Connolly et al. 2015; quoted, not yet checked against the paper): the radii. Chosen here: the rest.
 
     Axes: x from the fixed end to the tip along the axis of the body, z up, y across; the mirror plane is y = 0.
 

@@ -12,9 +12,10 @@ from turgor.finding import Finding
 from turgor.geometry.cad.colors import hexadecimal
 from turgor.geometry.cad.naming import Naming, name_faces, scaled
 from turgor.geometry.cad.part import Part, as_vector, load_part
-from turgor.geometry.cad.selectors import Selector, Vector
+from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.walls import smallest_wall
+from turgor.geometry.directions import Vector
 from turgor.units import mm
 
 Array = NDArray[np.float64]

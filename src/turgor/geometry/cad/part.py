@@ -14,8 +14,9 @@ from turgor.errors import TurgorError
 from turgor.geometry.cad.colors import shown_color
 from turgor.geometry.cad.facets import Facets, find_facets
 from turgor.geometry.cad.files import FileContents, load_file
-from turgor.geometry.cad.selectors import Item, Selector, Vector
+from turgor.geometry.cad.selectors import Item, Selector
 from turgor.geometry.cad.split import SplitPlane, split_bodies
+from turgor.geometry.directions import Vector
 from turgor.units import mm
 
 Array = NDArray[np.float64]

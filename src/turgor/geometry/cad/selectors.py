@@ -9,19 +9,15 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry.cad.colors import hexadecimal, parse_color, same_color
+from turgor.geometry.directions import AXES, DIRECTIONS, Vector
 
-Vector = tuple[float, float, float]
 Array = NDArray[np.float64]
 
 #: Cosine of the largest angle between two normals that are the same: 1°.
 SAME_DIRECTION = 0.99985
 
-#: Directions by name.
-AXES = {
-    "+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "x": (1.0, 0.0, 0.0),
-    "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0), "y": (0.0, 1.0, 0.0),
-    "+z": (0.0, 0.0, 1.0), "-z": (0.0, 0.0, -1.0), "z": (0.0, 0.0, 1.0),
-}  # fmt: skip
+#: Directions by name; an axis without a sign is its positive direction.
+NAMED = {**DIRECTIONS, **AXES}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -78,9 +74,9 @@ def direction(what: str, value: object) -> Vector:
     ((-1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
     """
     if isinstance(value, str):
-        if value not in AXES:
+        if value not in NAMED:
             raise TurgorError(f"{what} is '{value}'; allowed is '+x', '-x', '+y', '-y', '+z', '-z' or three numbers.")
-        return AXES[value]
+        return NAMED[value]
     x, y, z = vector(what, value)
     length = sqrt(x * x + y * y + z * z)
     if not length > 0:

@@ -8,7 +8,8 @@ from netgen.occ import HalfSpace, Pnt, Vec
 
 from turgor.errors import TurgorError
 from turgor.geometry.cad.facets import find_facets
-from turgor.geometry.cad.selectors import Vector, direction
+from turgor.geometry.cad.selectors import direction
+from turgor.geometry.directions import Vector
 from turgor.geometry.rules import as_length
 from turgor.units import mm
 

@@ -8,7 +8,7 @@ from typing import Any
 from netgen.occ import Cylinder, Pnt, Z
 
 from turgor.errors import TurgorError
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.rules import check_option
 from turgor.geometry.shapes.arcs import split_edge
 from turgor.geometry.shapes.sections import Outline

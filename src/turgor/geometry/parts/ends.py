@@ -2,11 +2,9 @@
 
 from typing import Any
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.names import INTERFACE
 from turgor.geometry.shapes.solids import PLANE_TOLERANCE, name_plane, name_rest
-
-#: Name of the faces between two regions.
-INTERFACE = "interface"
 
 
 def name_faces(shape: Any, *, end: float, clamp: float = 0.0, mirrors: str = "") -> None:

@@ -7,13 +7,15 @@ from typing import Any
 from netgen.occ import Compound, Fuse, Glue
 
 from turgor.errors import TurgorError
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT, Geometry, check_volume
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.geometry import Geometry, check_volume
+from turgor.geometry.names import INTERFACE
 from turgor.geometry.parts.ducts import Duct, top
+from turgor.geometry.parts.prism import Prism as Prism
 from turgor.geometry.rules import SMALLEST_LENGTH, as_length, check_length, check_option, in_mm
-from turgor.geometry.shapes.sections import Outline, disc, prism
+from turgor.geometry.shapes.sections import Outline, disc
 from turgor.geometry.shapes.solids import (
     PLANE_TOLERANCE,
-    Range,
     cut,
     face_names,
     name_plane,
@@ -21,49 +23,8 @@ from turgor.geometry.shapes.solids import (
     union,
     volume,
 )
-from turgor.geometry.sweeps.prisms import INTERFACE, layout_sweep
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Prism:
-    """An outline swept along x: a piece of a region, or of a cavity.
-
-    Parameters
-    ----------
-    name : str
-        Region that it belongs to; for a piece of a cavity, the name of the cavity's face.
-    outline : Outline
-        Section of the whole actuator; `Layout` cuts it at the mirror planes.
-    along : (2,) floats [m]
-        From where to where on the x axis.
-    hole : Outline or None
-        What is left out inside the outline.
-    lateral : str
-        Name of the faces along x where another region covers them; empty for no name of their own.
-    """
-
-    name: str
-    outline: Outline
-    along: Range
-    hole: Outline | None = None
-    lateral: str = ""
-
-    @property
-    def volume(self) -> float:
-        """Volume [m³]."""
-        area = self.outline.area - (self.hole.area if self.hole else 0.0)
-        return area * (self.along[1] - self.along[0])
-
-    def solid(self) -> Any:
-        """Build the CAD shape."""
-        outer = prism(self.outline, self.along)
-        shape = outer - prism(self.hole, self.along) if self.hole else outer
-        if self.lateral:
-            for face in shape.faces:
-                face.name = self.lateral
-            for x in self.along:
-                name_plane(shape, 0, x, "")
-        return shape
+from turgor.geometry.sweep import FaceName, PlaneName, RangeName
+from turgor.geometry.sweeps.prisms import layout_sweep
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -140,7 +101,7 @@ class Layout:
             regions=region_names(shape),
             faces=face_names(shape),
             _shape=shape,
-            _sweep=None if self._ducts() else layout_sweep(self, self._pieces(), self._air()),
+            _sweep=None if self._ducts() else layout_sweep(self._pieces(), self._air(), self._face_names()),
         )
 
     def _shape(self) -> Any:
@@ -188,6 +149,19 @@ class Layout:
                 face.name = "strain_limiting_layer"
             else:
                 face.name = "outside"
+
+    def _face_names(self) -> tuple[FaceName, ...]:
+        """Names of faces for the sweep; later ones win."""
+        names: list[FaceName] = [
+            RangeName(name="fixed", axis=0, low=-self.clamp_length, high=0.0),
+            PlaneName(name="tip", axis=0, position=self.length),
+        ]
+        if self.layer is not None:
+            names.append(PlaneName(name="strain_limiting_layer", axis=2, position=self.layer, within=True))
+        for axis, letter in ((1, "y"), (2, "z")):
+            if letter in self.mirrors:
+                names.append(PlaneName(name=f"symmetry_{letter}", axis=axis, position=0.0))
+        return tuple(names)
 
     def _groups(self) -> list[list[Prism]]:
         """The pieces, each with its continuation into the block."""

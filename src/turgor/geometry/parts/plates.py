@@ -6,7 +6,7 @@ from typing import Any
 
 from netgen.occ import Face, Pnt, Segment, Vec, Wire
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.solids import Range
 
 Point = tuple[float, float]

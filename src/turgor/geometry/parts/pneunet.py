@@ -6,7 +6,8 @@ from typing import Any, Protocol
 
 from netgen.occ import Cylinder, Glue, Pnt, X
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT, Geometry, check_volume
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.geometry import Geometry, check_volume
 from turgor.geometry.parts.plates import wire
 from turgor.geometry.rules import SMALLEST_LENGTH, check_count, check_fields, check_length, in_mm
 from turgor.geometry.shapes.solids import (

@@ -5,7 +5,7 @@ from typing import Any
 
 from netgen.occ import ArcOfCircle, Face, Glue, Pnt, Segment, Wire
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.sections import Outline, Point, edge_middle
 
 

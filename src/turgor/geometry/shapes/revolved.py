@@ -5,7 +5,7 @@ from typing import Any
 
 from netgen.occ import ArcOfCircle, Axis, Face, Pnt, Segment, Wire, X
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.arcs import Point, edge_middle
 from turgor.geometry.shapes.sections import Outline
 

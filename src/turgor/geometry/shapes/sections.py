@@ -7,7 +7,7 @@ from typing import Any
 
 from netgen.occ import ArcOfCircle, Face, Pnt, Segment, Vec, Wire
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.arcs import (
     SAME_POINT,
     edge_radius,

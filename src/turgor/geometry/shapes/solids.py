@@ -7,7 +7,7 @@ from typing import Any
 
 from netgen.occ import Box, Glue, Pnt
 
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 
 Range = tuple[float, float]
 

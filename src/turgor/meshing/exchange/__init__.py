@@ -6,9 +6,9 @@ hundreds of megabytes.
 """
 
 from turgor.meshing.exchange.fill import mesh_surfaces
+from turgor.meshing.exchange.formats.stl import Triangles, read_stl
+from turgor.meshing.exchange.formats.write_stl import write_stl
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.exchange.read import read_mesh
-from turgor.meshing.exchange.stl import Triangles, read_stl
-from turgor.meshing.exchange.write_stl import write_stl
 
 __all__ = ["MeshFile", "Triangles", "mesh_surfaces", "read_mesh", "read_stl", "write_stl"]

@@ -7,7 +7,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from turgor.meshing.cells import CellType
-from turgor.meshing.exchange.raw import Array, Ints
+from turgor.meshing.exchange.formats.raw import Array, Ints
 from turgor.meshing.exchange.solids import Solids, side_numbers
 
 #: The same side seen from behind.

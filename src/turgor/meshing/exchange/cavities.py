@@ -8,9 +8,9 @@ import numpy as np
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.exchange.boundary import Sides, components, enclosed_volume, is_cavity
+from turgor.meshing.exchange.formats.raw import Array, Ints
+from turgor.meshing.exchange.formats.stl import Triangles, read_stl
 from turgor.meshing.exchange.frame import Frame
-from turgor.meshing.exchange.raw import Array, Ints
-from turgor.meshing.exchange.stl import Triangles, read_stl
 from turgor.units import mm
 
 #: A side lies on the surface when its corners and middle are nearer than this share of its mean edge.

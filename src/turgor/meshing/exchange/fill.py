@@ -9,13 +9,13 @@ from netgen.meshing import Element2D, FaceDescriptor, MeshPoint, NgException, Pn
 from netgen.meshing import Mesh as NetgenMesh
 
 from turgor.errors import TurgorError
+from turgor.meshing.exchange.formats.raw import KINDS, Block, RawMesh
+from turgor.meshing.exchange.formats.stl import Triangles, read_stl
 from turgor.meshing.exchange.frame import Frame
 from turgor.meshing.exchange.names import Wishes
-from turgor.meshing.exchange.raw import KINDS, Block, RawMesh
 from turgor.meshing.exchange.read import named_mesh
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.exchange.solids import place_of
-from turgor.meshing.exchange.stl import Triangles, read_stl
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quiet import captured_output
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from turgor.errors import TurgorError, near_match
-from turgor.meshing.exchange.raw import Array
+from turgor.meshing.exchange.formats.raw import Array
 from turgor.units import UNITS
 
 

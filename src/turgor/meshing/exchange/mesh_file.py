@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from turgor.errors import TurgorError
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT, Geometry
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.geometry import Geometry
 from turgor.meshing.exchange.fill import mesh_surfaces
-from turgor.meshing.exchange.raw import Ints
+from turgor.meshing.exchange.formats.raw import Ints
 from turgor.meshing.exchange.read import read_mesh
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.mesh import Mesh

@@ -10,8 +10,8 @@ from turgor.errors import TurgorError, unknown
 from turgor.finding import Finding, Severity
 from turgor.meshing.exchange.boundary import Sides, components, enclosed_volume, find_sides, is_cavity
 from turgor.meshing.exchange.cavities import sides_on_stl
+from turgor.meshing.exchange.formats.raw import Ints, RawMesh
 from turgor.meshing.exchange.frame import Frame
-from turgor.meshing.exchange.raw import Ints, RawMesh
 from turgor.meshing.exchange.selectors import Choice, parts_of, picked_cells, picked_sides
 from turgor.meshing.exchange.solids import Solids
 from turgor.units import mm

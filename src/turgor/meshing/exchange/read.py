@@ -9,18 +9,18 @@ import numpy as np
 from turgor.errors import TurgorError, near_match
 from turgor.finding import Finding, Severity
 from turgor.meshing.cells import TETRAHEDRON
-from turgor.meshing.exchange.abaqus import read_abaqus
 from turgor.meshing.exchange.boundary import Sides, sides_of
+from turgor.meshing.exchange.formats.abaqus import read_abaqus
+from turgor.meshing.exchange.formats.gmsh import read_gmsh
+from turgor.meshing.exchange.formats.raw import Array, RawMesh
+from turgor.meshing.exchange.formats.vtk_legacy import read_vtk
+from turgor.meshing.exchange.formats.vtu import read_vtu
 from turgor.meshing.exchange.frame import Frame
-from turgor.meshing.exchange.gmsh import read_gmsh
 from turgor.meshing.exchange.names import Wishes, name_faces, name_regions
-from turgor.meshing.exchange.raw import Array, RawMesh
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.exchange.solids import Solids, place_of, read_solids
-from turgor.meshing.exchange.vtk_legacy import read_vtk
-from turgor.meshing.exchange.vtu import read_vtu
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.quality import refuse_inverted
+from turgor.meshing.quality.cell_quality import refuse_inverted
 from turgor.units import UNITS, deg, mm
 
 READERS: Mapping[str, Callable[[Path], RawMesh]] = {

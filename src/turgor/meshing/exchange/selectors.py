@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.geometry.cad.selectors import SAME_DIRECTION, ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.meshing.exchange.boundary import Sides
-from turgor.meshing.exchange.raw import Array, Ints
+from turgor.meshing.exchange.formats.raw import Array, Ints
 
 Mask = NDArray[np.bool_]
 

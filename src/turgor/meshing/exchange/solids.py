@@ -8,8 +8,8 @@ from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType
+from turgor.meshing.exchange.formats.raw import Array, Ints, RawMesh
 from turgor.meshing.exchange.frame import Frame
-from turgor.meshing.exchange.raw import Array, Ints, RawMesh
 
 #: Nodes nearer to each other than this share of the shortest cell edge are one node written twice.
 SAME_NODE = 1e-3

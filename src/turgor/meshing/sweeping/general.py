@@ -9,7 +9,7 @@ from netgen.meshing import NgException, SetMessageImportance
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
-from turgor.geometry.geometry import METERS_PER_CAD_UNIT
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.planar import planar_faces
 from turgor.geometry.shapes.sections import Outline
 from turgor.meshing.quiet import captured_output

@@ -1,0 +1,8 @@
+"""Runs the command line as ``python -m turgor.cli``."""
+
+import sys
+
+from turgor.cli.app import main
+
+if __name__ == "__main__":
+    sys.exit(main())

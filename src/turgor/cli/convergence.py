@@ -1,0 +1,90 @@
+"""Command ``turgor convergence``: solve a job on three meshes and say what they say about the error."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.exits import NOT_CONVERGED, errors_as_sentences
+from turgor.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.job.job import Job
+    from turgor.results.convergence.study import Convergence
+
+
+def convergence_command(
+    job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
+    sizes: Annotated[
+        str, typer.Option(help="Mesh sizes, such as '4 mm, 2.8 mm, 2 mm', or how many around that of the job.")
+    ] = "3",
+    measure: Annotated[str, typer.Option(help="What to compare.")] = "bending_angle",
+    output: Annotated[
+        Path | None, typer.Option(help="Folder of table and plot; by default NAME-convergence.", show_default=False)
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+) -> None:
+    """Solve a job on finer and finer meshes: each value, the observed order, the extrapolated value and the error."""
+    with errors_as_sentences(debug):
+        from turgor.job.output.folder import claimed
+        from turgor.job.read import read_job
+        from turgor.results.measures.measures import find_measure
+        from turgor.solvers.solution import SolveError
+
+        wanted = _sizes(sizes)
+        find_measure(measure)
+        asked = read_job(job)
+        with claimed(output if output is not None else Path(f"{asked.name}-convergence"), force) as folder:
+            try:
+                study = _solve(asked, wanted, measure)
+            except SolveError as error:
+                typer.echo(" ".join([str(error), *getattr(error, "__notes__", [])]), err=True)
+                raise typer.Exit(NOT_CONVERGED) from None
+            _write(folder, asked, study)
+        _show(study)
+        typer.echo(f"Table and plot in {folder}.")
+
+
+def _sizes(text: str) -> int | list[float]:
+    """Read ``"3"`` as a number of sizes and ``"4 mm, 2.8 mm, 2 mm"`` as sizes."""
+    from turgor.units import parse_quantity
+
+    if text.strip().isdigit():
+        return int(text)
+    try:
+        return [parse_quantity(part.strip(), "length") for part in text.split(",")]
+    except TurgorError as error:
+        raise TurgorError(f"--sizes: {error}") from None
+
+
+def _solve(job: "Job", sizes: int | list[float], measure: str) -> "Convergence":
+    from rich.console import Console
+
+    from turgor.cli.console import LiveDisplay, PlainDisplay
+    from turgor.job.convergence import convergence
+
+    console = Console()
+    with LiveDisplay(console) if console.is_terminal else PlainDisplay(console) as display:
+        return convergence(job, sizes, wanted=measure, notify=display.notify, progress=display.progress)
+
+
+def _write(folder: Path, job: "Job", study: "Convergence") -> None:
+    from turgor.results.plots.convergence import write_convergence_plot
+
+    study.response.to_csv(folder / "convergence.csv")
+    write_convergence_plot(folder / "convergence.png", study, title=job.name)
+    (folder / "convergence.txt").write_text(study.summary + "\n", encoding="utf-8")
+
+
+def _show(study: "Convergence") -> None:
+    """Print a line for each mesh and what they say together."""
+    from turgor.units import mm
+
+    rows = zip(study.sizes, study.effective_sizes, study.cells, study.unknowns, study.values, strict=True)
+    typer.echo(f"{'size':>9}{'effective':>12}{'cells':>10}{'unknowns':>11}  {study.measure.name.replace('_', ' ')}")
+    for size, effective, cells, unknowns, value in rows:
+        typer.echo(
+            f"{size / mm:>6.3g} mm{effective / mm:>9.3g} mm{cells:>10,}{unknowns:>11,}  {study.measure.text(value)}"
+        )
+    typer.echo(study.summary)

@@ -1,0 +1,90 @@
+"""``turgor fit --relaxation --softening``: a law from first loading, then what happens in time."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from turgor.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.materials.experiments.material_test import MaterialTest
+    from turgor.materials.fitting.history_fit import HistoryFit
+
+
+def fit_over_time(
+    tests: "Sequence[MaterialTest]", laws: Sequence[str], *, terms: int, softening: bool, name: str
+) -> "HistoryFit":
+    """Fit laws to the first loading of tests with time, take the best, and fit relaxation and softening to all of it.
+
+    Parameters
+    ----------
+    tests : sequence of MaterialTest
+        With time, read as cyclic.
+    laws : sequence of str
+        Laws to choose from.
+    terms : int
+        Terms of the Prony series.
+    softening : bool
+        Whether to fit stress softening.
+    name : str
+        What the material is called.
+    """
+    from dataclasses import replace
+
+    from turgor.materials.fitting.fit_history import fit_history
+    from turgor.materials.fitting.ranking import rank
+
+    virgin = [_first_loading(test) for test in tests]
+    best = rank(laws, virgin).best
+    typer.echo(f"Law of the first loading: {best.spec.name}, {', '.join(best.parameter(p) for p in best.spec.names)}")
+    found = fit_history(best.law, tests, terms=terms, stress_softening=softening)
+    typer.echo(found.describe())
+    if softening:
+        typer.echo(f"Softening after the largest stretch of the tests: {100 * found.largest_softening:.2g} % near rest")
+    for quality in found.quality:
+        typer.echo(f"{quality.name}: R² = {quality.r2:.5f}, {quality.points} points")
+    return replace(found, material=replace(found.material, name=name))
+
+
+def write_history_fit(folder: Path, found: "HistoryFit", tests: "Sequence[MaterialTest]") -> None:
+    """Write the material as a file of records, and the plot.
+
+    Parameters
+    ----------
+    folder : Path
+        Made if missing.
+    found : HistoryFit
+        The fit.
+    tests : sequence of MaterialTest
+        What to plot it against.
+    """
+    from turgor.materials.fitting.save import save_material
+    from turgor.results.plots.fits import write_fit_plot
+    from turgor.results.plots.history import history_figure
+
+    folder.mkdir(parents=True, exist_ok=True)
+    stem = "-".join(found.material.name.lower().split())
+    write_fit_plot(folder / f"{stem}.png", history_figure(found.material, tests, title=found.material.name))
+    save_material(folder / f"{stem}.toml", found.material)
+    typer.echo(f"Plot and constants in {folder}.")
+
+
+def _first_loading(test: "MaterialTest") -> "MaterialTest":
+    """The way to the first largest stretch: what is held afterwards has begun to relax."""
+    import numpy as np
+
+    from turgor.materials.experiments.handling import select_cycle, thin
+
+    low, high = test.range
+    if test.stretch[0] > low + 0.5 * (high - low) or high == low:
+        raise TurgorError(
+            f"test '{test.name}' begins stretched, so no law can be fitted to its loading; give its loading, too, "
+            "or fit in Python with fit_history and a law from other tests."
+        )
+    loading = select_cycle(test, 0)
+    top = int(np.argmax(loading.stretch >= loading.stretch.max()))
+    loading = loading.keeping(np.arange(len(loading.stretch)) <= top, "After the first largest stretch")
+    resting = (loading.stretch == 1.0) & (loading.nominal_stress == 0.0)
+    return thin(loading.keeping(~resting, "At rest"))

@@ -1,0 +1,108 @@
+"""Command ``turgor inspect``: what a CAD file holds – bodies, faces, cavities – and a picture of it."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.exits import DONE, errors_as_sentences, warn
+from turgor.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.geometry.cad.inspection import Inspection
+
+Vector = tuple[float, float, float]
+
+
+def inspect_command(
+    part: Annotated[Path, typer.Argument(metavar="PART", help="STEP, BREP or STL file.", show_default=False)],
+    unit: Annotated[
+        str | None, typer.Option(help="Unit of the numbers in the file, such as mm.", show_default=False)
+    ] = None,
+    picture: Annotated[Path | None, typer.Option(help="Draw the part into this PNG.", show_default=False)] = None,
+    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+) -> None:
+    """List the bodies, faces and cavities of a CAD file, with the names that a job can use."""
+    with errors_as_sentences(debug):
+        if picture is not None and picture.suffix.lower() != ".png":
+            raise TurgorError(f"--picture is '{picture}'; the name must end in .png.")
+        from turgor.geometry.cad.inspection import inspect_cad
+
+        found = inspect_cad(part, unit=unit)
+        _show(found)
+        if picture is not None:
+            from turgor.results.pictures.cad_picture import write_cad_picture
+
+            write_cad_picture(picture, found)
+            typer.echo(f"Picture in {picture}.")
+        warn(found.findings)
+        raise typer.Exit(DONE)
+
+
+def _show(found: "Inspection") -> None:
+    size = " x ".join(f"{side * 1e3:.4g}" for side in found.size)
+    typer.echo(
+        f"{found.name}: {size} mm (unit {found.unit}); thinnest wall {found.smallest_wall * 1e3:.3g} mm, "
+        f"{_count(found.bodies, 'body', 'bodies')}, {_count(found.faces, 'face', 'faces')}, "
+        f"{_count(found.cavities, 'cavity', 'cavities')}."
+    )
+    _table(
+        "Bodies",
+        ("region", "color", "volume [mm³]", "from [mm]", "to [mm]"),
+        [(b.region, b.color, f"{b.volume * 1e9:.5g}", _place(b.low), _place(b.high)) for b in found.bodies],
+    )
+    _table(
+        "Cavities",
+        ("name", "kind", "volume [mm³]", "opening"),
+        [
+            (
+                cavity.name,
+                "closed" if cavity.closed else "open",
+                f"{cavity.volume * 1e9:.5g}",
+                "; ".join(f"{area * 1e6:.4g} mm² at {_place(center)} mm" for area, center in cavity.openings),
+            )
+            for cavity in found.cavities
+        ],
+    )
+    _table(
+        "Faces",
+        ("name", "in the file", "color", "area [mm²]", "center [mm]", "normal"),
+        [
+            (
+                face.name,
+                face.name_in_file,
+                face.color,
+                f"{face.area * 1e6:.4g}",
+                _place(face.center),
+                "curved" if face.normal is None else _direction(face.normal),
+            )
+            for face in found.faces
+        ],
+    )
+
+
+def _table(title: str, header: tuple[str, ...], rows: list[tuple[str, ...]]) -> None:
+    """Print columns of text; a column that is empty throughout is left out."""
+    if not rows:
+        return
+    kept = [i for i in range(len(header)) if any(row[i] for row in rows)]
+    width = {i: max(len(header[i]), *(len(row[i]) for row in rows)) for i in kept}
+    typer.echo(f"\n{title}")
+    for row in (header, *rows):
+        typer.echo("  " + "  ".join(row[i].ljust(width[i]) for i in kept).rstrip())
+
+
+def _count(things: Sequence[object], one: str, several: str) -> str:
+    return f"{len(things)} {one if len(things) == 1 else several}"
+
+
+def _place(point: Vector) -> str:
+    return f"({', '.join(f'{round(value * 1e3, 3) + 0.0:g}' for value in point)})"
+
+
+def _direction(normal: Vector) -> str:
+    largest = max(range(3), key=lambda i: abs(normal[i]))
+    if abs(normal[largest]) > 1 - 1e-6:
+        return f"{'+' if normal[largest] > 0 else '-'}{'xyz'[largest]}"
+    return f"({', '.join(f'{round(value, 3) + 0.0:g}' for value in normal)})"

@@ -1,0 +1,83 @@
+"""Command ``turgor mesh``: mesh the actuator of a job, say what the mesh is like, write and draw it."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences, warn
+from turgor.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.job.job import Job
+    from turgor.meshing.mesh import Mesh
+
+
+def mesh_command(
+    job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
+    size: Annotated[
+        str | None, typer.Option(help="Another mesh size, such as '2 mm'.", metavar="LENGTH", show_default=False)
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option(help="Write the mesh to this file, .vtu for ParaView.", show_default=False)
+    ] = None,
+    picture: Annotated[Path | None, typer.Option(help="Draw the cells into this PNG.", show_default=False)] = None,
+    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+) -> None:
+    """Mesh a job: counts, sizes and shapes of the cells, findings, and a picture."""
+    with errors_as_sentences(debug):
+        _check_ending("--output", output, ".vtu")
+        _check_ending("--picture", picture, ".png")
+        from turgor.finding import Severity
+        from turgor.job.meshes import mesh_of
+        from turgor.job.read import read_job
+        from turgor.meshing.quality.checks import check_mesh
+        from turgor.results.report.mesh_text import describe_mesh
+
+        asked = _with_size(read_job(job), size)
+        geometry = asked.actuator.build()
+        mesh = mesh_of(asked, geometry)
+        findings = (*geometry.findings, *check_mesh(mesh))
+        typer.echo(describe_mesh(mesh))
+        if not any(found.code == "G01" for found in findings):
+            typer.echo("  walls: two cells or more through every wall")
+        if output is not None:
+            from turgor.results.files.mesh_vtu import write_mesh_vtu
+
+            write_mesh_vtu(output, mesh)
+            typer.echo(f"Mesh in {output}.")
+        if picture is not None:
+            _draw(picture, asked.name, mesh)
+        warn(findings)
+        raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
+
+
+def _draw(picture: Path, name: str, mesh: "Mesh") -> None:
+    from turgor.results.pictures.mesh_picture import write_mesh_picture
+
+    write_mesh_picture(picture, mesh, title=f"{name} · {mesh.unknown_count:,} unknowns")
+    typer.echo(f"Picture in {picture}.")
+
+
+def _check_ending(option: str, path: Path | None, ending: str) -> None:
+    if path is not None and path.suffix.lower() != ending:
+        raise TurgorError(f"{option} is '{path}'; the name must end in {ending}.")
+
+
+def _with_size(job: "Job", text: str | None) -> "Job":
+    from dataclasses import replace
+
+    from turgor.meshing.exchange.mesh_file import MeshFile
+    from turgor.units import parse_quantity
+
+    if text is None:
+        return job
+    if isinstance(job.actuator, MeshFile):
+        file = job.actuator.file
+        raise TurgorError(f"--size is '{text}', but the actuator is the mesh file '{file}', which has its own.")
+    try:
+        size = parse_quantity(text, "length")
+    except TurgorError as error:
+        raise TurgorError(f"--size: {error}") from None
+    faces = {name: min(length, size) for name, length in job.mesh.face_sizes.items()}
+    return replace(job, mesh=replace(job.mesh, size=size, face_sizes=faces))

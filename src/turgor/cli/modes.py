@@ -1,0 +1,56 @@
+"""Command ``turgor modes``: natural frequencies of the actuator of a job, at rest or under its full load."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.exits import DONE, errors_as_sentences, warn
+from turgor.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.solvers.dynamics.modes import Modes
+
+
+def modes_command(
+    job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
+    count: Annotated[int, typer.Option(help="How many modes, from the lowest.")] = 6,
+    loaded: Annotated[bool, typer.Option("--loaded", help="About the state under full load, not at rest.")] = False,
+    output: Annotated[
+        Path | None, typer.Option(help="Write the mode shapes for ParaView into this new folder.", show_default=False)
+    ] = None,
+    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+) -> None:
+    """List natural frequencies; every material of the job needs a density."""
+    with errors_as_sentences(debug):
+        if output is not None and output.exists():
+            raise TurgorError(f"--output is '{output}', which exists; name a new folder.")
+        from turgor.job.read import read_job
+        from turgor.job.run import prepare
+        from turgor.solvers.dynamics.modes import natural_frequencies
+        from turgor.solvers.procedures.stages import Stages
+        from turgor.solvers.solve import solve
+
+        asked = read_job(job)
+        model, findings = prepare(asked)
+        state = solve(model, asked.procedure).states[-1] if loaded else None
+        if state is not None and isinstance(asked.procedure, Stages):
+            model = state.model  # the question of the last stage
+        modes = natural_frequencies(model, state, count)
+        _show(modes)
+        if output is not None:
+            from turgor.results.files.modes_vtu import write_modes
+
+            output.mkdir(parents=True)
+            typer.echo(f"Mode shapes in {write_modes(output, modes)}.")
+        warn(findings)
+        raise typer.Exit(DONE)
+
+
+def _show(modes: "Modes") -> None:
+    typer.echo("mode  frequency [Hz]  modal mass [g]")
+    for number, (frequency, mass) in enumerate(zip(modes.frequencies, modes.modal_mass, strict=True), start=1):
+        typer.echo(f"{number:4d}  {frequency:14.5g}  {mass * 1e3:14.4g}")
+    typer.echo(modes.message)
+    if modes.model.mesh.symmetry_factor > 1:
+        typer.echo("Only a part is modeled: these are the modes that are symmetric about its mirror planes.")

@@ -1,0 +1,1 @@
+"""Algebra: sparsity pattern, boundary conditions, tangent and factorization."""

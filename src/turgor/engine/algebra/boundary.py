@@ -1,0 +1,154 @@
+"""Supports as prescribed displacement components."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.algebra.node_frames import NodeFrames
+from turgor.errors import TurgorError
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.surface import outer_triangles
+from turgor.model.model import Model
+from turgor.model.supports import Displacement, Fixed, Radial, Support, Symmetry
+from turgor.units import mm
+
+AXES = "xyz"
+
+#: Largest distance of a node from the cylinder that its face should be, as a share of the radius.
+ROUND = 1e-3
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Held:
+    """Which displacement components are prescribed, and the functions that move some of them.
+
+    Parameters
+    ----------
+    mask : (n, 3) bool array
+        Prescribed components along the directions of the nodes.
+    moving : tuple of (nodes, axes, Displacement)
+    frames : NodeFrames
+        Nodes whose components are not along x, y and z.
+    along_axes : (n, 3) bool array
+        Components along x, y and z that are prescribed.
+    normals : (k, 3) array
+        Of each node with a frame, the direction that is held besides the axes.
+    """
+
+    mask: NDArray[np.bool_]
+    moving: tuple[tuple[Ints, list[int], Displacement], ...]
+    frames: NodeFrames
+    along_axes: NDArray[np.bool_]
+    normals: Array
+
+    def values(self, points: Array, load_factor: float) -> Array:
+        """Prescribed components (n, 3) [m] at a load factor, zero where nothing is prescribed."""
+        out = np.zeros_like(points)
+        for nodes, axes, support in self.moving:
+            value = np.asarray(support.value(points[nodes], load_factor), dtype=np.float64)
+            out[nodes[:, None], axes] = np.broadcast_to(value, (len(nodes), 3))[:, axes]
+        if not len(self.frames.nodes):
+            return out
+        moved = np.einsum("ki,ki->k", self.normals, out[self.frames.nodes])
+        out = self.frames.to_local(out)
+        # the normal component is zero: what the axes bring along it, the direction beside them takes back
+        out[self.frames.nodes, 0] = -moved / np.einsum("ki,ki->k", self.normals, self.frames.axes[:, 0])
+        return out
+
+
+def held_components(model: Model) -> Held:
+    """Collect what the supports of a model prescribe.
+
+    Raises
+    ------
+    TurgorError
+        If a support names directions or a face that it cannot hold.
+    """
+    mask = np.zeros((len(model.mesh.points), 3), dtype=bool)
+    moving = []
+    for support in model.supports:
+        if isinstance(support, Radial):
+            continue
+        nodes = np.unique(outer_triangles(model.mesh)) if support.face == "*" else model.mesh.face_nodes(support.face)
+        axes = _axes(model.mesh, support)
+        mask[nodes[:, None], axes] = True
+        if isinstance(support, Displacement):
+            moving.append((nodes, axes, support))
+    return _with_normals(mask, tuple(moving), *_radial_normals(model))
+
+
+def _with_normals(
+    mask: NDArray[np.bool_], moving: tuple[tuple[Ints, list[int], Displacement], ...], nodes: Ints, normals: Array
+) -> Held:
+    """Hold nodes along normals too: their first direction is the part of the normal that no held axis covers."""
+    rest = np.where(mask[nodes], 0.0, normals)
+    free = np.linalg.norm(rest, axis=1) > 1e-6
+    nodes, normals, rest = nodes[free], normals[free], rest[free]
+    first = rest / np.linalg.norm(rest, axis=1)[:, None]
+    axes = np.empty((len(nodes), 3, 3))
+    local, along = mask.copy(), mask.copy()
+    for k, node in enumerate(nodes):
+        held = np.eye(3)[mask[node]]
+        basis = np.linalg.qr(np.concatenate([first[k : k + 1], held, np.eye(3)]).T)[0].T
+        axes[k] = np.concatenate([first[k : k + 1], held, basis[1 + len(held) :]])[:3]
+        local[node] = np.arange(3) <= len(held)
+        along[node] |= local[node].all()
+    return Held(local, moving, NodeFrames(nodes, axes), along, normals)
+
+
+def _radial_normals(model: Model) -> tuple[Ints, Array]:
+    """Nodes that are held radially, and the outward normals (k, 3) of their cylinders."""
+    found: dict[int, Array] = {}
+    for support in model.supports:
+        if not isinstance(support, Radial):
+            continue
+        nodes = model.mesh.face_nodes(support.face)
+        for node, normal in zip(nodes.tolist(), _cylinder_normals(model.mesh.points[nodes], support), strict=True):
+            if node in found and abs(float(found[node] @ normal)) < 1 - 1e-6:
+                raise TurgorError(f"Radial of '{support.face}': it meets another cylinder that is held radially.")
+            found[node] = normal
+    return np.array(list(found), dtype=np.int64), np.array(list(found.values())).reshape(-1, 3)
+
+
+def _cylinder_normals(points: Array, support: Radial) -> Array:
+    """Normals of the cylinder on which points lie; its center comes from a fit of a circle."""
+    axis = np.asarray(support.axis, dtype=np.float64)
+    if not np.linalg.norm(axis) > 0:
+        raise TurgorError(f"Radial of '{support.face}': axis is a zero vector; give for example (1, 0, 0).")
+    axis /= np.linalg.norm(axis)
+    across = np.linalg.svd(axis[None])[2][1:]  # two unit vectors across the axis
+    flat = points @ across.T
+    middle = flat.mean(axis=0)
+    terms = np.column_stack([2 * (flat - middle), np.ones(len(flat))])
+    solved = np.linalg.lstsq(terms, ((flat - middle) ** 2).sum(axis=1), rcond=None)[0]
+    arm = flat - middle - solved[:2]
+    radii = np.linalg.norm(arm, axis=1)
+    radius = float(radii.mean())
+    off = float(np.abs(radii - radius).max())
+    if off > ROUND * radius:
+        raise TurgorError(
+            f"Radial of '{support.face}': a node lies {off / mm:.3g} mm off the cylinder around {support.axis} "
+            f"that fits best, of radius {radius / mm:.4g} mm; only the face of one cylinder can be held radially."
+        )
+    return np.asarray((arm / radii[:, None]) @ across)
+
+
+def _axes(mesh: Mesh, support: Support) -> list[int]:
+    if isinstance(support, Symmetry):
+        extent = np.ptp(mesh.points[mesh.face_nodes(support.face)], axis=0)
+        axis = int(extent.argmin())
+        if extent[axis] > 1e-6 * extent.max():
+            raise TurgorError(f"face '{support.face}' is not a coordinate plane; a mirror plane must be one.")
+        return [axis]
+    assert isinstance(support, Fixed | Displacement)
+    unknown = set(support.directions) - set(AXES)
+    if unknown or not support.directions:
+        raise TurgorError(
+            f"{type(support).__name__} of '{support.face}': directions is '{support.directions}'; "
+            "allowed are the letters x, y and z."
+        )
+    return [AXES.index(letter) for letter in support.directions]

@@ -1,0 +1,141 @@
+"""Tangent: assemble it, apply the supports, factor it and solve, with the time that each takes."""
+
+from dataclasses import dataclass
+from time import perf_counter
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+from scipy.sparse.linalg import LinearOperator, gmres
+
+from turgor.engine.algebra.linear import LinearSolver, UnsymmetricSolver, linear_solver
+from turgor.engine.evaluation import Evaluation, Stresses
+from turgor.engine.runtime import MIXED, PLAIN
+from turgor.engine.system import System
+
+Array = NDArray[np.float64]
+
+#: Where something rubs, solutions are found to this relative residual, with so many solutions by the factors at most.
+RUBBING_TOLERANCE, RUBBING_SOLVES = 1e-4, 40
+
+
+@dataclass(slots=True)
+class Clock:
+    """Wall time spent [s] and how often.
+
+    Parameters
+    ----------
+    assembly : float
+        Forming tangents.
+    residual : float
+        Evaluating residuals and linearized stresses, predictions included.
+    factorization, solve : float
+        Factoring tangents and solving with the factors.
+    factorizations : int
+        Tangents formed and factored.
+    """
+
+    assembly: float = 0.0
+    residual: float = 0.0
+    factorization: float = 0.0
+    solve: float = 0.0
+    factorizations: int = 0
+
+
+class Tangent:
+    """The factored tangent of a system, supports applied.
+
+    Parameters
+    ----------
+    system : System
+    solver : str
+        ``"auto"``, ``"rslab"`` or ``"mkl-pardiso"``.
+    threads : int
+    iteration : str
+        Which tangents Newton's method asks for, and how often; see `EngineOptions`.
+    """
+
+    def __init__(self, system: System, solver: str, threads: int, iteration: str = MIXED) -> None:
+        self._system = system
+        self._solver, self._threads = solver, threads
+        self.mixed_points, self.plain = iteration == MIXED, iteration == PLAIN
+        self.clock = Clock()
+        self._symmetric: LinearSolver | None = None
+        self._general: UnsymmetricSolver | None = None
+        self._analyzed = system.pattern
+        self._rubbing: sp.csc_matrix | None = None
+        if system.faces.symmetric:
+            self._symmetric = linear_solver(solver, system.pattern, threads)
+        else:
+            self._general = UnsymmetricSolver(threads)
+
+    @property
+    def name(self) -> str:
+        """Name of the linear solver."""
+        return self._active.name
+
+    @property
+    def _active(self) -> LinearSolver | UnsymmetricSolver:
+        active = self._symmetric or self._general
+        assert active is not None
+        return active
+
+    def factor(
+        self, at: Evaluation, geometric: Stresses | None = None, jump: Array | None = None, shift: float = 0.0
+    ) -> Array:
+        """Form and factor the tangent; return the forces that moving the held unknowns by ``jump`` would cause.
+
+        ``shift`` is added to the diagonal of the free displacements, to make it positive where it is not.
+        """
+        start = perf_counter()
+        system = self._system
+        data = system.tangent_data(at, geometric)
+        skew = system.skew_matrix(at)
+        coupling = np.zeros(system.size)
+        if jump is not None and jump.any():
+            moved = np.zeros(system.size)
+            moved[system.held] = jump
+            coupling = system.pattern.product(data, moved)
+            if skew is not None:
+                coupling += skew @ moved
+        rubbing = system.rubbing(at)
+        self._rubbing = None if rubbing is None else sp.diags((~system.held).astype(np.float64)) @ rubbing
+        system.apply_supports(data)
+        if shift:
+            free = np.flatnonzero(~system.held[: 3 * system.node_count])
+            data[system.pattern.diagonal[free]] += shift
+        middle = perf_counter()
+        if self._symmetric is not None:
+            if self._analyzed is not system.pattern:  # walls touch that did not before
+                self._symmetric, self._analyzed = None, system.pattern
+                self._symmetric = linear_solver(self._solver, system.pattern, self._threads)
+            self._symmetric.factor(data)
+        else:
+            assert self._general is not None and skew is not None
+            free = sp.diags((~system.held).astype(np.float64))
+            self._general.factor_matrix((system.pattern.full(data) + free @ skew @ free).tocsc())
+        self.clock.assembly += middle - start
+        self.clock.factorization += perf_counter() - middle
+        self.clock.factorizations += 1
+        return coupling
+
+    def solve(self, right: Array) -> Array:
+        """Solve with the last factors."""
+        start = perf_counter()
+        out = self._active.solve(right) if self._rubbing is None else self._with_rubbing(self._rubbing, right)
+        self.clock.solve += perf_counter() - start
+        return out
+
+    def _with_rubbing(self, rubbing: sp.csc_matrix, right: Array) -> Array:
+        """Solve with the unsymmetric part of friction too, by GMRES preconditioned with the symmetric factors."""
+        size, active = len(right), self._active
+        operator = LinearOperator((size, size), matvec=lambda x: x + active.solve(rubbing @ x), dtype=np.float64)
+        first = active.solve(right)
+        out, _ = gmres(operator, first, rtol=RUBBING_TOLERANCE, restart=RUBBING_SOLVES, maxiter=1)
+        return np.asarray(out)
+
+    def unstable_modes(self) -> int | None:
+        """Negative pivots beyond one for each mean stress; None where the solver does not count them."""
+        expected = self._system.element.mean_count
+        negative = self._active.negative_pivots(expected)
+        return None if negative is None else max(0, negative - expected)

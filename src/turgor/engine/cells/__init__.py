@@ -1,0 +1,1 @@
+"""Cells: element kernels, the materials at Gauss points and their internal variables."""

@@ -1,0 +1,136 @@
+"""Terms of the cells: what the rubber adds to residual and tangent, and where its entries stand."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
+from turgor.engine.cells import kernels, kernels_geometry
+from turgor.engine.cells.cell_materials import CellMaterials, Isochoric
+from turgor.engine.cells.element import element_of
+from turgor.engine.cells.stabilization import volume_penalty
+from turgor.errors import TurgorError
+from turgor.model.model import Model
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+#: Relative compressibility added to the tangent alone: keeps it regular where the mean stress is undetermined.
+REGULARIZATION = 1e-9
+
+#: Entries of cell matrices held at once when the tangent is formed; bounds the memory.
+CHUNK_ENTRIES = 2_500_000
+
+
+class CellTerms:
+    """Cells at rest, their materials, and the derivatives of their energy, in scaled units.
+
+    Parameters
+    ----------
+    model : Model
+    points : (n, 3) array
+        Scaled positions at rest.
+    stress : float [Pa]
+        Scale of stresses.
+
+    Attributes
+    ----------
+    cells : (c, k) int array
+    element : Element
+    Jinv, dV : (c, q, 3, 3), (c, q) arrays
+        Inverse Jacobians and volumes of the quadrature points.
+    materials : CellMaterials
+    penalty : (c, q, k) array
+        Scaled functions of the moments of volume that are penalized.
+    mean_stress_volumes : (m,) array
+        Volume that belongs to each mean stress.
+    unknowns : (c, s) int array
+        Unknowns of every cell: displacements node by node, then mean stresses.
+    """
+
+    def __init__(self, model: Model, points: Array, stress: float) -> None:
+        self.cells = np.ascontiguousarray(model.mesh.cells)
+        self.element = element_of(model)
+        e, r = self.element, self.element.tables
+        self.Jinv, self.dV = kernels_geometry.reference_geometry(e.shape, points, self.cells, r.dN, r.weights)
+        if not (self.dV > 0).all():
+            bad = int((self.dV <= 0).any(axis=1).sum())
+            raise TurgorError(f"mesh '{model.mesh.name}': {bad} cells are inside out; refine or straighten the mesh.")
+        shares = self.dV @ r.M[:, : len(e.modes)]
+        self.mean_stress_volumes = np.bincount(e.mean.ravel(), shares.ravel(), minlength=e.mean_count)
+        self.materials = CellMaterials(model, stress, len(r.weights))
+        self.penalty = volume_penalty(model, r, self.dV, self.materials.compliance, stress)
+        chosen = self.materials.gradient_cells
+        self._gradient_Jinv = self.Jinv if len(chosen) == len(self.cells) else self.Jinv[chosen]
+        self.unknowns = _unknowns(self.cells, e.mean, len(points))
+
+    def locate(self, base: Pattern) -> None:
+        """Find the places of all entries in a pattern."""
+        rows, columns = np.tril_indices(self.unknowns.shape[1])
+        self._positions = np.empty((len(self.unknowns), len(rows)), dtype=np.int32)
+        for chunk in self._chunks():
+            entries = (self.unknowns[chunk][:, of].ravel() for of in (rows, columns))
+            self._positions[chunk] = locate(base.indptr, base.indices, *entries).reshape(-1, len(rows))
+
+    def _chunks(self) -> list[slice]:
+        cells = max(1, CHUNK_ENTRIES // self._positions.shape[1])
+        return [slice(start, start + cells) for start in range(0, len(self.cells), cells)]
+
+    def gradients(self, u: Array) -> Array:
+        """Deformation gradients (c, q, 3, 3) of all cells at displacements (n, 3)."""
+        return np.asarray(
+            kernels_geometry.deformation_gradients(self.element.shape, self.cells, u, self.element.tables.dN, self.Jinv)
+        )
+
+    def laws(self, u: Array) -> Isochoric | None:
+        """What the laws say at displacements (n, 3); None where a cell is turned inside out."""
+        e, r = self.element, self.element.tables
+        I1, I2, _ = kernels_geometry.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
+        if not np.isfinite(I1).all():
+            return None
+        chosen = self.cells[self.materials.gradient_cells]
+        F = kernels_geometry.deformation_gradients(e.shape, chosen, u, r.dN, self._gradient_Jinv)
+        return self.materials.isochoric(I1, I2, F)
+
+    def forces(self, u: Array, p: Array, laws: Isochoric) -> Array:
+        """Gradient of the energy of every cell (c, s) at displacements (n, 3) and mean stresses (m,)."""
+        e, r, W = self.element, self.element.tables, laws.derivatives
+        return np.asarray(
+            kernels.residual(
+                e.shape, e.modes, self.cells, e.mean, u, p, r.dN, r.M, self.Jinv, self.dV, W[0], W[1],
+                self.materials.rows, laws.stress, self.materials.compliance, self.penalty,
+            )
+        )  # fmt: skip
+
+    def add_tangents(self, data: Array, u: Array, p: Array, laws: Isochoric, geometric: Array | None) -> None:
+        """Add the Hessians of all cells to the tangent, with stresses (c, q, 6) of their own in its geometric part."""
+        e, r = self.element, self.element.tables
+        compliance, penalty = np.maximum(self.materials.compliance, REGULARIZATION), self.penalty
+        nothing = np.zeros((1, 1, 6))
+        for chunk in self._chunks():
+            packed = kernels.tangent(
+                e.shape, e.modes, self.cells[chunk], e.mean[chunk], u, p, r.dN, r.M, self.Jinv[chunk], self.dV[chunk],
+                np.ascontiguousarray(laws.derivatives[:, chunk]), self.materials.rows[chunk], laws.stress, laws.tangent,
+                (compliance[chunk], penalty[chunk]),
+                nothing if geometric is None else geometric[chunk], geometric is not None,
+            )  # fmt: skip
+            scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
+
+    def add_entries(self, data: Array, entries: Integers, values: Array) -> None:
+        """Add chosen entries (k,) of the lower triangles of cell matrices, values (c, k)."""
+        for chunk in self._chunks():
+            scatter_add(data, self._positions[chunk][:, entries].ravel(), values[chunk].ravel())
+
+    def stresses(self, at: tuple[Array, Array], update: tuple[Array, Array], laws: Isochoric) -> Array:
+        """Stresses (c, q, 6) linearized about displacements and mean stresses for an update of both."""
+        e, r = self.element, self.element.tables
+        return np.asarray(
+            kernels.extrapolated_stress(
+                e.shape, e.modes, self.cells, e.mean, *at, *update, r.dN, r.M, self.Jinv, self.dV, laws.derivatives,
+                self.materials.rows, laws.stress, laws.tangent, self.materials.compliance, self.penalty,
+            )
+        )  # fmt: skip
+
+
+def _unknowns(cells: Integers, mean: Integers, node_count: int) -> Integers:
+    displacement = (3 * cells[:, :, None] + np.arange(3)).reshape(len(cells), -1)
+    return np.ascontiguousarray(np.hstack([displacement, 3 * node_count + mean]))

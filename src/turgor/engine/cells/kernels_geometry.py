@@ -1,0 +1,121 @@
+"""Compiled loops over quadratic cells: geometry at rest, deformation gradients and invariants.
+
+numba notices a change of the functions here in this file alone: whoever changes one that `turgor.engine.cells.kernels`
+takes from here changes that file too, a word of a comment will do, or old code stays in its cache.
+"""
+
+import numpy as np
+from numba import njit, prange
+
+FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
+
+
+@njit(cache=True, fastmath=FAST)
+def gradient_at(shape, dN, Jinv, G):
+    """Shape function gradients ∂N/∂X at one point, stored (3, nodes)."""
+    for J in range(3):
+        for a in range(len(shape)):
+            G[J, a] = dN[a, 0] * Jinv[0, J] + dN[a, 1] * Jinv[1, J] + dN[a, 2] * Jinv[2, J]
+
+
+@njit(cache=True, fastmath=FAST)
+def deformation_gradient_at(shape, u, G, F):
+    """F = I + ∂u/∂X with u stored (3, nodes)."""
+    for i in range(3):
+        for J in range(3):
+            total = 1.0 if i == J else 0.0
+            for a in range(len(shape)):
+                total += u[i, a] * G[J, a]
+            F[i, J] = total
+
+
+@njit(cache=True, fastmath=FAST)
+def cofactor_at(F, Cof):
+    """Cofactor J F⁻ᵀ and the volume ratio J."""
+    for i in range(3):
+        i1, i2 = (i + 1) % 3, (i + 2) % 3
+        for J in range(3):
+            J1, J2 = (J + 1) % 3, (J + 2) % 3
+            Cof[i, J] = F[i1, J1] * F[i2, J2] - F[i1, J2] * F[i2, J1]
+    return F[0, 0] * Cof[0, 0] + F[0, 1] * Cof[0, 1] + F[0, 2] * Cof[0, 2]
+
+
+@njit(cache=True, fastmath=FAST)
+def load_cell(shape, nodes, u, ue):
+    """Values at the nodes of one cell, stored (3, nodes)."""
+    for a in range(len(shape)):
+        for i in range(3):
+            ue[i, a] = u[nodes[a], i]
+
+
+@njit(cache=True, parallel=True, fastmath=FAST)
+def reference_geometry(shape, points, cells, dN, weights):
+    """Inverse Jacobian (c, q, 3, 3) and volume weight (c, q) of the curved reference cells."""
+    count, q_count = len(cells), len(weights)
+    Jinv = np.empty((count, q_count, 3, 3))
+    dV = np.empty((count, q_count))
+    for c in prange(count):
+        A = np.empty((3, 3))
+        Cof = np.empty((3, 3))
+        for q in range(q_count):
+            for i in range(3):
+                for k in range(3):
+                    total = 0.0
+                    for a in range(len(shape)):
+                        total += points[cells[c, a], i] * dN[q, a, k]
+                    A[i, k] = total
+            det = cofactor_at(A, Cof)
+            for k in range(3):
+                for i in range(3):
+                    Jinv[c, q, k, i] = Cof[i, k] / det
+            dV[c, q] = det * weights[q]
+    return Jinv, dV
+
+
+@njit(cache=True, parallel=True, fastmath=FAST)
+def kinematics(shape, cells, u, dN, Jinv):
+    """Isochoric invariants Ī₁, Ī₂ and volume ratio J at all points; J ≤ 0 gives NaN invariants."""
+    count, q_count = len(cells), len(dN)
+    I1 = np.empty((count, q_count))
+    I2 = np.empty((count, q_count))
+    ratio = np.empty((count, q_count))
+    for c in prange(count):
+        ue = np.empty((3, len(shape)))
+        G = np.empty((3, len(shape)))
+        F = np.empty((3, 3))
+        Cof = np.empty((3, 3))
+        load_cell(shape, cells[c], u, ue)
+        for q in range(q_count):
+            gradient_at(shape, dN[q], Jinv[c, q], G)
+            deformation_gradient_at(shape, ue, G, F)
+            J = cofactor_at(F, Cof)
+            first = 0.0
+            second = 0.0
+            for i in range(3):
+                for k in range(3):
+                    first += F[i, k] * F[i, k]
+                    second += Cof[i, k] * Cof[i, k]  # tr Cof C = I₂
+            ratio[c, q] = J
+            if J > 0:
+                j = J ** (-2.0 / 3.0)
+                I1[c, q] = j * first
+                I2[c, q] = j * j * second
+            else:
+                I1[c, q] = np.nan
+                I2[c, q] = np.nan
+    return I1, I2, ratio
+
+
+@njit(cache=True, parallel=True, fastmath=FAST)
+def deformation_gradients(shape, cells, u, dN, Jinv):
+    """Deformation gradient F (c, q, 3, 3) at all points, for results."""
+    count, q_count = len(cells), len(dN)
+    out = np.empty((count, q_count, 3, 3))
+    for c in prange(count):
+        ue = np.empty((3, len(shape)))
+        G = np.empty((3, len(shape)))
+        load_cell(shape, cells[c], u, ue)
+        for q in range(q_count):
+            gradient_at(shape, dN[q], Jinv[c, q], G)
+            deformation_gradient_at(shape, ue, G, out[c, q])
+    return out

@@ -1,0 +1,52 @@
+"""Call every kernel once on one cell, so that compilation happens at a known time."""
+
+import numpy as np
+
+from turgor.engine.algebra.pattern import build_pattern, locate, scatter_add
+from turgor.engine.cells import kernels, kernels_geometry, spectral
+from turgor.engine.cells.element import DISPLACEMENT_DEGREE
+from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes, side_tables
+from turgor.engine.faces import membranes, surfaces
+from turgor.meshing.cells import cell_type
+
+
+def touch_kernels(nodes: int, mixed: bool = True) -> None:
+    """Call every kernel with the types that `turgor.engine.system.System` uses for cells of ``nodes`` nodes."""
+    kind = cell_type(nodes)
+    points = np.ascontiguousarray(reference_nodes(27 if nodes == 20 else nodes))[:nodes]
+    shape, modes = (0,) * nodes, (0,) * kind.corners if mixed else ()
+    cells = np.arange(nodes, dtype=np.int64)[None]
+    mean = np.arange(len(modes), dtype=np.int64)[None]
+    r = reference_cell(nodes, CELL_QUADRATURE_DEGREE if mixed else DISPLACEMENT_DEGREE[nodes])
+    Jinv, dV = kernels_geometry.reference_geometry(shape, points, cells, r.dN, r.weights)
+    u, p = np.zeros((nodes, 3)), np.zeros(len(modes))
+    kernels_geometry.kinematics(shape, cells, u, r.dN, Jinv)
+    F = kernels_geometry.deformation_gradients(shape, cells, u, r.dN, Jinv)
+    bar, directions, scale = spectral.principal_stretches(F)
+    one = np.ones((6, *dV.shape))
+    more, material = spectral.spectral_response(bar, directions, scale, one[:3].copy(), one)
+    rows = np.zeros(1, dtype=np.int64)
+    W = np.ones((5, *dV.shape))
+    compliance, penalty = np.ones(1), np.zeros((*dV.shape, 0))
+    cell = (shape, modes, cells, mean)
+    kernels.residual(*cell, u, p, r.dN, r.M, Jinv, dV, W[0], W[1], rows, more, compliance, penalty)
+    kernels.extrapolated_stress(*cell, u, p, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, compliance, penalty)
+    packed = kernels.tangent(
+        *cell, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, (compliance, penalty), np.zeros((1, 1, 6)), False
+    )
+    unknowns = 3 * nodes + len(modes)
+    rows, columns = np.tril_indices(unknowns)
+    pattern = build_pattern(np.arange(unknowns)[None], unknowns)
+    positions = locate(pattern.indptr, pattern.indices, rows, columns)
+    scatter_add(np.zeros(len(pattern.indices)), positions, packed.ravel())
+    _touch_surfaces(points, np.array(kind.sides[-1:], dtype=np.int64))
+
+
+def _touch_surfaces(points: np.ndarray, sides: np.ndarray) -> None:
+    r = side_tables(sides.shape[1])
+    surfaces.pressure_forces(points, sides, r.N, r.dN, r.weights)
+    surfaces.pressure_tangents(points, sides, r.N, r.dN, r.weights)
+    gradients, areas = membranes.surface_gradients(points, sides)
+    stress = membranes.membrane_stress(points, points, sides, gradients, areas, np.eye(3))
+    membranes.membrane_forces(points, sides, gradients, areas, stress)
+    membranes.membrane_tangents(points, sides, gradients, areas, np.eye(3), stress)

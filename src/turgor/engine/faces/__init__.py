@@ -1,0 +1,1 @@
+"""Faces: pressure, membranes, shells and dead loads on named faces."""

@@ -1,0 +1,1 @@
+"""Fibers: windings on unrolled surfaces, smeared or as trusses."""

@@ -1,0 +1,1 @@
+"""Output: the folder of results and what a run writes into it."""

@@ -1,0 +1,146 @@
+"""Lock file: every value that a run used, defaults included, as a job file from which it can be repeated."""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from math import inf
+from typing import Any
+
+import tomlkit
+
+from turgor.geometry.cad.cad_file import CadFile
+from turgor.job.job import Job, actuator_type
+from turgor.job.tables.cad import cad_file_table
+from turgor.job.tables.contact import contact_table
+from turgor.job.tables.fibers import fibers_tables
+from turgor.job.tables.loads import loads_table
+from turgor.job.tables.mesh_files import mesh_file_table
+from turgor.job.tables.obstacles import obstacles_tables
+from turgor.job.tables.procedures import written_procedure
+from turgor.job.tables.stages import STAGES, stages_tables
+from turgor.job.tables.supports import held_text
+from turgor.materials.library.record_history import history_tables
+from turgor.materials.library.records import DIMENSIONLESS, LAWS
+from turgor.materials.material import Material
+from turgor.meshing.exchange.mesh_file import MeshFile
+from turgor.model.model import Membrane
+from turgor.solvers.procedures.stages import Stages
+from turgor.units import format_quantity
+
+#: Units in which a lock file states the dimensions of a value.
+_UNIT = {"length": "mm", "angle": "deg", "pressure": "MPa", "density": "kg/m³"}
+
+#: Sections in the order in which a lock file states them.
+_ORDER = (
+    "name", "actuator", "mesh", "materials", "fibers", "supports", "loads", "contact", "obstacles", "procedure", STAGES,
+    "output", "engine", "written_by",
+)  # fmt: skip
+
+_HEADER = (
+    "# Every value of one run, defaults included. This is a job file: `turgor run` with it repeats the run.\n"
+    "# [written_by] says which versions wrote it; it is not read.\n\n"
+)
+
+
+def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
+    """Write a job with every default as TOML; `read_job` returns an equal job from it.
+
+    Parameters
+    ----------
+    job : Job
+        The run.
+    written_by : mapping
+        Versions and settings of the program that do not belong to the question, for the record.
+    """
+    content: dict[str, Any] = {
+        "name": job.name,
+        "actuator": {"type": actuator_type(job.actuator)} | dimensions(job.actuator),
+        "mesh": _mesh(job),
+        "materials": {name: _material(entry) for name, entry in job.materials.items()},
+        "fibers": fibers_tables(job.fibers),
+        "supports": {support.face: held_text(support) for support in job.supports},
+        "loads": loads_table(job.loads),
+        "contact": contact_table(job.contact),
+        "obstacles": obstacles_tables(job.contact, job.rigid_files),
+        "output": {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)},
+        "engine": {"threads": job.threads} if job.threads is not None else {},
+        "written_by": dict(written_by),
+    }
+    if isinstance(job.procedure, Stages):
+        content[STAGES] = stages_tables(job.procedure)
+    else:
+        content["procedure"] = written_procedure(job.procedure, job.loads)
+    return _HEADER + tomlkit.dumps({key: content[key] for key in _ORDER if key in content})
+
+
+def dimensions(actuator: Any) -> dict[str, Any]:
+    """Return the fields of an actuator as a job file states them: lengths and angles with their unit."""
+    if isinstance(actuator, CadFile):
+        return cad_file_table(actuator)
+    if isinstance(actuator, MeshFile):
+        return mesh_file_table(actuator)
+    values = {}
+    for item in fields(actuator):
+        value, dimension = getattr(actuator, item.name), item.metadata.get("dimension", "length")
+        if item.type is float and dimension != "number":
+            values[item.name] = format_quantity(value, _UNIT[dimension])
+        else:
+            values[item.name] = value
+    return values
+
+
+def _mesh(job: Job) -> dict[str, Any]:
+    if isinstance(job.actuator, MeshFile):
+        return {}
+    faces = {name: format_quantity(size, "mm") for name, size in job.mesh.face_sizes.items()}
+    return {
+        "size": format_quantity(job.mesh_size, "mm"),
+        "grading": job.mesh.grading,
+        "face_sizes": faces,
+        "wall_cells": job.mesh.wall_cells,
+        "cells": job.mesh.cells,
+        **_target(job),
+    }
+
+
+def _target(job: Job) -> dict[str, Any]:
+    """What the mesh is refined to, where it is."""
+    if job.mesh_target is None:
+        return {}
+    measure = {"target_measure": job.mesh_target_measure} if job.mesh_target_measure else {}
+    return {"target": f"{100 * job.mesh_target:.6g} %", **measure, "most_unknowns": job.mesh_most_unknowns}
+
+
+def _material(entry: Material | Membrane) -> dict[str, Any]:
+    material = entry.material if isinstance(entry, Membrane) else entry
+    law = next(name for name, kind in LAWS.items() if type(material.law) is kind)
+    unit = "GPa" if law == "hooke" else "MPa"
+    values: dict[str, Any] = {"name": material.name, "law": law}
+    for item in fields(material.law):  # type: ignore[arg-type]
+        value = getattr(material.law, item.name)
+        values[item.name] = _constants(value, None if item.name in DIMENSIONLESS else unit)
+    if law != "hooke":
+        incompressible = material.bulk_modulus == inf
+        values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")
+    values |= history_tables(material.viscoelasticity, material.stress_softening)
+    if material.density is not None:
+        values["density"] = format_quantity(material.density, "kg/m³")
+    if material.stretch_range is not None:
+        values["stretch_range"] = list(material.stretch_range)
+    if isinstance(entry, Membrane):
+        values["thickness"] = format_quantity(entry.thickness, "mm")
+        values["form"] = "shell" if entry.bending else "membrane"
+    source = material.source
+    return values | {"source": {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}}
+
+
+def _constants(value: Any, unit: str | None) -> Any:
+    """A constant, those of all terms, or coefficients by their exponents, as `law_table` reads them."""
+    if not isinstance(value, tuple):
+        return value if unit is None else format_quantity(value, unit)
+    if isinstance(value[0], tuple):
+        return {f"C{i}{j}": _constants(number, unit) for i, j, number in value}
+    return [_constants(number, unit) for number in value]
+
+
+def _plain(value: Any) -> Any:
+    return list(value) if isinstance(value, tuple) else value

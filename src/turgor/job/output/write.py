@@ -1,0 +1,161 @@
+"""write_results: what a run leaves in its folder."""
+
+import csv
+from collections.abc import Callable, Mapping, Sequence
+from datetime import datetime
+from pathlib import Path
+
+from turgor.job.output.folder import (
+    CONTACT,
+    DEFORMED,
+    FIELDS,
+    LOCK,
+    LOG,
+    PLOT,
+    REPORT,
+    RESPONSE,
+    STEPS,
+    UNDEFORMED,
+    clear,
+)
+from turgor.job.output.lock import dimensions, lock_text
+from turgor.job.output.outcome import RunOutcome
+from turgor.meshing.quality.cell_quality import quality
+from turgor.results.fields.state_fields import MeshFacts, StateFields
+from turgor.results.files.vtu import write_series
+from turgor.results.pictures.colors import CONTACT_PRESSURE
+from turgor.results.pictures.state_picture import picture_title, shared_view, write_picture
+from turgor.results.plots.response_plots import write_plot
+from turgor.results.report.describe_procedure import ending
+from turgor.results.report.page import Picture, Report, write_report
+from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.solution import Solution
+
+#: What each file holds, for the report.
+CONTENTS: Mapping[str, str] = {
+    RESPONSE: "the measures at every state, with units in the header",
+    LOCK: "every value that was used, from which the run can be repeated",
+    STEPS: "every attempted step of the solve",
+    LOG: "how the run went",
+    f"{FIELDS}/state.pvd": "the fields of every state, for ParaView",
+    f"{FIELDS}/state_obstacles.pvd": "the obstacles at every state, to open beside it",
+    PLOT: "the response as a plot",
+    UNDEFORMED: "the actuator at rest",
+    DEFORMED: "the actuator at the last state",
+    CONTACT: "what touches at the last state, seen through the actuator",
+}
+
+#: What stands below each picture in the report.
+CAPTIONS: Mapping[str, str] = {
+    UNDEFORMED: "Undeformed",
+    DEFORMED: "At the last state",
+    CONTACT: "What touches at the last state, seen through the actuator; colors are not dimmed by light or shadow",
+}
+
+STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
+
+
+def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[Path, ...]:
+    """Write everything that the job asks for, the tables first, and return the files in the order of interest.
+
+    Results that an earlier run left in the folder are removed.
+    """
+    folder, output = outcome.folder, outcome.job.output
+    clear(folder)
+    notify("writing the response")
+    outcome.response.to_csv(folder / RESPONSE)
+    (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
+    write_steps(folder / STEPS, outcome.solution)
+    (folder / LOG).write_text(log_text(outcome), encoding="utf-8")
+    files = [folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG]
+    if output.fields:
+        notify("writing the fields")
+        (folder / FIELDS).mkdir(exist_ok=True)
+        files.append(write_series(folder / FIELDS, outcome.solution))
+        obstacles = folder / FIELDS / "state_obstacles.pvd"
+        files += [obstacles] if obstacles.exists() else []
+    notify("drawing")
+    title = picture_title(outcome.response, name=outcome.job.name)
+    write_plot(folder / PLOT, outcome.response, title=title)
+    files.append(folder / PLOT)
+    if output.pictures:
+        files += write_pictures(outcome)
+    if output.report:
+        notify("writing the report")
+        write_report(folder / REPORT, report_of(outcome, files))
+        files.insert(0, folder / REPORT)
+    return tuple(files)
+
+
+def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
+    """Gather what the report tells about a run and the files beside it."""
+    job, solution = outcome.job, outcome.solution
+    beside = {str(file.relative_to(outcome.folder)): file for file in files}
+    return Report(
+        title=solution.model.mesh.name,
+        solution=solution,
+        response=outcome.response,
+        findings=outcome.findings,
+        dimensions={name: str(value) for name, value in dimensions(job.actuator).items()},
+        quality=quality(solution.model.mesh),
+        pictures=tuple(
+            Picture(caption=caption, png=beside[name].read_bytes())
+            for name, caption in CAPTIONS.items()
+            if name in beside
+        ),
+        versions={**outcome.written_by, "threads": job.threads or ""},
+        repeat=f"turgor run {LOCK} --output {job.name}-again",
+        files={name: CONTENTS[name] for name in beside},
+        created=datetime.now().astimezone().strftime("%Y-%m-%d %H:%M %Z"),
+    )
+
+
+def write_pictures(outcome: RunOutcome) -> list[Path]:
+    """Draw the first and the last state with the same view, scale and colors; the last one over the first.
+
+    Where something touches in the last state, a third picture shows it by contact pressure.
+    """
+    folder, states, facts = outcome.folder, outcome.solution.states, MeshFacts(outcome.solution.model.mesh)
+    first, last = StateFields(states[0], facts), StateFields(states[-1], facts)
+    view = shared_view([first, last])
+    name, files = outcome.job.name, [folder / UNDEFORMED]
+    write_picture(files[0], first, view, title=picture_title(outcome.response, 0, name))
+    if len(states) > 1:
+        files.append(folder / DEFORMED)
+        write_picture(files[1], last, view, title=picture_title(outcome.response, -1, name), ghost=first)
+    if any(touch.area > 0 for touch in states[-1].touches.values()):
+        files.append(folder / CONTACT)
+        view = shared_view([first, last], color_by=CONTACT_PRESSURE)
+        write_picture(files[-1], last, view, title=picture_title(outcome.response, -1, name))
+    return files
+
+
+def write_steps(file: Path, solution: Solution) -> None:
+    """Write every attempted step as a line of CSV."""
+    columns = ("stage", *STEP_COLUMNS) if isinstance(solution.procedure, Stages) else STEP_COLUMNS
+    with file.open("w", newline="", encoding="utf-8") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(f"{name}_s" if name == "seconds" else name for name in columns)
+        for step in solution.steps:
+            writer.writerow(getattr(step, name) for name in columns)
+
+
+def log_text(outcome: RunOutcome) -> str:
+    """Write how a run went: versions, what was done, the end with its advice, findings, and where the time went."""
+    solution, timing = outcome.solution, outcome.solution.timing
+    made = ", ".join(f"{name} {value}" for name, value in outcome.written_by.items())
+    accepted = sum(step.accepted for step in solution.steps)
+    cut = len(solution.steps) - accepted
+    spent = timing.parts() | {"total": timing.total}
+    return "\n".join(
+        [
+            f"job {outcome.job.name}",
+            f"with {made}",
+            *outcome.notices,
+            f"{ending(solution.status)}: {solution.message} {solution.advice}".rstrip(),
+            f"{accepted} steps accepted, {cut} cut back, {solution.iterations} iterations",
+            f"wall time: {', '.join(f'{name} {seconds:.2f} s' for name, seconds in spent.items())}",
+            *map(str, outcome.findings),
+            "",
+        ]
+    )

@@ -1,0 +1,1 @@
+"""Tables: what each table of a job file may hold, and the value that is made from it."""

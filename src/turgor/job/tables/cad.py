@@ -1,0 +1,145 @@
+"""CAD files in a job: ``[actuator]`` with ``type = "cad_file"``, both ways."""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, model_validator
+
+from turgor.errors import TurgorError, near_match
+from turgor.geometry.cad.cad_file import CadFile
+from turgor.geometry.cad.files import SUFFIXES
+from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
+from turgor.geometry.cad.split import SplitPlane
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import Coordinate, Length, Table, read_table
+from turgor.units import format_quantity
+
+#: The type of an actuator that comes from a CAD file.
+CAD_FILE = "cad_file"
+
+
+class SelectorTable(Table):
+    """One way to point at faces or bodies, in braces: ``{near = [0, 0, "5 mm"]}``."""
+
+    name: str | None = None
+    color: str | None = None
+    near: list[Coordinate] | None = None
+    box: list[list[Coordinate]] | None = None
+    normal: str | list[float] | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> "SelectorTable":
+        self.made()  # so that what is wrong is said at the key
+        return self
+
+    def made(self) -> Selector:
+        """The selector that is stated."""
+        given = [key for key in type(self).model_fields if getattr(self, key) is not None]
+        if len(given) != 1:
+            known = ", ".join(type(self).model_fields)
+            raise TurgorError(f"a selector has one of the keys {known}; this one has {', '.join(given) or 'none'}.")
+        if self.name is not None:
+            return ByName(self.name)
+        if self.color is not None:
+            return ByColor(self.color)
+        if self.near is not None:
+            return NearestTo(tuple(self.near))  # type: ignore[arg-type]
+        if self.box is not None:
+            if len(self.box) != 2:
+                raise TurgorError("box needs two corners, such as [[0, 0, 0], ['10 mm', '10 mm', '2 mm']].")
+            return InBox(*(tuple(corner) for corner in self.box))  # type: ignore[arg-type]
+        normal = self.normal
+        return WithNormal(tuple(normal) if isinstance(normal, list) else normal)  # type: ignore[arg-type]
+
+
+class SplitTable(Table):
+    """``[actuator.split]``."""
+
+    normal: str | list[float] = "+z"
+    position: Length | None = None
+    thickness: Length | None = None
+    below: str = "base"
+    interface: str = "strain_limiting_layer"
+
+
+class CadFileTable(Table):
+    """``[actuator]`` with the type `CAD_FILE`."""
+
+    type: str
+    file: str
+    unit: str | None = None
+    sha256: str = ""
+    faces: dict[str, SelectorTable] = Field(default_factory=dict)
+    regions: dict[str, SelectorTable] = Field(default_factory=dict)
+    split: SplitTable | None = None
+
+
+def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | None:
+    """Read an actuator that comes from a CAD file; its path counts from the folder of the job file."""
+    key = ("actuator",)
+    table: CadFileTable | None = read_table(CadFileTable, values, key, problems)
+    if table is None:
+        return None
+    file = Path(problems.file).parent / table.file
+    if not file.is_file():
+        there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in SUFFIXES)
+        listed = f" CAD files there: {', '.join(there)}." if there else ""
+        problems.add((*key, "file"), f"there is no file '{file}'{near_match(file.name, there) or '.'}{listed}")
+        return None
+    split = None
+    if table.split is not None:
+        given = {name: getattr(table.split, name) for name in SplitTable.model_fields}
+        if isinstance(given["normal"], list):
+            given["normal"] = tuple(given["normal"])
+        split = problems.attempt((*key, "split"), lambda: SplitPlane(**given), fields=given)
+        if split is None:
+            return None
+    return problems.attempt(
+        key,
+        lambda: CadFile(
+            file=file.resolve(),
+            unit=table.unit,
+            faces={name: selector.made() for name, selector in table.faces.items()},
+            regions={name: selector.made() for name, selector in table.regions.items()},
+            split=split,
+            sha256=table.sha256,
+        ),
+        fields=[item.name for item in fields(CadFile)],
+    )
+
+
+def cad_file_table(actuator: CadFile) -> dict[str, Any]:
+    """Write an actuator that comes from a CAD file as `read_cad_file` reads it, without its type."""
+    values: dict[str, Any] = {"file": Path(actuator.file).as_posix(), "sha256": actuator.sha256}
+    if actuator.unit is not None:
+        values["unit"] = actuator.unit
+    for key, selectors in (("faces", actuator.faces), ("regions", actuator.regions)):
+        if selectors:
+            values[key] = {name: selector_table(selector) for name, selector in selectors.items()}
+    split = actuator.split
+    if split is not None:
+        place = "position" if split.position is not None else "thickness"
+        values["split"] = {
+            "normal": list(split.normal),
+            place: format_quantity(getattr(split, place), "mm"),
+            "below": split.below,
+            "interface": split.interface,
+        }
+    return values
+
+
+def selector_table(selector: Selector) -> dict[str, Any]:
+    """Write a selector as `SelectorTable` reads it."""
+    match selector:
+        case ByName(name):
+            return {"name": name}
+        case ByColor(color):
+            return {"color": color}
+        case NearestTo(point):
+            return {"near": [format_quantity(value, "mm") for value in point]}
+        case InBox(low, high):
+            return {"box": [[format_quantity(value, "mm") for value in corner] for corner in (low, high)]}
+        case WithNormal(normal):
+            return {"normal": list(normal)}

@@ -1,0 +1,248 @@
+"""Fibers of a job file: one table ``[fibers.NAME]`` for each winding."""
+
+from collections.abc import Mapping
+from functools import partial
+from math import inf, isfinite, pi
+from typing import Annotated, Any
+
+from pydantic import AfterValidator
+
+from turgor.errors import TurgorError, unknown
+from turgor.geometry import Geometry
+from turgor.geometry.directions import AXES
+from turgor.job.tables.materials import read_library
+from turgor.job.text.lines import Key
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import (
+    Angle,
+    Coordinate,
+    Density,
+    Length,
+    Pressure,
+    SourceTable,
+    Table,
+    read_table,
+    shown,
+)
+from turgor.materials.laws.laws import Hooke
+from turgor.materials.library.records import find_record
+from turgor.materials.material import Material
+from turgor.model.fibers import Fibers, Winding
+from turgor.source import Source
+from turgor.units import format_quantity
+
+#: Keys of a table that say how threads run, with the unit in which a lock file states each.
+_WINDING = {
+    "angle_from_axis": "deg",
+    "angle_from_circumference": "deg",
+    "turns": "",
+    "pitch": "mm",
+    "spacing": "mm",
+    "starts": "",
+    "hand": "",
+}
+
+#: Poisson's ratio of fibers that state none; it does not count.
+_NU = 0.3
+
+
+def _axis(name: str) -> str:
+    if name not in AXES:
+        raise unknown("axis of a winding", name, AXES)
+    return name
+
+
+class BoxTable(Table):
+    """``within``: planes that threads do not cross, as many as are stated."""
+
+    x_from: Coordinate = -inf
+    x_to: Coordinate = inf
+    y_from: Coordinate = -inf
+    y_to: Coordinate = inf
+    z_from: Coordinate = -inf
+    z_to: Coordinate = inf
+
+
+class FibersTable(Table):
+    """``[fibers.NAME]``: threads and how they are wound."""
+
+    face: str | list[str]
+    library: str | None = None
+    record: str | None = None
+    name: str | None = None
+    law: str = "hooke"
+    E: Pressure | None = None
+    nu: float = _NU
+    density: Density | None = None
+    source: SourceTable | None = None
+    diameter: Length | None = None
+    angle_from_axis: Angle | None = None
+    angle_from_circumference: Angle | None = None
+    turns: float | None = None
+    pitch: Length | None = None
+    spacing: Length | None = None
+    starts: int | None = None
+    hand: str = "right"
+    axis: Annotated[str, AfterValidator(_axis)] = "x"
+    form: str = "smeared"
+    compression: float = 0.0
+    bending: bool = False
+    within: BoxTable | None = None
+
+
+def read_fibers(values: Any, geometry: Geometry | None, problems: Problems) -> dict[str, Fibers]:
+    """Read ``[fibers]``: a table for each winding."""
+    key = ("fibers",)
+    if not isinstance(values, Mapping):
+        problems.add(key, f"{shown(values)} is not a table; write [fibers.winding] and the keys of a winding below it.")
+        return {}
+    flat = [name for name in values if name in FibersTable.model_fields or name == "angle"]
+    if flat:
+        problems.add((*key, flat[0]), "a winding needs a name of its own; write [fibers.winding] and keys below it.")
+        return {}
+    made = {name: _read_winding(entry, (*key, name), geometry, problems) for name, entry in values.items()}
+    return {name: fibers for name, fibers in made.items() if fibers is not None}
+
+
+def _read_winding(values: Any, key: Key, geometry: Geometry | None, problems: Problems) -> Fibers | None:
+    if isinstance(values, Mapping) and "angle" in values:
+        problems.add(
+            (*key, "angle"),
+            f"{shown(values['angle'])} does not say from where it is counted; write angle_from_axis (0 deg runs along "
+            "the axis) or angle_from_circumference (0 deg runs around it).",
+        )
+        return None
+    table: FibersTable | None = read_table(FibersTable, values, key, problems)
+    if table is None or not _faces_are_there(table, key, geometry, problems):
+        return None
+    material = _material(table, key, problems)
+    winding = problems.attempt(key, partial(_winding, table), fields=_WINDING)
+    diameter = None if material is None else _diameter(table, key, problems)
+    _check_turns(table, key, geometry, problems)
+    if material is None or winding is None or diameter is None:
+        return None
+    make = partial(_fibers, table, material, diameter, winding)
+    return problems.attempt(key, make, fields=("diameter", "compression", "within", "pitch", "bending"))
+
+
+def _faces_are_there(table: FibersTable, key: Key, geometry: Geometry | None, problems: Problems) -> bool:
+    faces = [table.face] if isinstance(table.face, str) else table.face
+    if not faces:
+        problems.add((*key, "face"), "the list is empty; name the face that the threads are wound on.")
+    if geometry is None:
+        return bool(faces)
+    wrong = [face for face in faces if face not in geometry.faces]
+    for face in wrong:
+        problems.add((*key, "face"), str(unknown("face", face, geometry.faces)))
+    return bool(faces) and not wrong
+
+
+def _material(table: FibersTable, key: Key, problems: Problems) -> Material | None:
+    """What the threads are made of: of the library, or stated by its modulus."""
+    if table.law != "hooke":
+        problems.add((*key, "law"), f"{shown(table.law)} is not allowed; fibers have the law 'hooke'.")
+        return None
+    if (table.library is None) == (table.E is None):
+        given = "both library and E" if table.E is not None else "neither library nor E"
+        problems.add(key, f"the threads have {given}; name a material of the library, or state Young's modulus E.")
+        return None
+    if table.library is not None:
+        return read_library(table.library, table.record, table.density, key, problems)
+    source = Source(text=f"stated in {problems.file}")
+    if table.source is not None:
+        source = Source(text=table.source.text, detail=table.source.detail, doubts=tuple(table.source.doubts))
+
+    def make() -> Material:
+        law = Hooke(E=table.E, nu=table.nu)  # type: ignore[arg-type]
+        return Material(name=table.name or key[-1], law=law, density=table.density, source=source)
+
+    return problems.attempt(key, make, fields=("E", "nu", "density"))
+
+
+def _winding(table: FibersTable) -> Winding:
+    stated = {name: getattr(table, name) for name in _WINDING}
+    return Winding(**stated, axis=AXES[table.axis])
+
+
+def _check_turns(table: FibersTable, key: Key, geometry: Geometry | None, problems: Problems) -> None:
+    """Note it where a mirror plane turns a helix of one hand into the other."""
+    mirrors = [] if geometry is None else [face for face in geometry.faces if face.startswith("symmetry_")]
+    angle = table.angle_from_axis if table.angle_from_axis is not None else table.angle_from_circumference
+    straight = angle is not None and not 1e-9 < angle < pi / 2 - 1e-9
+    if not mirrors or table.hand == "both" or straight:
+        return
+    problems.add(
+        (*key, "hand"),
+        f"the mirror plane {mirrors[0]} turns a {table.hand}-handed helix into one of the other hand; set "
+        'actuator.symmetric = false, or wind both hands with hand = "both".',
+    )
+
+
+def _diameter(table: FibersTable, key: Key, problems: Problems) -> float | None:
+    """The stated diameter, or that of the record."""
+    if table.diameter is not None:
+        return table.diameter
+    if table.library is not None and not table.library.endswith(".toml"):
+        stated = find_record(table.library, table.record).diameter
+        if stated is not None:
+            return stated
+    where = "" if table.library is None else f", and the record of '{table.library}' states none"
+    problems.add((*key, "diameter"), f"'diameter' of a thread is missing{where}.")
+    return None
+
+
+def _fibers(table: FibersTable, material: Material, diameter: float, winding: Winding) -> Fibers:
+    box = table.within
+    return Fibers(
+        face=table.face if isinstance(table.face, str) else tuple(table.face),
+        material=material,
+        diameter=diameter,
+        winding=winding,
+        form=table.form,
+        compression=table.compression,
+        bending=table.bending,
+        within=None if box is None else ((box.x_from, box.y_from, box.z_from), (box.x_to, box.y_to, box.z_to)),
+    )
+
+
+def fibers_tables(fibers: Mapping[str, Fibers]) -> dict[str, Any]:
+    """Write windings as tables of a job file; `read_fibers` gives the same windings back.
+
+    Parameters
+    ----------
+    fibers : mapping of str to Fibers
+
+    Returns
+    -------
+    dict
+    """
+    return {name: _table(each) for name, each in fibers.items()}
+
+
+def _table(fibers: Fibers) -> dict[str, Any]:
+    winding = fibers.winding
+    values: dict[str, Any] = {"face": fibers.face if isinstance(fibers.face, str) else list(fibers.face)}
+    material, law, source = fibers.material, fibers.material.law, fibers.material.source
+    assert isinstance(law, Hooke)
+    values |= {"name": material.name, "E": format_quantity(law.E, "GPa"), "nu": law.nu}
+    if material.density is not None:
+        values["density"] = format_quantity(material.density, "kg/m³")
+    values["source"] = {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}
+    values["diameter"] = format_quantity(fibers.diameter, "mm")
+    for name, unit in _WINDING.items():
+        value = getattr(winding, name)
+        if value is not None:
+            values[name] = format_quantity(value, unit) if unit else value
+    names = [name for name, axis in AXES.items() if axis == tuple(winding.axis)]
+    if not names:
+        raise TurgorError(f"the axis {winding.axis} of a winding has no form in a job file; wind around x, y or z.")
+    values |= {"axis": names[0], "form": fibers.form, "compression": fibers.compression, "bending": fibers.bending}
+    if fibers.within is not None:
+        corners = zip(("from", "to"), fibers.within, strict=True)
+        values["within"] = {
+            f"{axis}_{end}": format_quantity(place, "mm")
+            for end, corner in corners
+            for axis, place in zip("xyz", corner, strict=True)
+            if isfinite(place)
+        }
+    return values

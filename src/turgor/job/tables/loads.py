@@ -1,0 +1,206 @@
+"""Loads of a job file: one pressure for all cavities, a pressure with its history for each, gravity."""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+from turgor.errors import TurgorError, near_match
+from turgor.geometry import Geometry
+from turgor.geometry.directions import DIRECTIONS
+from turgor.geometry.names import cavity_names
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import CavityTable, GravityTable, LoadsTable, read_table
+from turgor.materials.material import Material
+from turgor.model.history import RAMP, History, over_time
+from turgor.model.loads import STANDARD_GRAVITY, Gravity, Load, Pressure
+from turgor.model.model import Membrane
+from turgor.units import format_quantity
+
+
+def read_loads(
+    values: Any,
+    geometry: Geometry | None,
+    materials: Mapping[str, Material | Membrane],
+    problems: Problems,
+    needed: bool = True,
+    duration: float | None = None,
+) -> tuple[Pressure | Gravity, ...]:
+    """Read ``[loads]``: a gauge pressure in all cavities, ``[loads.cavity_1]`` and the like for one, gravity."""
+    key = ("loads",)
+    cavities = ("cavity",) if geometry is None else cavity_names(geometry.faces)
+    plain, own = values, {}
+    if isinstance(values, Mapping):
+        own = {name: value for name, value in values.items() if _is_cavity(name, value, cavities)}
+        plain = {name: value for name, value in values.items() if name not in own}
+        plain = _without_history(plain, cavities, problems)
+    table = read_table(LoadsTable, plain, key, problems)
+    pressures = {} if table is None or table.pressure is None else _in_all(table.pressure, cavities, own, problems)
+    pressures |= _in_each(own, None if geometry is None else cavities, duration, problems)
+    if table is None:
+        return ()
+    loads: list[Pressure | Gravity] = [pressures[name] for name in (*cavities, *pressures) if name in pressures]
+    loads = list(dict.fromkeys(loads))
+    if table.gravity is not None and _gravity_allowed(table.gravity.direction, geometry, materials, problems):
+        fallen, direction = table.gravity, DIRECTIONS[table.gravity.direction]
+        made = problems.attempt(
+            ("loads", "gravity"),
+            lambda: Gravity(direction, fallen.acceleration, _history(fallen, "gravity", duration)),
+            fields=("history", "history_over_time"),
+        )
+        loads += [] if made is None else [made]
+    if needed and table.pressure is None and table.gravity is None and not own:
+        problems.add(key, "nothing drives the actuator; give pressure, gravity or both.")
+    return tuple(loads)
+
+
+def _without_history(values: Mapping[str, Any], cavities: tuple[str, ...], problems: Problems) -> dict[str, Any]:
+    """The keys of ``[loads]`` without a history, which belongs into the table of a cavity."""
+    if "history" in values and cavities:
+        problems.add(("loads", "history"), f"a history belongs to one cavity; write it below [loads.{cavities[0]}].")
+    return {name: value for name, value in values.items() if name != "history" or not cavities}
+
+
+def _is_cavity(name: str, value: object, cavities: tuple[str, ...]) -> bool:
+    """Whether a key of ``[loads]`` is meant as a cavity: a name of one, or a table."""
+    called = name in cavities or name.startswith("cavity_")
+    return called or (isinstance(value, Mapping) and name not in LoadsTable.model_fields)
+
+
+def _in_all(
+    pressure: float, cavities: tuple[str, ...], own: Mapping[str, Any], problems: Problems
+) -> dict[str, Pressure]:
+    """The same pressure in every cavity that has none of its own."""
+    rest = [name for name in cavities if name not in own]
+    if not rest:
+        why = "the actuator has no cavity" if not cavities else "every cavity has a pressure of its own"
+        problems.add(("loads", "pressure"), f"{format_quantity(pressure, 'kPa')} acts nowhere, because {why}.")
+    return {name: Pressure(name, pressure) for name in rest}
+
+
+def _in_each(
+    own: Mapping[str, Any], cavities: tuple[str, ...] | None, duration: float | None, problems: Problems
+) -> dict[str, Pressure]:
+    """The pressures of tables such as ``[loads.cavity_1]``; ``cavities`` is None where the shape is not known."""
+    found = {}
+    for name, values in own.items():
+        key = ("loads", name)
+        if cavities is not None and name not in cavities:
+            hint = near_match(name, cavities) or "."
+            known = f" Its cavities are {', '.join(cavities)}." if cavities else ""
+            problems.add(key, f"the actuator has no cavity '{name}'{hint}{known}")
+            continue
+        table = read_table(CavityTable, values, key, problems)
+        if table is None:
+            continue
+        made = problems.attempt(key, partial(_pressure, name, table, duration), fields=("pressure", "history"))
+        if made is not None:
+            found[name] = made
+    return found
+
+
+def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure:
+    return Pressure(face, table.pressure, _history(table, f"pressure on '{face}'", duration))
+
+
+def _history(table: CavityTable | GravityTable, what: str, duration: float | None) -> Any:
+    """The history that a table states over the load factor or, with a duration, over the time in seconds."""
+    if table.history_over_time is None:
+        return RAMP if table.history is None else table.history
+    if table.history is not None:
+        raise TurgorError(f"{what}: history and history_over_time are both given; one says it.")
+    if duration is None:
+        raise TurgorError(f"{what}: history_over_time needs a procedure with a duration; give history instead.")
+    return over_time(table.history_over_time, duration)
+
+
+def _gravity_allowed(
+    text: str, geometry: Geometry | None, materials: Mapping[str, Material | Membrane], problems: Problems
+) -> bool:
+    key = ("loads", "gravity")
+    if geometry is not None and f"symmetry_{text[1]}" in geometry.faces:
+        problems.add(key, f"'{text}' points across the mirror plane of a half model; set actuator.symmetric = false.")
+        return False
+    light = [n for n, m in materials.items() if isinstance(m, Material) and m.density is None]
+    for name in light:
+        problems.whole.add(
+            ("materials", name), "has no density, and gravity needs it; add density, such as '1100 kg/m³'."
+        )
+    return not light
+
+
+def only_pressure(loads: tuple[Load, ...]) -> float | None:
+    """Return the pressure that stands for the load factor: the only one, growing in proportion to it; else None."""
+    different = {(load.pressure, load.history) for load in loads if isinstance(load, Pressure)}
+    pressure, history = different.pop() if len(different) == 1 else (None, RAMP)
+    return pressure if history == RAMP else None
+
+
+def requested_factors(requested: list[Any], loads: tuple[Load, ...], problems: Problems) -> list[float]:
+    """Turn requested pressures, written as ``(pressure,)``, into load factors among those that are given as such.
+
+    Pressures can be requested where there is one only, and it grows in proportion to the load factor.
+    """
+    key, factors, top = ("procedure", "at"), [], only_pressure(loads)
+    for value in requested:
+        if not isinstance(value, tuple):
+            factors.append(value)
+            continue
+        if not top:
+            problems.add(key, _why_no_pressure(loads))
+            break
+        factor = value[0] / top
+        if not 0 < factor <= 1:
+            given, limit = format_quantity(value[0], "kPa"), format_quantity(top, "kPa")
+            problems.add(key, f"{given} does not lie between 0 and loads.pressure, {limit}.")
+            break
+        factors.append(factor)
+    return sorted(set(factors))
+
+
+def _why_no_pressure(loads: tuple[Load, ...]) -> str:
+    pressures = [load for load in loads if isinstance(load, Pressure)]
+    if any(load.pressure for load in pressures):
+        several = len({(load.pressure, load.history) for load in pressures}) > 1
+        why = "the cavities have different ones" if several else "it has a history of its own"
+        return f"a pressure does not say which state is meant, because {why}; request load factors, such as 0.5."
+    return "pressures are requested, but loads.pressure is missing or zero."
+
+
+def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
+    """Write loads as the table of a job file; `read_loads` gives the same loads back.
+
+    Parameters
+    ----------
+    loads : tuple of Pressure or Gravity
+
+    Returns
+    -------
+    dict
+    """
+    pressures = [load for load in loads if isinstance(load, Pressure)]
+    values: dict[str, Any] = {}
+    if [load.face for load in pressures] == ["cavity"] and pressures[0].history == RAMP:
+        values["pressure"] = format_quantity(pressures.pop().pressure, "kPa")
+    for load in loads:
+        if isinstance(load, Gravity):
+            direction = next(text for text, vector in DIRECTIONS.items() if vector == load.direction)
+            plain = load.history == RAMP and load.acceleration == STANDARD_GRAVITY
+            values["gravity"] = direction if plain else _gravity_table(load, direction)
+    for load in pressures:
+        values[load.face] = {"pressure": format_quantity(load.pressure, "kPa")}
+        if load.history != RAMP:
+            values[load.face]["history"] = _listed(load.history)
+    return values
+
+
+def _gravity_table(load: Gravity, direction: str) -> dict[str, Any]:
+    """Gravity with what is not as usual about it."""
+    values: dict[str, Any] = {"direction": direction}
+    if load.acceleration != STANDARD_GRAVITY:
+        values["acceleration"] = format_quantity(load.acceleration, "m/s²")
+    return values if load.history == RAMP else values | {"history": _listed(load.history)}
+
+
+def _listed(history: History) -> Any:
+    """A history as a job file states it."""
+    return history if isinstance(history, str) else [list(point) for point in history]

@@ -1,0 +1,195 @@
+"""Materials of a job file: from the library, or stated by their law."""
+
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from math import inf
+from pathlib import Path
+from typing import Any
+
+from turgor.errors import unknown
+from turgor.geometry import Geometry
+from turgor.job.text.lines import Key
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import LibraryTable, MeshTable, StatedTable, law_table, read_table, shown
+from turgor.materials.laws.laws import GeneralizedRivlin, Hooke
+from turgor.materials.library.records import LAWS, from_library, library
+from turgor.materials.material import Material
+from turgor.model.layers import as_solid
+from turgor.model.model import Membrane
+from turgor.source import Source
+
+#: What a strain-limiting layer can be: a sheet that bends freely or like a plate, a thin solid region of its own, or
+#: the constants of the whole region below it.
+MEMBRANE, SHELL, SOLID, COMBINED = FORMS = ("membrane", "shell", "solid", "combined")
+
+#: What a rubber can do in time, besides its law.
+HISTORY = ("viscoelasticity", "stress_softening")
+
+#: The region that combined constants stand for.
+BASE = "base"
+
+
+def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -> dict[str, Material | Membrane]:
+    """Read ``[materials]``: one entry per region, and one with a thickness for each reinforced face."""
+    key = ("materials",)
+    if not isinstance(values, Mapping):
+        problems.add(key, f"{shown(values)} is not a table; write [materials] and one material per region below it.")
+        return {}
+    found: dict[str, Material | Membrane] = {}
+    combined = [name for name, entry in values.items() if _form_of(entry) == COMBINED]
+    if BASE in values and combined:
+        problems.add((*key, BASE), f"the combined constants of {combined[0]} stand for this region; leave one out.")
+    for name, entry in values.items():
+        if geometry is not None and name not in (*geometry.regions, *geometry.faces):
+            known = (*geometry.regions, *(face for face in geometry.faces if not face.startswith("symmetry_")))
+            problems.add((*key, name), str(unknown("region or face", name, known)))
+            continue
+        made = _read_material(entry, (*key, name), geometry, problems)
+        if made is not None:
+            # parts of the same material share one object, so that a report describes it once
+            region = BASE if _form_of(entry) == COMBINED else name
+            found[region] = next((other for other in found.values() if other == made), made)
+    if geometry is not None:
+        given = {BASE if _form_of(entry) == COMBINED else name for name, entry in values.items()}
+        missing = [region for region in geometry.regions if region not in given]
+        if missing:
+            problems.add(key, f"no material for region {', '.join(missing)}; give each region one.")
+    return found
+
+
+def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: Problems) -> Material | Membrane | None:
+    if isinstance(values, Mapping) and "law" in values:
+        law = str(values["law"])
+        if law not in LAWS:
+            problems.add((*key, "law"), str(unknown("law", law, LAWS)))
+            return None
+        kind: Any = LAWS[law]
+        table = read_table(law_table(kind), values, key, problems)
+    else:
+        table = read_table(LibraryTable, values, key, problems)
+    if table is None:
+        return None
+    if table.form is not None and table.form not in FORMS:
+        problems.add((*key, "form"), str(unknown("form", table.form, FORMS)))
+        return None
+    stated = isinstance(table, StatedTable)
+    material = _stated(table, key, problems) if stated else _from_library(table, key, problems)
+    if material is None or not _form_fits(table.form, material, table.thickness, key, geometry, problems):
+        return None
+    if table.form == COMBINED:
+        return material
+    if table.form == SOLID:
+        return as_solid(material)
+    if not _suits(material, table.thickness, key, geometry, problems):
+        return None
+    if table.thickness is None:
+        return material
+    bending = table.form == SHELL
+    return problems.attempt(key, lambda: Membrane(material, table.thickness, bending), fields=("thickness",))
+
+
+def _form_of(entry: Any) -> Any:
+    return entry.get("form") if isinstance(entry, Mapping) else None
+
+
+def _form_fits(
+    form: str | None,
+    material: Material,
+    thickness: float | None,
+    key: Key,
+    geometry: Geometry | None,
+    problems: Problems,
+) -> bool:
+    """Whether a form that is not a sheet suits the name, and has no thickness of its own."""
+    name = key[-1]
+    if geometry is None or form is None:
+        return True
+    region = name in geometry.regions
+    if form in (MEMBRANE, SHELL) and region:
+        problems.add((*key, "form"), f"'{name}' is a region; \"{form}\" is for sheets on faces.")
+    elif form == SOLID and not region:
+        problems.add((*key, "form"), f"'{name}' is a face; a solid layer needs a thickness, actuator.layer.")
+    elif form == COMBINED and (region or BASE not in geometry.regions):
+        why = f"'{name}' is a region" if region else f"the actuator has no region '{BASE}'"
+        problems.add((*key, "form"), f"{why}; \"combined\" gives a face's constants to the region '{BASE}' below it.")
+    elif form in (SOLID, COMBINED) and thickness is not None:
+        problems.add((*key, "thickness"), f'form = "{form}" takes the thickness of its region; leave thickness out.')
+    elif form == COMBINED and isinstance(material.law, Hooke):
+        problems.add(key, f"'{material.name}' is linear elastic; combined constants are those of a rubber's law.")
+    else:
+        return True
+    return False
+
+
+def _from_library(table: LibraryTable, key: Key, problems: Problems) -> Material | None:
+    material = read_library(table.library, table.record, table.density, key, problems)
+    stated = {name: getattr(table, name) for name in HISTORY if getattr(table, name) is not None}
+    if material is None or not stated:
+        return material
+    return problems.attempt(key, lambda: replace(material, **stated), fields=HISTORY)
+
+
+def read_library(name: str, record: str | None, density: float | None, key: Key, problems: Problems) -> Material | None:
+    """Take a material of the library or of a file beside the job, with a density of its own where one is stated."""
+    wrong = "record" if name in library() else "library"
+    if name.endswith(".toml"):
+        name = str(Path(problems.file).parent / name)  # beside the job
+    material = problems.attempt((*key, wrong), lambda: from_library(name, record=record))
+    if material is None or density is None:
+        return material
+    return problems.attempt(key, lambda: replace(material, density=density), fields=("density",))
+
+
+def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
+    kind = LAWS[table.law]
+    source = Source(text=f"stated in {problems.file}")
+    if table.source is not None:
+        source = Source(text=table.source.text, detail=table.source.detail, doubts=tuple(table.source.doubts))
+    stretch_range = table.stretch_range
+    if stretch_range is not None and not (len(stretch_range) == 2 and 0 < stretch_range[0] <= 1 <= stretch_range[1]):
+        problems.add((*key, "stretch_range"), f"{stretch_range} is not [smallest, largest] with 1 between them.")
+        return None
+
+    def make() -> Material:
+        return Material(
+            name=table.name or key[-1],
+            law=_law(kind, {item.name: getattr(table, item.name) for item in fields(kind)}),
+            bulk_modulus=getattr(table, "bulk_modulus", inf),
+            density=table.density,
+            stretch_range=(stretch_range[0], stretch_range[1]) if stretch_range else None,
+            source=source,
+            **{name: getattr(table, name, None) for name in HISTORY},
+        )
+
+    return problems.attempt(key, make, fields=(*(item.name for item in fields(kind)), "bulk_modulus", "density"))
+
+
+def _law(kind: Any, constants: Mapping[str, Any]) -> Any:
+    if kind is GeneralizedRivlin:
+        return GeneralizedRivlin.from_names(constants["coefficients"])
+    return kind(**constants)
+
+
+def refuse_shells(materials: Mapping[str, Material | Membrane], mesh: MeshTable | None, problems: Problems) -> None:
+    """Note every sheet that resists bending where the mesh cannot carry it."""
+    for name, entry in materials.items():
+        if mesh is not None and mesh.cells != "hexahedra" and isinstance(entry, Membrane) and entry.bending:
+            problems.add(("materials", name, "form"), '"shell" needs hexahedra; add cells = "hexahedra" to [mesh].')
+
+
+def _suits(
+    material: Material, thickness: float | None, key: Key, geometry: Geometry | None, problems: Problems
+) -> bool:
+    """Whether regions get rubbers, and faces sheets with a thickness."""
+    name, elastic = key[-1], isinstance(material.law, Hooke)
+    if geometry is None:
+        return True
+    if name in geometry.regions and thickness is not None:
+        problems.add((*key, "thickness"), f"'{name}' is a region, and only a sheet on a face has a thickness.")
+    elif name in geometry.regions and elastic:
+        problems.add(key, f"'{material.name}' is linear elastic, for sheets only; a region needs a rubber's law.")
+    elif name not in geometry.regions and thickness is None:
+        problems.add((*key, "thickness"), f"'thickness' is missing; '{name}' is a face, and its sheet needs one.")
+    else:
+        return True
+    return False

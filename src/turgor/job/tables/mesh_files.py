@@ -1,0 +1,109 @@
+"""Mesh files in a job: ``[actuator]`` with ``type = "mesh_file"``, both ways."""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field
+
+from turgor.errors import near_match
+from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
+from turgor.job.tables.cad import SelectorTable, selector_table
+from turgor.job.text.lines import Key
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import Table, read_table
+from turgor.meshing.exchange.mesh_file import MeshFile
+from turgor.meshing.exchange.read import READERS
+from turgor.meshing.exchange.selectors import Choice
+
+#: The type of an actuator that comes from a mesh file.
+MESH_FILE = "mesh_file"
+
+#: Endings of files that can be a mesh, or be filled with one.
+SUFFIXES = (*READERS, ".stl")
+
+
+class MeshFileTable(Table):
+    """``[actuator]`` with the type `MESH_FILE`."""
+
+    type: str
+    file: str
+    unit: str = "mm"
+    axes: list[str] = Field(default_factory=lambda: ["x", "y", "z"])
+    regions: dict[str, SelectorTable | list[SelectorTable]] = Field(default_factory=dict)
+    faces: dict[str, SelectorTable | list[SelectorTable]] = Field(default_factory=dict)
+    cavities: dict[str, str] = Field(default_factory=dict)
+    sha256: str = ""
+
+
+def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | None:
+    """Read an actuator that comes from a mesh file; paths count from the folder of the job file.
+
+    Parameters
+    ----------
+    values : mapping
+        The table.
+    problems : Problems
+        Takes what is wrong.
+
+    Returns
+    -------
+    MeshFile or None
+        None where something is wrong.
+    """
+    key = ("actuator",)
+    table: MeshFileTable | None = read_table(MeshFileTable, values, key, problems)
+    if table is None:
+        return None
+    folder = Path(problems.file).parent
+    paths: dict[Key, Path] = {(*key, "file"): folder / table.file}
+    paths |= {(*key, "cavities", name): folder / file for name, file in table.cavities.items()}
+    for place, file in paths.items():
+        if not file.is_file():
+            there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in SUFFIXES)
+            listed = f" Mesh files there: {', '.join(there)}." if there else ""
+            problems.add(place, f"there is no file '{file}'{near_match(file.name, there) or '.'}{listed}")
+    if problems.found:
+        return None
+    return problems.attempt(
+        key,
+        lambda: MeshFile(
+            file=(folder / table.file).resolve(),
+            unit=table.unit,
+            axes=tuple(table.axes),  # type: ignore[arg-type]
+            regions={name: _made(choice) for name, choice in table.regions.items()},
+            faces={name: _made(choice) for name, choice in table.faces.items()},
+            cavities={name: (folder / file).resolve() for name, file in table.cavities.items()},
+            sha256=table.sha256,
+        ),
+        fields=[item.name for item in fields(MeshFile)],
+    )
+
+
+def _made(choice: SelectorTable | list[SelectorTable]) -> Selector | tuple[Selector, ...]:
+    return tuple(table.made() for table in choice) if isinstance(choice, list) else choice.made()
+
+
+def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
+    """Write an actuator that comes from a mesh file as `read_mesh_file` reads it, without its type."""
+    values: dict[str, Any] = {
+        "file": Path(actuator.file).as_posix(),
+        "unit": actuator.unit,
+        "axes": list(actuator.axes),
+        "sha256": actuator.sha256,
+    }
+    for key, choices in (("regions", actuator.regions), ("faces", actuator.faces)):
+        if choices:
+            values[key] = {name: _written(choice) for name, choice in choices.items()}
+    if actuator.cavities:
+        values["cavities"] = {name: Path(file).as_posix() for name, file in actuator.cavities.items()}
+    return values
+
+
+def _written(choice: Choice) -> Any:
+    if isinstance(choice, str):
+        return selector_table(ByName(choice))
+    if isinstance(choice, ByName | ByColor | NearestTo | InBox | WithNormal):
+        return selector_table(choice)
+    return [selector_table(part) for part in choice]

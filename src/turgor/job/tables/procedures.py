@@ -1,0 +1,168 @@
+"""Procedures in a job: ``[procedure]``, both ways; those of stages are written alike."""
+
+from collections.abc import Mapping
+from dataclasses import Field
+from functools import cache, partial
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, create_model
+
+from turgor.errors import TurgorError
+from turgor.job.tables.loads import only_pressure, requested_factors
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import Table, chosen_kind, default_of, fields_of_table, read_table, shown
+from turgor.model.loads import Gravity, Load, Pressure
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.blocked_force import BlockedForce
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.solvers.procedures.stages import OneProcedure, Sealed
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.step_options import fields_in_order
+from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.units import format_quantity, kPa, parse_quantity
+
+#: Procedures by the name that job files use. A new one is one line here; its keys are its fields.
+PROCEDURES: Mapping[str, type[Any]] = {
+    "static": Static,
+    "blocked_force": BlockedForce,
+    "grasp": Grasp,
+    "volume_control": VolumeControl,
+    "sealed": Sealed,
+    "gas_mass": GasMass,
+    "arc_length": ArcLength,
+    "auto": Auto,
+    "stabilized": Stabilized,
+    "dynamic": Dynamic,
+}
+
+#: Procedures that drive the actuator without any load.
+DRIVING = ("volume_control", "gas_mass")
+
+#: Units in which lock files state the fields of a procedure.
+_UNITS = {"volume": "mL", "pressure": "kPa", "length": "mm", "time": "s", "rate": "1/s"}
+
+
+def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems: Problems) -> OneProcedure | None:
+    """Read ``[procedure]``, or that of a stage; requested pressures become load factors."""
+    key = ("procedure",)
+    kind = chosen_kind(PROCEDURES, "procedure", values, key, problems)
+    table = read_table(procedure_table(kind), values, key, problems) if kind else None
+    if kind is None or table is None:
+        return None
+    given = fields_of_table(table)
+    why = "in a stage the pressure goes from what it was to its new value" if problems.within else ""
+    if kind is Grasp:
+        why = "in a grasp the pressure rises until closing and is held then"
+    if why and any(isinstance(value, tuple) for value in given["at"]):
+        problems.add((*key, "at"), f"a pressure does not say which state is meant: {why}; request load factors.")
+        return None
+    given["at"] = tuple(requested_factors(given["at"], loads, problems))
+    made: OneProcedure | None = problems.attempt(key, lambda: kind(**given), fields=given)
+    return made
+
+
+def drives(values: Any) -> bool:
+    """Whether ``[procedure]`` drives the actuator by itself, so that there need not be any load."""
+    return isinstance(values, Mapping) and values.get("type") in DRIVING
+
+
+def duration_of(values: Any) -> float | None:
+    """Duration of ``[procedure]`` [s], None where it has none or a wrong one, which `read_procedure` will say."""
+    try:
+        return parse_quantity(values["duration"], "time")
+    except (TurgorError, TypeError, KeyError):
+        return None
+
+
+@cache
+def procedure_table(value: type) -> type[Table]:
+    """Make the table of a procedure: one key per field, and ``at`` as pressures or load factors.
+
+    Fields are plain numbers unless they state a dimension: ``field(metadata={"dimension": "volume"})``; such a field
+    may be a table with one value for each cavity. The dimension ``"names"`` takes a name or a list of names.
+    """
+    keys: dict[str, Any] = {"type": (str, ...)}
+    keys |= {item.name: (_step_type(item), default_of(item)) for item in procedure_fields(value)}
+    if "at" in keys:
+        keys["at"] = (list[Annotated[Any, BeforeValidator(_load_factor_or_pressure)]], [])
+    return create_model(f"{value.__name__}Table", __base__=Table, **keys)
+
+
+def procedure_fields(value: type) -> list[Field[Any]]:
+    """Return the fields of a procedure that job files state: all but functions, ``field(metadata={"job": False})``."""
+    return [item for item in fields_in_order(value) if item.init and item.metadata.get("job", True)]
+
+
+def written_procedure(procedure: OneProcedure, loads: tuple[Load, ...] = ()) -> dict[str, Any]:
+    """Write a procedure as the table of a job file; `read_procedure` gives the same one back.
+
+    Parameters
+    ----------
+    procedure : Procedure
+    loads : tuple of Load
+        Loads whose only pressure says which states are requested; in a stage there are none.
+    """
+    name = next(name for name, kind in PROCEDURES.items() if type(procedure) is kind)
+    values = {item.name: _stated(item, getattr(procedure, item.name)) for item in procedure_fields(type(procedure))}
+    values = {key: value for key, value in values.items() if value is not None}
+    top = None if isinstance(procedure, Grasp) else only_pressure(loads)
+    return {"type": name} | values | {"at": [_requested(factor, top) for factor in procedure.at]}
+
+
+def _step_type(item: Field[Any]) -> Any:
+    """Type of a field of a procedure."""
+    if "dimension" not in item.metadata:
+        return item.type
+    return Annotated[Any, BeforeValidator(partial(_quantities, dimension=item.metadata["dimension"]))]
+
+
+def _quantities(value: object, dimension: str) -> object:
+    """Read a quantity, or one for each cavity; or names."""
+    if dimension == "names":
+        return _names(value)
+    if isinstance(value, Mapping):
+        return {name: _quantities(each, dimension) for name, each in value.items()}
+    if dimension != "number":
+        return parse_quantity(value, dimension)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise TurgorError(f"{shown(value)} is not a number without a unit.")
+    return float(value)
+
+
+def _names(value: object) -> tuple[str, ...]:
+    listed = value if isinstance(value, list) else [value]
+    if not all(isinstance(name, str) for name in listed):
+        raise TurgorError(f"{shown(value)} is neither a name in quotes nor a list of names.")
+    return tuple(listed)
+
+
+def _load_factor_or_pressure(value: object) -> object:
+    """A plain number is a load factor; text is a pressure, kept as ``(pressure,)`` until the top pressure is known."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return float(value)
+    return (parse_quantity(value, "pressure"),)
+
+
+def _requested(factor: float, top: float | None) -> str | float:
+    """The pressure at a load factor, where one reads back as exactly this factor; else the load factor itself."""
+    if top is None:
+        return factor
+    for digits in range(1, 18):
+        pressure = float(f"{factor * top / kPa:.{digits}g}") * kPa
+        if pressure / top == factor:
+            return format_quantity(pressure, "kPa")
+    return factor
+
+
+def _stated(item: Field[Any], value: Any) -> Any:
+    """A field of a procedure as a job file states it: with its unit, for each cavity where there are several."""
+    if isinstance(value, Mapping):
+        return {name: _stated(item, each) for name, each in value.items()}
+    unit = _UNITS.get(item.metadata.get("dimension", ""))
+    if unit is None or value is None:
+        return list(value) if isinstance(value, tuple) else value
+    return format_quantity(value, unit)

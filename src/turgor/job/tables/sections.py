@@ -1,0 +1,88 @@
+"""Sections of a job file: each turns one table into values, and notes what is wrong."""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any
+
+from turgor.geometry import Geometry
+from turgor.job.job import ACTUATORS, Actuator, Output, standard_measures
+from turgor.job.tables.cad import CAD_FILE, read_cad_file
+from turgor.job.tables.mesh_files import MESH_FILE, read_mesh_file
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import (
+    EngineTable,
+    MeshTable,
+    OutputTable,
+    chosen_kind,
+    dataclass_table,
+    fields_of_table,
+    read_table,
+)
+from turgor.meshing.exchange.mesh_file import MeshedShape
+from turgor.meshing.sizing.sizes import check_face_sizes, check_settings, default_size
+from turgor.meshing.sweeping.swept import check_cells
+
+
+def read_actuator(values: Any, problems: Problems) -> Actuator | None:
+    """Read ``[actuator]``: a type and its dimensions."""
+    key = ("actuator",)
+    if isinstance(values, Mapping) and values.get("type") == CAD_FILE:
+        return read_cad_file(values, problems)
+    if isinstance(values, Mapping) and values.get("type") == MESH_FILE:
+        return read_mesh_file(values, problems)
+    family = chosen_kind({**ACTUATORS, CAD_FILE: None, MESH_FILE: None}, "actuator type", values, key, problems)
+    table = read_table(dataclass_table(family), values, key, problems) if family else None
+    if family is None or table is None:
+        return None
+    made: Actuator | None = problems.attempt(
+        key, lambda: family(**fields_of_table(table)), fields=[item.name for item in fields(family)]
+    )
+    return made
+
+
+def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> MeshTable | None:
+    """Read ``[mesh]``; where the shape is known, choose a missing size and refuse at once what `mesh` will refuse."""
+    key = ("mesh",)
+    table: MeshTable | None = read_table(MeshTable, values, key, problems)
+    if table is None or geometry is None:
+        return table
+    if isinstance(geometry._shape, MeshedShape):
+        if values:
+            problems.add(key, "the actuator is a mesh already; leave the table [mesh] out, or mesh the part again.")
+        return table.model_copy(update={"size": geometry.extent})
+    size = default_size(geometry, table.cells) if table.size is None else table.size
+    settings = table.settings(size)
+    problems.attempt(key, lambda: check_settings(geometry, settings), fields=("size", "grading", "wall_cells"))
+    problems.attempt((*key, "face_sizes"), lambda: check_face_sizes(geometry, table.face_sizes, size))
+    problems.attempt((*key, "cells"), lambda: check_cells(geometry, table.cells, table.face_sizes))
+    return table.model_copy(update={"size": size})
+
+
+def read_engine(values: Any, problems: Problems) -> int | None:
+    """Read ``[engine]``: the number of threads."""
+    table = read_table(EngineTable, values, ("engine",), problems)
+    if table is None or table.threads is None:
+        return None
+    from turgor.engine.runtime import EngineOptions  # here, because it loads the engine
+
+    options = problems.attempt(("engine",), lambda: EngineOptions(threads=table.threads), fields=("threads",))
+    return None if options is None else options.threads
+
+
+def read_output(values: Any, problems: Problems) -> Output | None:
+    """Read ``[output]``: which measures, and what else to write."""
+    key = ("output",)
+    table = read_table(OutputTable, values, key, problems)
+    if table is None:
+        return None
+    if len(set(table.measures)) < len(table.measures):
+        problems.add((*key, "measures"), "a measure is listed twice.")
+    if problems.found:
+        return None  # the job is refused: the standard measures, which load the engine, are not needed
+    return Output(
+        measures=tuple(table.measures) or standard_measures(),
+        fields=table.fields,
+        pictures=table.pictures,
+        report=table.report,
+        mesh_error=table.mesh_error,
+    )

@@ -1,0 +1,216 @@
+"""Stages in a job: ``[[stages]]``, an array of tables with one for each, both ways."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from pydantic import Field
+
+from turgor.errors import TurgorError, unknown
+from turgor.geometry import Geometry
+from turgor.job.tables.loads import loads_table, read_loads
+from turgor.job.tables.obstacles import Lengths
+from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
+from turgor.job.text.lines import Key
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import Table, read_table, shown
+from turgor.materials.material import Material
+from turgor.model.contact import Contact
+from turgor.model.loads import Gravity, Pressure
+from turgor.model.model import Membrane
+from turgor.model.obstacles import Vector
+from turgor.model.supports import Displacement, Fixed, Radial, Shift
+from turgor.solvers.procedures.stages import Stage, Stages, check_stage
+from turgor.units import format_quantity
+
+STAGES = "stages"
+
+
+class StageTable(Table):
+    """``[[stages]]``; its tables are read on their own."""
+
+    name: str
+    procedure: Any = None
+    loads: Any = None
+    displacements: dict[str, Lengths] = Field(default_factory=dict)
+    moves: dict[str, Lengths] = Field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Around:
+    """What the rest of a job states, on which stages act.
+
+    Parameters
+    ----------
+    geometry : Geometry or None
+        The actuator; None where it could not be built.
+    materials : mapping of str to Material or Membrane
+    supports : tuple of Fixed or Radial
+    contact : Contact
+    loads : tuple of Pressure or Gravity
+    moved : bool
+        Whether an obstacle has a path.
+    """
+
+    geometry: Geometry | None
+    materials: Mapping[str, Material | Membrane]
+    supports: tuple[Fixed | Radial, ...]
+    contact: Contact
+    loads: tuple[Pressure | Gravity, ...]
+    moved: bool
+
+
+def with_names(lines: Mapping[Key, int], content: Mapping[str, Any]) -> dict[Key, int]:
+    """Return the lines of keys with those of stages by the name of the stage instead of its number."""
+    named = {str(number): name for number, name in enumerate(_labels(content.get(STAGES)), start=1)}
+    found = {}
+    for key, line in lines.items():
+        inside = key[0] == STAGES and len(key) > 1 and key[1] in named
+        found[(STAGES, named[key[1]], *key[2:]) if inside else key] = line
+    return found
+
+
+def _labels(values: Any) -> list[str]:
+    """What messages call each stage: its name, or its number where it has none of its own."""
+    labels: list[str] = []
+    for number, entry in enumerate(values if isinstance(values, list) else [], start=1):
+        name = entry.get("name") if isinstance(entry, Mapping) else None
+        labels.append(name if isinstance(name, str) and name.strip() and name not in labels else str(number))
+    return labels
+
+
+def first_duration(values: Any) -> float | None:
+    """Duration of the first stage [s], over which histories of ``[loads]`` go; None where it has none."""
+    first = values[0] if isinstance(values, list) and values else None
+    return duration_of(first.get("procedure")) if isinstance(first, Mapping) else None
+
+
+def read_stages(values: Any, around: Around, problems: Problems) -> Stages | None:
+    """Read ``[[stages]]``.
+
+    Parameters
+    ----------
+    values : list of mappings
+        The tables.
+    around : Around
+        The rest of the job.
+    problems : Problems
+        Takes what is wrong.
+
+    Returns
+    -------
+    Stages or None
+        None where something is wrong.
+    """
+    if not isinstance(values, list) or not values:
+        problems.add((STAGES,), f"{shown(values)} is no list of stages; write [[stages]] and the keys of one below it.")
+        return None
+    found: list[Stage | None] = []
+    for number, (label, entry) in enumerate(zip(_labels(values), values, strict=True)):
+        found.append(_read_stage(entry, number, around, problems.below((STAGES, label))))
+        if isinstance(entry, Mapping) and entry.get("name") in {each.name for each in found[:-1] if each is not None}:
+            problems.add((STAGES, label, "name"), f"'{entry['name']}' names another stage too; give each its own name.")
+    stages = [stage for stage in found if stage is not None]
+    if len(stages) < len(values) or problems.found:
+        return None
+    if not (around.loads or around.moved or any(map(_changes, stages))):
+        problems.add((STAGES,), "nothing drives the actuator in any stage; give one of them loads, moves or a volume.")
+        return None
+    return problems.attempt((STAGES,), partial(Stages, tuple(stages)))
+
+
+def _changes(stage: Stage) -> bool:
+    """Whether a stage does more than wait."""
+    driving = getattr(stage.procedure, "volume", None) or getattr(stage.procedure, "mass_ratio", None)
+    return bool(stage.loads or stage.displacements or stage.moves or driving)
+
+
+def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> Stage | None:
+    if not isinstance(entry, Mapping):
+        problems.add((), f"{shown(entry)} is no table; write [[stages]] and its keys below it.")
+        return None
+    table: StageTable | None = read_table(StageTable, entry, (), problems)
+    asked = entry.get("procedure", {"type": "static"})
+    procedure = read_procedure(asked, (), problems)
+    duration, stated = duration_of(asked), entry.get("loads", {})
+    loads = read_loads(stated, around.geometry, around.materials, problems, False, duration)
+    if table is None:
+        return None
+    displacements = _displacements(table.displacements, around, problems)
+    _check_moves(table.moves, around.contact, problems)
+    if procedure is None:
+        return None
+    make = partial(Stage, loads=loads, displacements=displacements, moves=dict(table.moves))
+    stage: Stage | None = problems.attempt((), partial(make, table.name, procedure))
+    if stage is not None:
+        problems.attempt(("procedure",), partial(check_stage, stage, number))
+    return stage
+
+
+def _displacements(stated: Mapping[str, Vector], around: Around, problems: Problems) -> tuple[Displacement, ...]:
+    """Faces that are moved, in the directions in which ``[supports]`` holds them."""
+    held = {support.face: support.directions for support in around.supports if isinstance(support, Fixed)}
+    found = []
+    for face, vector in stated.items():
+        key = ("displacements", face)
+        if around.geometry is not None and face not in around.geometry.faces:
+            problems.add(key, str(unknown("face", face, around.geometry.faces)))
+        elif face not in held:
+            known = ", ".join(held) or "none"
+            problems.add(key, f"a stage moves faces that [supports] holds, and '{face}' is not among them: {known}.")
+        else:
+            free = [axis for axis, part in zip("xyz", vector, strict=True) if part and axis not in held[face]]
+            if free:
+                problems.add(key, f"it moves along {', '.join(free)}, but '{face}' is held in {held[face]} only.")
+            found.append(Displacement(face, Shift(vector), held[face]))
+    return tuple(found)
+
+
+def _check_moves(moves: Mapping[str, Vector], contact: Contact, problems: Problems) -> None:
+    names = [obstacle.name for obstacle in contact.obstacles]
+    for name in moves:
+        if name in names:
+            continue
+        why = str(unknown("obstacle", name, names)) if names else "the job has no obstacles; add one under [obstacles]."
+        problems.add(("moves", name), why)
+
+
+def stages_tables(stages: Stages) -> list[dict[str, Any]]:
+    """Write stages as tables of a job file; `read_stages` gives the same ones back.
+
+    Parameters
+    ----------
+    stages : Stages
+
+    Returns
+    -------
+    list of dict
+
+    Raises
+    ------
+    TurgorError
+        If a displacement is a function, which has no form in a job file.
+    """
+    return [_written(stage) for stage in stages.stages]
+
+
+def _written(stage: Stage) -> dict[str, Any]:
+    values: dict[str, Any] = {"name": stage.name, "procedure": written_procedure(stage.procedure)}
+    if stage.loads:
+        values["loads"] = loads_table(stage.loads)
+    if stage.displacements:
+        values["displacements"] = {each.face: _in_mm(_vector(each)) for each in stage.displacements}
+    if stage.moves:
+        values["moves"] = {name: _in_mm(place) for name, place in stage.moves.items()}
+    return values
+
+
+def _vector(moved: Displacement) -> Vector:
+    if not isinstance(moved.value, Shift):
+        raise TurgorError(f"the displacement of '{moved.face}' is a function, which has no form in a job file.")
+    return moved.value.vector
+
+
+def _in_mm(vector: Vector) -> list[str]:
+    return [format_quantity(value, "mm") for value in vector]

@@ -1,0 +1,50 @@
+"""Supports of a job file: for each face the directions in which it is held, or its radius."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from turgor.errors import TurgorError, unknown
+from turgor.geometry import Geometry
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import shown
+from turgor.model.supports import Fixed, Radial
+
+#: What holds the radius of a face, by the axis of its cylinder.
+RADIAL: Mapping[str, tuple[float, float, float]] = {
+    "radial": (1.0, 0.0, 0.0),
+    "radial about y": (0.0, 1.0, 0.0),
+    "radial about z": (0.0, 0.0, 1.0),
+}
+
+
+def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[Fixed | Radial, ...]:
+    """Read ``[supports]``: for each face the directions in which it is held, or ``"radial"``."""
+    if not isinstance(values, Mapping):
+        problems.add(("supports",), f"{shown(values)} is not a table; write [supports] and faces below it.")
+        return ()
+    supports: list[Fixed | Radial] = []
+    for face, held in values.items():
+        key = ("supports", face)
+        if geometry is not None and face not in geometry.faces:
+            problems.add(key, str(unknown("face", face, geometry.faces)))
+        elif isinstance(held, str) and held in RADIAL:
+            supports.append(Radial(face, RADIAL[held]))
+        elif not isinstance(held, str) or not held or not set(held) <= set("xyz"):
+            allowed = ", ".join(f"'{name}'" for name in RADIAL)
+            problems.add(
+                key,
+                f"{shown(held)} is not allowed; name the held directions, such as 'xyz' or 'z', or one of {allowed}.",
+            )
+        else:
+            supports.append(Fixed(face, held))
+    return tuple(supports)
+
+
+def held_text(support: Fixed | Radial) -> str:
+    """Write how a face is held; `read_supports` gives the same support back."""
+    if isinstance(support, Fixed):
+        return support.directions
+    for name, axis in RADIAL.items():
+        if axis == tuple(support.axis):
+            return name
+    raise TurgorError(f"the axis {support.axis} of a radial support has no form in a job file; it is x, y or z there.")

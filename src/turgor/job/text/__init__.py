@@ -1,0 +1,1 @@
+"""Text: lines, problems and quantities of a job file."""

@@ -1,0 +1,102 @@
+"""Problems: everything that is wrong with one job file, collected and reported together."""
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TypeVar
+
+from turgor.errors import TurgorError
+from turgor.job.text.lines import Key
+
+Made = TypeVar("Made")
+
+#: Stands for the line of what is absent from the file; such problems come last.
+_NOWHERE = 10**9
+
+
+class JobError(TurgorError):
+    """What is wrong with a job file: one line for each problem.
+
+    Parameters
+    ----------
+    problems : iterable of str
+        Sentences that begin with file, line and key.
+    """
+
+    def __init__(self, problems: Iterable[str]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(self.problems))
+
+
+@dataclass(slots=True)
+class Problems:
+    """The problems found so far in one file.
+
+    Parameters
+    ----------
+    file : str
+        Name of the file as the user gave it.
+    lines : mapping of key to int
+        Where each key stands, from `key_lines`.
+    found : list of (int, str)
+        Line and sentence of each problem noted so far.
+    within : tuple of str
+        Key of the table in which the keys of problems lie.
+    """
+
+    file: str
+    lines: Mapping[Key, int]
+    found: list[tuple[int, str]] = field(default_factory=list)
+    within: Key = ()
+
+    def below(self, key: Key) -> "Problems":
+        """Return the problems of a table inside the file; what it notes is noted here, too."""
+        return replace(self, within=(*self.within, *key))
+
+    def head(self, key: Key) -> str:
+        """The head under which the keys of a table stand in the file: ``[loads]``, or ``[stages.loads]`` of a stage."""
+        return f"[{'.'.join((*self.within[:1], *key))}]"
+
+    @property
+    def whole(self) -> "Problems":
+        """The problems of the whole file."""
+        return replace(self, within=())
+
+    def add(self, key: Key, sentence: str) -> None:
+        """Note a problem at a key, which may be absent from the file: then its table's line is named."""
+        key = (*self.within, *key)
+        known = next((key[:n] for n in range(len(key), 0, -1) if key[:n] in self.lines), None)
+        line = self.lines[known] if known is not None else _NOWHERE
+        place = f"{self.file}:{line}" if known is not None else self.file
+        self.found.append((line, f"{place}: {'.'.join(key)}: {sentence}"))
+
+    def attempt(self, key: Key, make: Callable[[], Made], fields: Iterable[str] = ()) -> Made | None:
+        """Make a value; note a `TurgorError` at the key, or at the one of its fields that the message begins with.
+
+        Parameters
+        ----------
+        key : tuple of str
+            Key of a table or value.
+        make : callable
+            Makes the value from what stands there.
+        fields : iterable of str
+            Keys of the table that are fields of the value; the message names the one that is wrong.
+
+        Returns
+        -------
+        The value, or None where it could not be made.
+        """
+        try:
+            return make()
+        except TurgorError as error:
+            sentence = str(error)
+            match = re.match(r"(?:[^;]{0,80}?[.: ])?(\w+) (?:is|holds) ", sentence)
+            if match is not None and match[1] in set(fields):
+                key, sentence = (*key, match[1]), sentence[match.end() :]
+            self.add(key, sentence)
+            return None
+
+    def raise_any(self) -> None:
+        """Raise a `JobError` with all problems in the order of their lines, if there are any."""
+        if self.found:
+            raise JobError(sentence for _, sentence in sorted(self.found, key=lambda item: item[0]))

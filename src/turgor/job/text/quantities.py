@@ -1,0 +1,331 @@
+"""Tables of a job file: which keys each has, and what their values must be.
+
+The keys of an actuator and a law are the fields of its dataclass, so that a new one needs no code here.
+"""
+
+from collections.abc import Mapping
+from dataclasses import MISSING, Field, fields
+from functools import cache, partial
+from math import inf
+from typing import Annotated, Any, get_args
+
+from pydantic import AfterValidator, AllowInfNan, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
+
+from turgor.errors import TurgorError, near_match, unknown
+from turgor.geometry.directions import DIRECTIONS
+from turgor.job.text.lines import Key
+from turgor.job.text.problems import Problems
+from turgor.materials.laws.laws import Hooke
+from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
+from turgor.materials.library.records import DIMENSIONLESS
+from turgor.meshing.settings import MeshSettings
+from turgor.meshing.sizing.sizes import check_target
+from turgor.model.loads import STANDARD_GRAVITY
+from turgor.units import parse_quantity
+
+CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
+
+
+Length = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="length"))]
+Angle = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="angle"))]
+Pressure = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="pressure"))]
+Density = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="density"))]
+Acceleration = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="acceleration"))]
+Viscoelasticity = Annotated[Any, BeforeValidator(read_viscoelasticity)]
+Softening = Annotated[Any, BeforeValidator(read_stress_softening)]
+
+#: Type of a float field by the dimension that its dataclass states.
+QUANTITIES: Mapping[str, Any] = {
+    "length": Length,
+    "angle": Angle,
+    "pressure": Pressure,
+    "density": Density,
+    "number": float,
+}
+
+
+def _bulk_modulus(text: object) -> float:
+    return inf if text == "incompressible" else parse_quantity(text, "pressure")
+
+
+def coordinate(value: object) -> float:
+    """Read a length; zero needs no unit."""
+    return 0.0 if value == 0 and not isinstance(value, bool) else parse_quantity(value, "length")
+
+
+Coordinate = Annotated[float, BeforeValidator(coordinate)]
+
+
+def _direction(text: str) -> str:
+    if text not in DIRECTIONS:
+        raise unknown("direction", text, DIRECTIONS)
+    return text
+
+
+def _measure(name: str) -> str:
+    from turgor.results.measures.measures import find_measure  # here, because it loads the engine
+
+    return find_measure(name).name
+
+
+def _share(value: object) -> float:
+    """Read a share, such as ``"2 %"``."""
+    text = value.strip() if isinstance(value, str) else ""
+    try:
+        share = float(text.removesuffix("%")) / 100 if text.endswith("%") else None
+    except ValueError:
+        share = None
+    if share is None:
+        raise TurgorError(f"{value!r} is no share in percent; write it as '2 %'.")
+    check_target(share)
+    return share
+
+
+Share = Annotated[float, BeforeValidator(_share)]
+
+
+class Table(BaseModel):
+    """A table whose keys are all known."""
+
+    model_config = CONFIG
+
+
+_MESH = MeshSettings()
+
+
+class MeshTable(Table):
+    """``[mesh]``."""
+
+    size: Length | None = None
+    grading: float = _MESH.grading
+    face_sizes: dict[str, Length] = {}
+    wall_cells: int = _MESH.wall_cells
+    cells: str = _MESH.cells
+    target: Share | None = None
+    target_measure: Annotated[str, AfterValidator(_measure)] | None = None
+    most_unknowns: int = 200_000
+
+    def settings(self, size: float) -> MeshSettings:
+        """Return how to mesh with a size that was chosen [m]."""
+        return MeshSettings(
+            size=size,
+            grading=self.grading,
+            face_sizes=self.face_sizes,
+            wall_cells=self.wall_cells,
+            cells=self.cells,
+        )
+
+
+class LibraryTable(Table):
+    """A material of the library."""
+
+    library: str
+    record: str | None = None
+    thickness: Length | None = None
+    form: str | None = None
+    density: Density | None = None
+    viscoelasticity: Viscoelasticity | None = None
+    stress_softening: Softening | None = None
+
+
+class SourceTable(Table):
+    """Where the constants of a material came from."""
+
+    text: str
+    detail: str = ""
+    doubts: list[str] = []
+
+
+class StatedTable(Table):
+    """A material stated by its law; the coefficients of the law are added by `law_table`."""
+
+    law: str
+    name: str | None = None
+    thickness: Length | None = None
+    form: str | None = None
+    density: Density | None = None
+    stretch_range: list[float] | None = None
+    source: SourceTable | None = None
+
+
+def _history(value: object) -> object:
+    """Points or an expression; what they must be is checked where the load is made."""
+    if not isinstance(value, str | list):
+        raise TurgorError(f"{shown(value)} is not a list in square brackets, nor an expression in quotes.")
+    return value
+
+
+class GravityTable(Table):
+    """``[loads.gravity]``: where things fall, how fast, and when they begin to."""
+
+    direction: Annotated[str, AfterValidator(_direction)]
+    acceleration: Acceleration = STANDARD_GRAVITY
+    history: Annotated[Any, BeforeValidator(_history)] = None
+    history_over_time: Annotated[Any, BeforeValidator(_history)] = None
+
+
+def _gravity(value: object) -> object:
+    """A direction, or a table with one."""
+    if isinstance(value, str):
+        return GravityTable(direction=_direction(value))
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise TurgorError(f"{shown(value)} is neither a direction such as '-z' nor a table with one.")
+
+
+class LoadsTable(Table):
+    """``[loads]``."""
+
+    pressure: Pressure | None = None
+    gravity: Annotated[GravityTable, BeforeValidator(_gravity)] | None = None
+
+
+class CavityTable(Table):
+    """``[loads.cavity_1]``: the pressure in one cavity and how it gets there."""
+
+    pressure: Pressure
+    history: Annotated[Any, BeforeValidator(_history)] = None
+    history_over_time: Annotated[Any, BeforeValidator(_history)] = None
+
+
+class EngineTable(Table):
+    """``[engine]``."""
+
+    threads: int | None = None
+
+
+class OutputTable(Table):
+    """``[output]``."""
+
+    measures: list[Annotated[str, AfterValidator(_measure)]] = []
+    fields: bool = True
+    pictures: bool = True
+    report: bool = True
+    mesh_error: bool = True
+
+
+@cache
+def dataclass_table(value: type) -> type[Table]:
+    """Make the table of a dataclass: one key per field, with units where the field is a length, and a ``type``.
+
+    A float is a length unless its field says otherwise: ``field(metadata={"dimension": "angle"})``; the dimension
+    ``"number"`` takes no unit.
+    """
+    keys: dict[str, Any] = {"type": (str, ...)}
+    keys |= {item.name: (_type_of(item), default_of(item)) for item in fields(value)}
+    return create_model(f"{value.__name__}Table", __base__=Table, **keys)
+
+
+@cache
+def law_table(law: type) -> type[Table]:
+    """Make the table of a material stated by its law: the coefficients are the fields of the law."""
+    keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}
+    if law is not Hooke:
+        keys["bulk_modulus"] = (Annotated[float, AllowInfNan(True), BeforeValidator(_bulk_modulus)], inf)
+        keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
+    return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
+
+
+def _constant_type(item: Field[Any]) -> Any:
+    """One constant, a list with one for each term, or a table of coefficients by name."""
+    one = float if item.name in DIMENSIONLESS else Pressure
+    if item.type is float:
+        return one
+    return dict[str, one] if item.name == "coefficients" else list[one]  # type: ignore[valid-type]
+
+
+def read_table(table: type[Table], values: object, key: Key, problems: Problems) -> Any | None:
+    """Check the values of a table; note every problem and return None if there is any."""
+    if not isinstance(values, Mapping):
+        problems.add(key, f"{shown(values)} is not a table; write {problems.head(key)} and its keys below it.")
+        return None
+    try:
+        return table.model_validate(dict(values))
+    except ValidationError as error:
+        for item in error.errors(include_url=False):
+            place = tuple(part for part in item["loc"] if isinstance(part, str))  # without places in lists
+            problems.add((*key, *place), _sentence(table, place, item))
+        return None
+
+
+def chosen_kind(kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems) -> Any | None:
+    """The kind that the key ``type`` of a table names."""
+    if not isinstance(values, Mapping):
+        problems.add(key, f"{shown(values)} is not a table; write {problems.head(key)} and its keys below it.")
+        return None
+    if "type" not in values:
+        problems.add((*key, "type"), f"'type' is missing; allowed: {', '.join(kinds)}.")
+        return None
+    name = str(values["type"])
+    if name not in kinds:
+        problems.add((*key, "type"), str(unknown(what, name, kinds)))
+        return None
+    return kinds[name]
+
+
+def fields_of_table(table: Any) -> dict[str, Any]:
+    """The values of a checked table without its type."""
+    return {name: getattr(table, name) for name in type(table).model_fields if name != "type"}
+
+
+def shown(value: object) -> str:
+    """Write a value about as it stands in the file."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, Mapping):
+        return "a table"
+    return repr(value)
+
+
+_NEEDED = {
+    "int_type": "a whole number",
+    "int_from_float": "a whole number",
+    "float_type": "a number without a unit",
+    "bool_type": "true or false",
+    "string_type": "a text in quotes",
+    "list_type": "a list in square brackets",
+    "model_type": "a table in braces",
+    "dict_type": "a table in braces",
+    "finite_number": "a finite number",
+}
+
+
+def _sentence(table: type[BaseModel], place: Key, item: Any) -> str:
+    """One sentence for one of pydantic's findings."""
+    kind, given = item["type"], item["input"]
+    if kind == "extra_forbidden":
+        known = list(_model_at(table, place[:-1]).model_fields)
+        return f"unknown key '{place[-1]}'{near_match(place[-1], known) or '.'} Known keys: {', '.join(known)}."
+    if kind == "missing":
+        return f"'{place[-1]}' is missing, and it has no default."
+    error = item.get("ctx", {}).get("error")
+    if isinstance(error, TurgorError):
+        return str(error)
+    needed = _NEEDED.get(kind)
+    return f"{shown(given)} is not {needed}." if needed else f"{shown(given)} is not allowed: {item['msg']}."
+
+
+def _model_at(table: type[BaseModel], place: Key) -> type[BaseModel]:
+    """The table at a key inside another one, or in a mapping of tables."""
+    for part in place:
+        item = table.model_fields.get(part)
+        kinds = _kinds(item.annotation) if item is not None else []
+        table = next((kind for kind in kinds if isinstance(kind, type) and issubclass(kind, BaseModel)), table)
+    return table
+
+
+def _kinds(annotation: Any) -> list[Any]:
+    """The types that an annotation is made of."""
+    inner = get_args(annotation)
+    return [kind for one in inner for kind in _kinds(one)] if inner else [annotation]
+
+
+def _type_of(item: Field[Any]) -> Any:
+    return item.type if item.type is not float else QUANTITIES[item.metadata.get("dimension", "length")]
+
+
+def default_of(item: Field[Any]) -> Any:
+    """Default of a field of a dataclass as pydantic takes it."""
+    if item.default is not MISSING:
+        return item.default
+    return item.default_factory() if item.default_factory is not MISSING else ...

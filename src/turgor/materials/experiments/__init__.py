@@ -1,0 +1,1 @@
+"""Experiments: tests on materials, read from tables and prepared for fitting."""

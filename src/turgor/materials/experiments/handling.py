@@ -1,0 +1,303 @@
+"""Handling of tests: each step is a function that returns a new test and says what it did; none happens unasked."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from turgor.errors import TurgorError, unknown
+from turgor.materials.experiments.material_test import Array, Edit, MaterialTest
+
+#: A half cycle counts when it covers this share of the whole range of stretch.
+HALF_CYCLE = 0.2
+
+
+def half_cycles(test: MaterialTest) -> tuple[slice, ...]:
+    """Split a test where the stretch turns round: loading, unloading, loading and so on.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        Points in the order of time.
+
+    Examples
+    --------
+    >>> stretch = [1.0, 1.5, 2.0, 1.5, 1.0, 1.6, 2.2]
+    >>> half_cycles(MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stretch, name="cycles"))
+    (slice(0, 3, None), slice(3, 5, None), slice(5, 7, None))
+    """
+    stretch = test.stretch
+    least = HALF_CYCLE * float(np.ptp(stretch))
+    turns, extreme, rising = [], 0, 0
+    for i in range(1, len(stretch)):
+        if rising == 0:
+            if abs(stretch[i] - stretch[0]) >= least:
+                rising, extreme = (1 if stretch[i] > stretch[0] else -1), i
+        elif rising * (stretch[i] - stretch[extreme]) >= 0:
+            extreme = i
+        elif rising * (stretch[extreme] - stretch[i]) >= least:
+            turns.append(extreme)
+            rising, extreme = -rising, i
+    edges = [0, *(turn + 1 for turn in turns), len(stretch)]
+    return tuple(slice(a, b) for a, b in pairwise(edges))
+
+
+def select_cycle(test: MaterialTest, number: int = -1, *, part: str = "loading") -> MaterialTest:
+    """Keep one loading (or unloading) curve of a cyclic test.
+
+    Rubber softens in its first cycles (Mullins). The last cycle is the preconditioned rubber of an actuator that has
+    moved before; the first is the virgin rubber of the tables.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        Points in the order of time.
+    number : int
+        Which of the curves, from 0; negative numbers count from the last.
+    part : str
+        ``"loading"`` or ``"unloading"``.
+    """
+    if part not in ("loading", "unloading"):
+        raise unknown("part of a cycle", part, ("loading", "unloading"))
+    parts = half_cycles(test)
+    loading = [s for s in parts if test.stretch[s][-1] >= test.stretch[s][0]]
+    chosen = loading if part == "loading" else [s for s in parts if s not in loading]
+    if not -len(chosen) <= number < len(chosen):
+        raise TurgorError(f"test '{test.name}' has {len(chosen)} {part} curves; there is no number {number}.")
+    wanted = chosen[number]
+    stretch = test.stretch[wanted]
+    keep = np.zeros(len(test.stretch), dtype=bool)
+    # only points that go on: small steps back are noise of the crosshead
+    onward = stretch if part == "loading" else -stretch
+    keep[wanted] = onward >= np.maximum.accumulate(onward)
+    place = number % len(chosen) + 1
+    return test.keeping(keep, f"All but the {part} curve of cycle {place} of {len(chosen)}")
+
+
+def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> MaterialTest:
+    """Set the zero of length where the specimen is taut: where the stress first stays above a threshold.
+
+    Points before it go, and stretches are counted from the length there. The initial area stays as it was measured.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        One loading curve.
+    stress : float [Pa]
+        Nominal stress at which the specimen counts as taut: the preload.
+    shift : bool
+        Whether to subtract the stress left at that point, too, so that the curve begins at zero.
+    """
+    below = np.flatnonzero(test.nominal_stress <= stress)
+    if test.nominal_stress.max() <= stress:
+        raise TurgorError(f"test '{test.name}' never exceeds {stress:g} Pa; choose a smaller preload.")
+    rising = np.flatnonzero(test.nominal_stress > stress)
+    # from noise of one sign the first point above says little: take the first that is followed by more
+    start = next(int(i) for i in rising if (test.nominal_stress[i : i + 5] > stress).all())
+    if not len(below) or start == 0:
+        return _note(test, f"No slack below {stress:g} Pa.")
+    zero = float(test.stretch[start])
+    offset = float(test.nominal_stress[start]) if shift else 0.0
+    keep = np.arange(len(test.stretch)) >= start
+    taut = test.keeping(keep, f"Slack below a preload of {stress:g} Pa")
+    rest = f", less the stress {offset:g} Pa there" if shift else ""
+    values = {"stretch": taut.stretch / zero, "nominal_stress": taut.nominal_stress - offset}
+    return taut.changed(Edit(text=f"Stretch counted from the length at {zero:.5g}{rest}."), values)
+
+
+def rest_below(test: MaterialTest, stress: float) -> MaterialTest:
+    """Count the stretch of a cyclic test from where it is taut, and let it rest, free of stress, below that length.
+
+    Cycles between grips may go back behind the length at which the specimen carries a load. It is taken from the last
+    loading curve, where the stress first stays above a threshold. Shorter ones become stretch 1 without stress; these
+    points stay, because time goes on in them, and no fit is held against them. A rubber that relaxes by much more than
+    silicone is slack before it is back at its length, which is then found too large.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        Points in the order of time.
+    stress : float [Pa]
+        Nominal stress at which the specimen counts as taut: the preload.
+
+    Examples
+    --------
+    >>> stretch, pull = [1.0, 1.1, 1.5, 2.2, 1.5, 1.0], [-8e3, 1e3, 5e4, 1e5, 5e4, -8e3]
+    >>> sheet = MaterialTest(mode="planar", stretch=stretch, nominal_stress=pull, name="a sheet")
+    >>> rest_below(sheet, 500.0).stretch.round(3)
+    array([1.   , 1.   , 1.364, 2.   , 1.364, 1.   ])
+    """
+    last = [half for half in half_cycles(test) if test.stretch[half][-1] >= test.stretch[half][0]][-1]
+    taut = np.flatnonzero(test.nominal_stress[last] > stress)
+    start = next((i for i in taut if (test.nominal_stress[last][i : i + 5] > stress).all()), None)
+    if start is None:
+        raise TurgorError(f"test '{test.name}' does not stay above {stress:g} Pa; choose a smaller preload.")
+    zero = float(test.stretch[last][start])
+    slack = test.stretch <= zero
+    step = Edit(
+        text=f"Stretch counted from the length at {zero:.5g}, where the last cycle exceeds {stress:g} Pa; at rest "
+        f"below it, {int(slack.sum())} of {len(slack)} points.",
+        stretch=test.stretch[slack],
+        nominal_stress=test.nominal_stress[slack],
+    )
+    values = {
+        "stretch": np.where(slack, 1.0, test.stretch / zero),
+        "nominal_stress": np.where(slack, 0.0, test.nominal_stress),
+    }
+    return test.changed(step, values)
+
+
+def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
+    """Count the stretch from another length: all stretches are divided by a number.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        The test.
+    stretch : float [-]
+        Stretch, in the counting so far, that becomes 1.
+
+    Examples
+    --------
+    >>> test = MaterialTest(mode="planar", stretch=[1.1, 2.2], nominal_stress=[0.0, 1e5], name="a sheet")
+    >>> set_zero_length(test, 1.1).stretch
+    array([1., 2.])
+    """
+    if not stretch > 0:
+        raise TurgorError(f"stretch is {stretch:g}; the new zero of length must be more than 0.")
+    step = Edit(text=f"Stretch counted from the length at {stretch:.5g}.")
+    return test.changed(step, {"stretch": test.stretch / stretch})
+
+
+def remove_tail(test: MaterialTest, *, drop: float = 0.2) -> MaterialTest:
+    """Take away what comes after the specimen broke: the points behind the peak, where the stress then falls.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        One loading curve.
+    drop : float [-]
+        Share of the largest stress by which it must fall for this to be a break; a curve that does not fall so far
+        stays as it is.
+    """
+    if not 0 < drop < 1:
+        raise TurgorError(f"drop is {drop:g}; allowed is between 0 and 1.")
+    peak = int(np.argmax(test.nominal_stress))
+    if test.nominal_stress[peak:].min() > (1 - drop) * test.nominal_stress[peak]:
+        return _note(test, "No break: the stress does not fall after its peak.")
+    keep = np.arange(len(test.stretch)) <= peak
+    return test.keeping(keep, f"After the break at stretch {test.stretch[peak]:.4g}")
+
+
+def crop(test: MaterialTest, low: float, high: float) -> MaterialTest:
+    """Keep the points between two stretches.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        The test.
+    low, high : float [-]
+        Smallest and largest stretch that stay.
+    """
+    keep = (test.stretch >= low) & (test.stretch <= high)
+    return _note(test, "Nothing to crop.") if keep.all() else test.keeping(keep, f"Outside stretch {low:g} to {high:g}")
+
+
+def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
+    """Average a test over equal intervals of stretch, so that dense regions weigh no more than others.
+
+    Parameters
+    ----------
+    test : MaterialTest
+        One loading curve.
+    points : int
+        Intervals over the whole range; a test with no more points stays as it is.
+
+    Examples
+    --------
+    >>> stretch = np.concatenate([np.linspace(1.0, 1.1, 100), np.linspace(1.15, 2.0, 18)])
+    >>> test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=1e5 * (stretch - 1), name="a strip")
+    >>> len(thin(test, points=10).stretch)
+    10
+    """
+    if points < 2:
+        raise TurgorError(f"points is {points}; at least 2 are needed.")
+    if len(test.stretch) <= points:
+        return _note(test, f"Not thinned: {len(test.stretch)} points only.")
+    if test.mode == "biaxial":
+        raise TurgorError(f"test '{test.name}' is biaxial, a field of points; it cannot be thinned along a curve.")
+    low, high = test.range
+    bins = np.minimum(((test.stretch - low) / (high - low) * points).astype(int), points - 1)
+    count = np.bincount(bins, minlength=points)
+    filled = count > 0
+
+    def mean(values: Array) -> Array:
+        return np.bincount(bins, weights=values, minlength=points)[filled] / count[filled]
+
+    step = Edit(text=f"{len(test.stretch)} points averaged over {int(filled.sum())} equal intervals of stretch.")
+    spread = None if test.spread is None else mean(test.spread)
+    values = {
+        "stretch": mean(test.stretch),
+        "nominal_stress": mean(test.nominal_stress),
+        "spread": spread,
+        "time": None,
+    }
+    return test.changed(step, values)
+
+
+def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") -> MaterialTest:
+    """Average replicates at equal stretches, with their standard deviation as a band.
+
+    The mean ends where the first specimen ends: a mean over those that are left would jump there.
+
+    Parameters
+    ----------
+    tests : sequence of MaterialTest
+        Loading curves of the same mode.
+    points : int
+        Points of the mean, equally spaced in stretch.
+    name : str
+        What the mean is called.
+    """
+    if len(tests) < 2:
+        raise TurgorError("one test has no mean; give two replicates or more.")
+    modes = {test.mode for test in tests}
+    if len(modes) > 1 or "biaxial" in modes:
+        raise TurgorError(f"replicates of the modes {', '.join(sorted(modes))} have no mean; give tests of one mode.")
+    for test in tests:
+        if test.first_turn() is not None:
+            raise TurgorError(f"test '{test.name}' turns round; choose a loading curve with select_cycle first.")
+    low, high = max(test.range[0] for test in tests), min(test.range[1] for test in tests)
+    if not low < high:
+        raise TurgorError(f"the tests {', '.join(test.name for test in tests)} have no stretch in common.")
+    grid = np.linspace(low, high, points)
+    curves = []
+    for test in tests:
+        order = np.argsort(test.stretch, kind="stable")
+        curves.append(np.interp(grid, test.stretch[order], test.nominal_stress[order]))
+    beyond = [(test.stretch < low) | (test.stretch > high) for test in tests]
+    step = Edit(
+        text=f"Mean of {len(tests)} replicates from stretch {low:.4g} to {high:.4g}, where all of them have points; "
+        f"{sum(int(each.sum()) for each in beyond)} points outside removed.",
+        stretch=np.concatenate([t.stretch[each] for t, each in zip(tests, beyond, strict=True)]),
+        nominal_stress=np.concatenate([t.nominal_stress[each] for t, each in zip(tests, beyond, strict=True)]),
+    )
+    return MaterialTest(
+        mode=tests[0].mode,
+        stretch=grid,
+        nominal_stress=np.mean(curves, axis=0),
+        name=name or f"mean of {len(tests)}",
+        source=tests[0].source,
+        spread=np.std(curves, axis=0, ddof=1),
+        raw=MaterialTest(
+            mode=tests[0].mode,
+            stretch=np.concatenate([test.stretch for test in tests]),
+            nominal_stress=np.concatenate([test.nominal_stress for test in tests]),
+            name="all replicates",
+        ),
+        steps=(*(each for test in tests for each in test.steps), step),
+    )
+
+
+def _note(test: MaterialTest, text: str) -> MaterialTest:
+    return test.changed(Edit(text=text), {})

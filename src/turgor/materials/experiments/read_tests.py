@@ -1,0 +1,338 @@
+"""Reading tests: from the table of a testing machine to stretch and nominal stress, nothing guessed."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from turgor.errors import TurgorError, unknown
+from turgor.materials.experiments.columns import Column, find_columns
+from turgor.materials.experiments.material_test import MODES, Array, Edit, MaterialTest
+from turgor.materials.experiments.table_text import Table, read_table
+from turgor.source import Source
+
+#: Words of a file name that tell its mode; the longer ones first.
+_MODE_WORDS = (
+    ("equibiaxial", "equibiaxial"),
+    ("equi_biaxial", "equibiaxial"),
+    ("simple_shear", "simple_shear"),
+    ("pure_shear", "planar"),
+    ("planar", "planar"),
+    ("biaxial", "biaxial"),
+    ("uniaxial", "uniaxial"),
+)
+_MEASURES = ("nominal", "cauchy")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Specimen:
+    """Dimensions of a specimen before the test, which turn length and force into stretch and nominal stress.
+
+    Parameters
+    ----------
+    length : float [m]
+        Initial length between the marks or the grips.
+    area : float or None [m²]
+        Initial cross-section; or give width and thickness.
+    width, thickness : float or None [m]
+        Initial width and thickness of the cross-section.
+
+    Examples
+    --------
+    >>> from turgor.units import mm
+    >>> round(Specimen(length=33 * mm, width=6 * mm, thickness=3 * mm).section * 1e6, 6)
+    18.0
+    """
+
+    length: float
+    area: float | None = None
+    width: float | None = None
+    thickness: float | None = None
+
+    def __post_init__(self) -> None:
+        for key in ("length", "area", "width", "thickness"):
+            value = getattr(self, key)
+            if value is not None and not (0 < value < np.inf):
+                unit = "m²" if key == "area" else "m"
+                raise TurgorError(f"specimen: {key} is {value:g} {unit}; it must be more than 0.")
+        if (self.area is None) == (self.width is None or self.thickness is None):
+            raise TurgorError("specimen: give either its area, or its width and its thickness.")
+
+    @property
+    def section(self) -> float:
+        """Initial cross-section [m²]."""
+        if self.area is not None:
+            return self.area
+        assert self.width is not None and self.thickness is not None
+        return self.width * self.thickness
+
+
+def read_test(
+    path: str | Path,
+    *,
+    mode: str | None = None,
+    stress_measure: str | None = None,
+    specimen: Specimen | None = None,
+    columns: Mapping[str, str] | Sequence[str] | None = None,
+    cyclic: bool = False,
+) -> MaterialTest:
+    r"""Read one test from the table of a testing machine; what the file does not say is asked, not guessed.
+
+    Parameters
+    ----------
+    path : str or Path
+        A text file with a header line, split by semicolons, tabs or commas; decimal points or commas.
+    mode : str, optional
+        One of `MODES`; by default what the name of the file says.
+    stress_measure : str, optional
+        ``"nominal"`` (force per initial area) or ``"cauchy"`` (force per current area), where the file does not say.
+        A Cauchy stress is divided by the stretch, which is right for a rubber that keeps its volume.
+    specimen : Specimen, optional
+        Its dimensions; needed where the file holds lengths and forces.
+    columns : mapping of str to str, or sequence of str, optional
+        Column by role, such as ``{"force": "Load cell 2 (N)"}``; or the names of all columns, for files without any.
+    cyclic : bool
+        Whether the stretch may turn round; choose a cycle then with `select_cycle`.
+
+    Returns
+    -------
+    MaterialTest
+        Stretch and nominal stress [Pa] in the order of the file.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "strip_uniaxial.csv"
+    ...     _ = file.write_text("stretch;nominal stress (kPa)\n1,0;0\n1,5;81,5\n2,0;140\n")
+    ...     read_test(file)
+    MaterialTest('strip_uniaxial', uniaxial, 3 points, stretch 1 to 2, nominal stress 0 to 0.14 MPa)
+    """
+    found = read_tests(
+        path, mode=mode, stress_measure=stress_measure, specimen=specimen, columns=columns, cyclic=cyclic
+    )
+    if len(found) > 1:
+        names = ", ".join(test.name for test in found)
+        raise TurgorError(
+            f"'{Path(path).name}' holds {len(found)} specimens ({names}); read them with read_tests, "
+            "and average them if they are replicates."
+        )
+    return found[0]
+
+
+def read_tests(
+    path: str | Path,
+    *,
+    mode: str | None = None,
+    stress_measure: str | None = None,
+    specimen: Specimen | None = None,
+    columns: Mapping[str, str] | Sequence[str] | None = None,
+    cyclic: bool = False,
+) -> tuple[MaterialTest, ...]:
+    """Read every specimen of a file: rows told apart by a column 'specimen', or columns that repeat side by side.
+
+    Parameters
+    ----------
+    path, mode, stress_measure, specimen, columns, cyclic
+        As of `read_test`.
+    """
+    table = read_table(path)
+    if isinstance(columns, Sequence):
+        table = replace(table, names=tuple(columns))
+        if len(columns) != len(table.rows[0]):
+            raise TurgorError(f"'{table.file}' has {len(table.rows[0])} columns, and {len(columns)} names were given.")
+    if not table.names:
+        raise TurgorError(
+            f"'{table.file}' has no header line; name its columns in order, for example "
+            "columns=('stretch', 'nominal_stress_MPa')."
+        )
+    roles = columns if isinstance(columns, Mapping) else {}
+    mode = _mode(table.file, mode)
+    if stress_measure not in (None, *_MEASURES):
+        raise unknown("stress_measure", str(stress_measure), _MEASURES)
+    tests = []
+    for name, part, known in _specimens(table, find_columns(table.names, roles, table.file)):
+        test = _test(name, part, known, mode, stress_measure, specimen)
+        turn = test.first_turn()
+        if turn is not None and not cyclic:
+            raise TurgorError(
+                f"'{table.file}': the stretch turns round at row {turn + 1} of the numbers, from "
+                f"{test.stretch[turn - 1]:.4g} to {test.stretch[turn]:.4g}. If these are cycles, read with cyclic=True "
+                "and choose one with select_cycle; if not, correct the row."
+            )
+        tests.append(test)
+    return tuple(tests)
+
+
+def _mode(file: str, mode: str | None) -> str:
+    if mode is not None:
+        if mode == "pure_shear":
+            return "planar"
+        if mode not in MODES:
+            raise unknown("mode", mode, MODES)
+        return mode
+    words = re.sub(r"[\s-]+", "_", file.lower())
+    for word, known in _MODE_WORDS:
+        if word in words:
+            return known
+    raise TurgorError(f"'{file}' does not say how the specimen was loaded; give mode, one of {', '.join(MODES)}.")
+
+
+def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table, dict[str, Column]]]:
+    """Split a table into its specimens."""
+    stem = Path(table.file).stem
+    label = next((column for column in columns if column.role == "specimen"), None)
+    measured = [column for column in columns if column.role not in ("specimen", "time")]
+    times = [column for column in columns if column.role == "time"]
+    clock = {"time": times[0]} if times else {}
+    if label is not None:
+        names = [row[label.index] for row in table.rows]
+        parts = []
+        for name in dict.fromkeys(names):
+            rows = tuple(row for row, each in zip(table.rows, names, strict=True) if each == name)
+            parts.append((f"{stem} {name}", replace(table, rows=rows), {c.role: c for c in measured} | clock))
+        return parts
+    roles = [column.role for column in measured]
+    copies = max((roles.count(role) for role in roles), default=1)
+    if copies == 1 or any(roles.count(role) not in (copies,) for role in roles):
+        first: dict[str, Column] = {}
+        for column in measured:
+            if column.role in first:
+                raise TurgorError(
+                    f"'{table.file}': both '{first[column.role].name}' and '{column.name}' look like "
+                    f"{column.role.replace('_', ' ')}; say which with columns={{'{column.role}': ...}}."
+                )
+            first[column.role] = column
+        return [(stem, table, first | clock)]
+    names = list(dict.fromkeys(roles))
+    groups = [{role: [c for c in measured if c.role == role][i] for role in names} for i in range(copies)]
+    clocks = [{"time": column} for column in times] if len(times) == copies else [clock] * copies
+    return [(f"{stem} {i + 1}", _filled(table, group), group | clocks[i]) for i, group in enumerate(groups)]
+
+
+def _filled(table: Table, group: Mapping[str, Column]) -> Table:
+    """Cut a column group where it ends: replicates side by side break at different rows."""
+    last = [n for n, row in enumerate(table.rows) if any(row[c.index : c.index + 1] != ("",) for c in group.values())]
+    return replace(table, rows=table.rows[: last[-1] + 1] if last else ())
+
+
+def _test(
+    name: str,
+    table: Table,
+    columns: Mapping[str, Column],
+    mode: str,
+    measure: str | None,
+    specimen: Specimen | None,
+) -> MaterialTest:
+    values = {role: table.column(c.index) * c.factor for role, c in columns.items() if _used(role, columns)}
+    stretch, how = _stretch(table.file, values, columns, mode, specimen)
+    stress, also = _stress(table.file, values, columns, stretch, measure, specimen, mode)
+    detail = f"{table.file}: {how}; {also}"
+    time, clock = _time(table, columns.get("time"))
+    source = Source(text=f"test {name}", detail=detail)
+    return MaterialTest(
+        mode=mode,
+        stretch=stretch,
+        nominal_stress=stress,
+        name=name,
+        source=source,
+        stretch_2=values.get("stretch_2") if mode == "biaxial" else None,
+        nominal_stress_2=values.get("nominal_stress_2") if mode == "biaxial" else None,
+        time=time,
+        steps=(Edit(text=f"Read {len(stretch)} rows; {how}; {also}{clock}."),),
+    )
+
+
+def _time(table: Table, column: Column | None) -> tuple[Array | None, str]:
+    """Time since the first row, and what is to be said about it; None where there is none that can be used."""
+    if column is None:
+        return None, ""
+    time = table.seconds(column.index)
+    if time is None:
+        return None, f"; '{column.name}' left out, not all of it are times"
+    time = time * column.factor
+    back = np.flatnonzero(np.diff(time) < 0)
+    if len(back):
+        return None, f"; '{column.name}' left out, it runs backwards at line {table.first_line + int(back[0]) + 1}"
+    return time - time[0], f"; time from '{column.name}'"
+
+
+def _used(role: str, columns: Mapping[str, Column]) -> bool:
+    """Whether a column is needed: where a file states a quantity twice, the nominal one is read."""
+    if role == "time":
+        return False  # read apart: a test can do without it
+    shadows = {"true_strain": {"nominal_strain", "stretch"}, "nominal_strain": {"stretch"}, "force": {"nominal_stress"}}
+    return not shadows.get(role, set()) & set(columns)
+
+
+def _stretch(
+    file: str, values: Mapping[str, Array], columns: Mapping[str, Column], mode: str, specimen: Specimen | None
+) -> tuple[Array, str]:
+    if mode == "simple_shear":
+        for role in ("shear", "nominal_strain", "true_strain"):
+            if role in values:
+                return values[role], f"amount of shear from '{columns[role].name}'"
+        raise TurgorError(f"'{file}' has no column of the amount of shear; name it with columns={{'shear': ...}}.")
+    if "stretch" in values:
+        return values["stretch"], f"stretch from '{columns['stretch'].name}'"
+    if "nominal_strain" in values:
+        return 1 + values["nominal_strain"], f"stretch = 1 + '{columns['nominal_strain'].name}'"
+    if "true_strain" in values:
+        return np.exp(values["true_strain"]), f"stretch = exp('{columns['true_strain'].name}')"
+    role = "length" if "length" in values else "extension"
+    if role not in values:
+        found = ", ".join(f"'{column.name}'" for column in columns.values()) or "none that is known"
+        raise TurgorError(
+            f"'{file}' has no column of stretch, strain, length or extension (found: {found}); "
+            "name it with columns={'stretch': ...}."
+        )
+    if specimen is None:
+        raise TurgorError(
+            f"'{file}' holds {role}s; give the dimensions of the specimen, "
+            "for example specimen=Specimen(length=33*mm, width=6*mm, thickness=3*mm)."
+        )
+    length = values[role] + (specimen.length if role == "extension" else 0.0)
+    return length / specimen.length, f"'{columns[role].name}' with an initial length of {specimen.length * 1e3:g} mm"
+
+
+def _stress(
+    file: str,
+    values: Mapping[str, Array],
+    columns: Mapping[str, Column],
+    stretch: Array,
+    measure: str | None,
+    specimen: Specimen | None,
+    mode: str,
+) -> tuple[Array, str]:
+    if "cauchy_difference" in values:
+        if mode != "biaxial":
+            raise TurgorError(f"'{file}' holds a difference of Cauchy stresses, which belongs to mode 'biaxial' only.")
+        return values["cauchy_difference"] / stretch, "difference of Cauchy stresses over the stretch"
+    for role in (f"{measure}_stress",) if measure else ("nominal_stress", "cauchy_stress"):
+        if role in values:
+            measure, given = role.removesuffix("_stress"), role
+            break
+    else:
+        if "force" in values and "stress" not in values:
+            if specimen is None:
+                raise TurgorError(
+                    f"'{file}' holds forces; give the cross-section of the specimen, "
+                    "for example specimen=Specimen(length=33*mm, width=6*mm, thickness=3*mm)."
+                )
+            return values["force"] / specimen.section, f"force over an area of {specimen.section * 1e6:g} mm²"
+        if "stress" not in values:
+            found = ", ".join(f"'{column.name}'" for column in columns.values())
+            raise TurgorError(f"'{file}' has no such column of stress or force (found: {found}); name it with columns.")
+        given = "stress"
+    name = columns[given].name
+    if measure is None:
+        raise TurgorError(
+            f"'{file}': is '{name}' force per initial area or force per current area? Answer with "
+            'stress_measure="nominal" or stress_measure="cauchy".'
+        )
+    if measure == "nominal":
+        return values[given], f"nominal stress from '{name}'"
+    divisor = np.ones_like(stretch) if mode == "simple_shear" else stretch
+    return values[given] / divisor, f"nominal stress = Cauchy stress '{name}' / stretch"

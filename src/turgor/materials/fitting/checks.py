@@ -1,0 +1,157 @@
+"""Checks of fitted laws: where they were fitted (M01), to which tests (M02), how far their order carries (M03)."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from turgor.finding import Finding, Severity
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.material import Material
+
+#: Largest stretch at which the laws of low order describe rubber well: strains of 50 % and 200 %, review section 3.2.
+LARGEST_STRETCH = {"NeoHooke": 1.5, "MooneyRivlin": 3.0}
+
+#: A range counts as left when it is passed by more than this share; digitized ends are not sharp.
+SLACK = 0.02
+
+
+def check_stretch_range(material: Material, stretch: tuple[float, float]) -> tuple[Finding, ...]:
+    """M01: a law is used beyond the stretch that it was fitted in.
+
+    Parameters
+    ----------
+    material : Material
+        Its ``stretch_range`` is what is looked at; without one nothing can be said.
+    stretch : (float, float) [-]
+        Smallest and largest stretch of the use.
+
+    Examples
+    --------
+    >>> from turgor.materials.laws.laws import NeoHooke
+    >>> rubber = Material(name="rubber", law=NeoHooke(C10=0.1e6), stretch_range=(1.0, 2.0))
+    >>> [finding.code for finding in check_stretch_range(rubber, (1.0, 3.0))], check_stretch_range(rubber, (1.0, 1.5))
+    (['M01'], ())
+    """
+    if material.stretch_range is None:
+        return ()
+    (low, high), (least, most) = material.stretch_range, stretch
+    beyond = []
+    if most > high * (1 + SLACK):
+        beyond.append(f"up to stretch {most:.3g}, but its tests end at {high:.3g}")
+    if least < low * (1 - SLACK):
+        beyond.append(f"down to stretch {least:.3g}, but its tests begin at {low:.3g}")
+    if not beyond:
+        return ()
+    return (
+        Finding(
+            code="M01",
+            severity=Severity.WARNING,
+            message=f"The law of '{material.name}' is used {' and '.join(beyond)}.",
+            advice="Do not trust it there: test the rubber over that range, or use the results below it.",
+        ),
+    )
+
+
+def check_modes(law: Any, modes: Sequence[str]) -> tuple[Finding, ...]:
+    """M02: a law with freedom between the modes was fitted to uniaxial tests alone.
+
+    Parameters
+    ----------
+    law : Law
+        The law.
+    modes : sequence of str
+        Modes of the tests that it was fitted to.
+
+    Examples
+    --------
+    >>> from turgor.materials.laws.laws import MooneyRivlin, Yeoh
+    >>> [finding.code for finding in check_modes(MooneyRivlin(C10=1e5, C01=1e4), ["uniaxial"])]
+    ['M02']
+    >>> check_modes(Yeoh(C10=1e5, C20=1e3), ["uniaxial"])
+    ()
+    """
+    kind = type(law).__name__
+    if set(modes) != {"uniaxial"} or kind not in ("Ogden", "MooneyRivlin", "GeneralizedRivlin"):
+        return ()
+    what = "Ogden constants" if kind == "Ogden" else "coefficients of the second invariant"
+    return (
+        Finding(
+            code="M02",
+            severity=Severity.WARNING,
+            message=f"Uniaxial tests alone do not determine {what}: the stress in other modes is a guess.",
+            advice="Add an equibiaxial or planar test, or use the Yeoh law, which predicts other modes reasonably well "
+            "from uniaxial data.",
+        ),
+    )
+
+
+def check_order(law: Any, stretch: float, *, reinforced: bool = False) -> tuple[Finding, ...]:
+    """M03: a neo-Hookean or Mooney–Rivlin law is wanted where rubber stiffens more than it can follow.
+
+    Parameters
+    ----------
+    law : Law
+        The law.
+    stretch : float [-]
+        Largest stretch of the use.
+    reinforced : bool
+        Whether fibers or chambers keep the actuator from ballooning; laws of low order serve longer then.
+
+    Examples
+    --------
+    >>> from turgor.materials.laws.laws import NeoHooke
+    >>> [finding.code for finding in check_order(NeoHooke(C10=1e5), 3.0)], check_order(NeoHooke(C10=1e5), 1.4)
+    (['M03'], ())
+    """
+    kind = type(law).__name__
+    limit = LARGEST_STRETCH.get(kind)
+    if limit is None or stretch <= limit:
+        return ()
+    name = {"NeoHooke": "neo-Hookean", "MooneyRivlin": "Mooney–Rivlin"}[kind]
+    return (
+        Finding(
+            code="M03",
+            severity=Severity.NOTE if reinforced else Severity.WARNING,
+            message=f"The {name} law suits strains up to {100 * (limit - 1):.0f} %, "
+            f"but {100 * (stretch - 1):.0f} % is wanted.",
+            advice="Use the Yeoh law, or Ogden's with tests in more than one mode, above all where walls balloon.",
+        ),
+    )
+
+
+def covered_range(tests: Sequence[MaterialTest], stretch: tuple[float, float]) -> tuple[float, float]:
+    """Return the part of a range that tests cover; the undeformed state belongs to it [-].
+
+    Parameters
+    ----------
+    tests : sequence of MaterialTest
+        Whole tests, before points outside the range are left out.
+    stretch : (float, float) [-]
+        The range that is wanted.
+    """
+    ranges = [test.range for test in tests if test.mode != "simple_shear"] or [stretch]
+    low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
+    return min(max(low, stretch[0]), 1.0), max(min(high, stretch[1]), 1.0)
+
+
+def fit_findings(
+    law: Any, name: str, tests: Sequence[MaterialTest], stretch: tuple[float, float]
+) -> tuple[Finding, ...]:
+    """Everything that the checks notice about a fit for a range of stretch.
+
+    Parameters
+    ----------
+    law : Law
+        The fitted law.
+    name : str
+        What it is called.
+    tests : sequence of MaterialTest
+        What it was fitted to.
+    stretch : (float, float) [-]
+        The range that is wanted.
+    """
+    material = Material(name=name, law=law, stretch_range=covered_range(tests, stretch))
+    return (
+        *check_stretch_range(material, stretch),
+        *check_modes(law, [test.mode for test in tests]),
+        *check_order(law, stretch[1]),
+    )

@@ -1,0 +1,310 @@
+"""Fitting a law to any set of tests at once: nominal stress, least squares, stable over the range wanted."""
+
+from collections.abc import Sequence
+from math import log
+from typing import TypeAlias
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from turgor.errors import TurgorError, unknown
+from turgor.materials.experiments.material_test import Array, MaterialTest
+from turgor.materials.fitting.checks import covered_range, fit_findings
+from turgor.materials.fitting.constrained import solve_constrained
+from turgor.materials.fitting.law_specs import LawSpec, law_spec, shape_bounds
+from turgor.materials.fitting.points import FitPoints, ModeRanges, modulus_row, off_zero, stability_rows, within
+from turgor.materials.fitting.result import Fit, FitResidual
+from turgor.materials.laws.homogeneous import equibiaxial, planar, uniaxial
+from turgor.materials.laws.laws import Law
+from turgor.materials.laws.stability import Mode, first_instability
+
+Shapes: TypeAlias = Sequence[float] | Array
+
+#: Least slope and initial shear modulus of a fitted law, as a share of the shear modulus that the tests show.
+LEAST_MODULUS = 1e-3
+
+#: Starts that are refined to the end, of all that were tried.
+REFINED = 3
+
+
+def fit(
+    law: str | type | LawSpec,
+    tests: MaterialTest | Sequence[MaterialTest],
+    *,
+    stretch: tuple[float, float] | None = None,
+    weights: str = "relative",
+    stable: bool = True,
+    starts: int = 20,
+    seed: int = 0,
+) -> Fit:
+    """Fit a law to one or more tests at once, by least squares of the nominal stress.
+
+    The stress of every law is linear in its coefficients; these are solved for exactly, under the constraint of
+    stability, and only exponents or a limiting stretch are searched, from several starts.
+
+    Parameters
+    ----------
+    law : str or type
+        Such as ``"yeoh"``, ``"ogden-3"``, ``"rivlin-2"``, or ``Yeoh``.
+    tests : MaterialTest or sequence of MaterialTest
+        Any modes together. Each point counts the same, so `thin` those that hold many.
+    stretch : (float, float), optional [-]
+        The range that is wanted: points outside are left out, and the law is stable inside, in every mode. By default
+        all points, and stable in every mode to the first invariant of uniaxial tension at their largest stretch.
+    weights : str
+        ``"relative"`` divides each deviation by the stress measured (at least 5 % of the largest of its test);
+        ``"absolute"`` takes it in Pa, so that large stretches decide.
+    stable : bool
+        Whether the stresses must rise with the stretch over the range, in uniaxial, equibiaxial and planar tests;
+        for Ogden that all μᵢ αᵢ are positive.
+    starts : int
+        Starts of the search for shape parameters.
+    seed : int
+        Seed of the random starts; the same seed gives the same result.
+
+    Returns
+    -------
+    Fit
+        Law, parameters with standard errors, error of every test, findings, and the `Material`.
+
+    Examples
+    --------
+    >>> stretch = np.linspace(1.1, 2.0, 10)
+    >>> stress = 0.24e6 * (stretch - stretch**-2)
+    >>> test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stress, name="a strip")
+    >>> round(fit("neo-hooke", test).values["C10"])
+    120000
+    """
+    spec = law_spec(law)
+    given = (tests,) if isinstance(tests, MaterialTest) else tuple(tests)
+    _check(given, stretch, weights, starts)
+    used = tuple(part for part in (within(test, stretch) for test in given) if part is not None)
+    if not used:
+        raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")  # type: ignore[index]
+    points = FitPoints(used, weights)
+    if len(points.target) <= len(spec.names):
+        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {len(points.target)} points cannot fit them.")
+    wanted = _range(used, stretch)
+    search = _Search(spec, points, _mode_ranges(wanted, strict=stretch is not None), stable)
+    shapes, agreed = search.run(starts, seed) if spec.shapes else ((), 1)
+    coefficients, held = search.coefficients(shapes)
+    try:
+        made = spec.make(coefficients.tolist(), shapes)
+    except TurgorError as error:
+        raise TurgorError(f"{spec.name} cannot be fitted to these tests: {error}") from error
+    errors, correlation = search.uncertainty(coefficients, shapes, held)
+    result = Fit(
+        spec=spec,
+        law=made,
+        values=dict(zip(spec.names, (*map(float, coefficients), *map(float, shapes)), strict=True)),
+        errors=dict(zip(spec.names, errors, strict=True)),
+        correlation=correlation,
+        bounds_hit=search.bounds_hit(coefficients, shapes, held),
+        quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
+        aic=_aic(search.residual(coefficients, shapes), len(spec.names)),
+        stretch=wanted,
+        stretch_range=covered_range(given, wanted),
+        instability=_instability(made, wanted),
+        weights=weights,
+        starts=(agreed, starts if spec.shapes else 1),
+        tests=used,
+    )
+    return result.with_findings(fit_findings(made, spec.name, given, wanted))
+
+
+class _Search:
+    """The search for shape parameters; the coefficients follow from them."""
+
+    def __init__(self, spec: LawSpec, points: FitPoints, ranges: ModeRanges, stable: bool) -> None:
+        self.spec, self.points, self.stable = spec, points, stable
+        borne = [float((points.F**2).sum(axis=(1, 2)).max())]
+        if stable:
+            borne += [float((mode(np.array(edges)) ** 2).sum(axis=(1, 2)).max()) for mode, edges in ranges]
+        invariant = max(borne)
+        modulus = self._modulus()
+        self.bounds = np.array(shape_bounds(spec, invariant)).reshape(-1, 2)
+        self.G = np.empty((0, len(spec.coefficients)))
+        self.h = np.empty(0)
+        if spec.sign == "slope":
+            rows, steps = stability_rows(spec, ranges) if stable else (self.G, self.h)
+            self.G = np.vstack([rows, modulus_row(spec)])
+            # a slope of exactly zero would count as unstable, so a little is asked for
+            self.h = LEAST_MODULUS * modulus * np.append(steps, 1.0)
+            self._slope_columns: Array | None = points.columns(spec, ())
+        elif stable or spec.sign == "positive":
+            self.G = np.eye(len(spec.coefficients))
+            self.h = np.zeros(len(spec.coefficients))
+
+    def _columns(self, shapes: Shapes) -> Array:
+        if self.spec.sign == "slope":
+            assert self._slope_columns is not None
+            return self._slope_columns
+        return self.points.columns(self.spec, shapes)
+
+    def _modulus(self) -> float:
+        """Neo-Hookean modulus of all points: the size of what is measured [Pa]."""
+        column = self.points.columns(law_spec("neo-hooke"), ())[:, 0]
+        modulus = 2 * float(column @ self.points.target / (column @ column))
+        if not modulus > 0:
+            raise TurgorError(
+                "the stresses point against the stretches: tension shows negative stress, or compression positive; "
+                "check the sign of the force."
+            )
+        return modulus
+
+    def _signs(self, shapes: Shapes) -> Array:
+        signs = np.ones(len(self.spec.coefficients))
+        return np.where(np.asarray(shapes) < 0, -1.0, 1.0) if self.spec.sign == "shape" else signs
+
+    def coefficients(self, shapes: Shapes) -> tuple[Array, Array]:
+        """Best coefficients for given shapes, and the inequalities that hold them back as rows."""
+        found, active = solve_constrained(self._columns(shapes), self.points.target, self.G, self.h)
+        if self.spec.sign != "slope" and len(self.G):
+            found = np.where(active, 0.0, np.maximum(found, 0.0))
+        return found * self._signs(shapes) + 0.0, self.G[active]
+
+    def residual(self, coefficients: Array, shapes: Shapes) -> Array:
+        """Weighted deviations at every point."""
+        return self._columns(shapes) @ (coefficients * self._signs(shapes)) - self.points.target
+
+    def _reduced(self, shapes: Array) -> Array:
+        return self.residual(self.coefficients(shapes)[0], shapes)
+
+    def run(self, starts: int, seed: int) -> tuple[tuple[float, ...], int]:
+        """Search from several starts; return the best shapes and how many starts ended at the same misfit."""
+        random = np.random.default_rng(seed)
+        ends = [self._descend(self._start(random), 25, 1e-4) for _ in range(starts)]
+        ends.sort(key=lambda end: end[0])
+        ends[:REFINED] = [self._descend(shapes, 200, 1e-10) for _, shapes in ends[:REFINED]]
+        cost, best = min(ends[:REFINED], key=lambda end: end[0])
+        floor = 1e-12 * float(self.points.target @ self.points.target)
+        agreed = sum(end[0] <= 1.05 * cost + floor for end in ends)
+        order = np.argsort(best) if self.spec.sign == "shape" else np.arange(len(best))
+        ordered = [off_zero(value) if self.spec.sign == "shape" else float(value) for value in best[order]]
+        return tuple(ordered), agreed
+
+    def _descend(self, start: Array, steps: int, tolerance: float) -> tuple[float, Array]:
+        end = least_squares(
+            self._reduced,
+            start,
+            bounds=self.bounds.T,
+            xtol=tolerance,
+            ftol=tolerance,
+            gtol=tolerance,
+            max_nfev=steps,
+            x_scale=np.maximum(np.abs(start), 0.5),
+        )
+        return float(end.cost), end.x
+
+    def _start(self, random: np.random.Generator) -> Array:
+        low, high = self.bounds.T
+        if self.spec.sign == "positive":
+            return np.asarray(np.exp(random.uniform(np.log(low), np.log(high))))
+        sizes = np.exp(random.uniform(np.log(0.5), np.log(10.0), len(low)))
+        signs = np.where(random.random(len(low)) < 0.35, -1.0, 1.0)
+        return np.asarray(np.clip(sizes * signs, low + 1e-6, high - 1e-6))
+
+    def uncertainty(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[Array, Array]:
+        """Standard errors and correlations from the Jacobian, in the directions that no constraint holds."""
+        J = [self._columns(shapes) * self._signs(shapes)]
+        for k, value in enumerate(shapes):
+            step = 1e-5 * max(1.0, abs(value))
+            ahead, behind = list(shapes), list(shapes)
+            ahead[k], behind[k] = value + step, value - step
+            J.append((self.residual(coefficients, ahead) - self.residual(coefficients, behind))[:, None] / (2 * step))
+        jacobian = np.hstack(J)
+        limits = [np.hstack([row, np.zeros(len(shapes))]) for row in held]
+        for k in range(len(shapes)):
+            at_bound = np.isclose(shapes[k], self.bounds[k], rtol=1e-4).any()
+            idle = self.spec.sign != "slope" and coefficients[k] == 0
+            if at_bound or idle:
+                limits.append(np.eye(jacobian.shape[1])[len(coefficients) + k])
+        return _errors(
+            jacobian, self.residual(coefficients, shapes), np.array(limits).reshape(len(limits), jacobian.shape[1])
+        )
+
+    def bounds_hit(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[str, ...]:
+        """What holds the parameters back, in words."""
+        hit = []
+        for name, value, (low, high) in zip(self.spec.shapes, shapes, self.bounds, strict=True):
+            for bound in (low, high):
+                if np.isclose(value, bound, rtol=1e-4):
+                    hit.append(f"{name} is at its bound {bound:.4g}")
+        if self.spec.sign == "shape" and self.stable:
+            names = zip(self.spec.coefficients, coefficients, strict=True)
+            hit += [f"{name} is 0: this term is not needed" for name, value in names if value == 0]
+        elif len(held):
+            hit.append("stability over the range holds the coefficients back")
+        return tuple(hit)
+
+
+def _errors(jacobian: Array, residual: Array, limits: Array) -> tuple[Array, Array]:
+    count = jacobian.shape[1]
+    scale = np.linalg.norm(jacobian, axis=0)
+    scale[scale == 0] = 1.0
+    free = np.eye(count)
+    if len(limits):
+        rows = limits / scale
+        _, size, directions = np.linalg.svd(rows / np.linalg.norm(rows, axis=1)[:, None])
+        free = directions[int((size > 1e-10).sum()) :].T
+    if free.shape[1] == 0:
+        return np.zeros(count), np.eye(count)
+    reduced = jacobian / scale @ free
+    variance = residual @ residual / max(len(residual) - free.shape[1], 1)
+    covariance = free @ np.linalg.pinv(reduced.T @ reduced, rcond=1e-14) @ free.T * variance
+    deviation = np.sqrt(np.clip(np.diag(covariance), 0.0, None))
+    safe = np.where(deviation > 0, deviation, np.inf)
+    correlation = covariance / np.outer(safe, safe)
+    np.fill_diagonal(correlation, 1.0)
+    return deviation / scale, correlation
+
+
+def _aic(residual: Array, parameters: int) -> float:
+    count = len(residual)
+    misfit = float(residual @ residual) / count
+    return count * log(max(misfit, 1e-300)) + 2 * (parameters + 1)
+
+
+def _mode_ranges(wanted: tuple[float, float], *, strict: bool) -> ModeRanges:
+    """Range of stretch in which each mode must be stable; see `fit`."""
+    low, high = wanted
+    if strict:
+        return tuple((mode, wanted) for mode in (uniaxial, equibiaxial, planar))
+    # where I₁ is that of uniaxial tension: 2 λ² for equal biaxial and λ² for planar tension, small powers left out
+    return ((uniaxial, wanted), (equibiaxial, (low, max(high / np.sqrt(2), 1.0))), (planar, wanted))
+
+
+def _instability(law: Law, stretch: tuple[float, float]) -> dict[str, float]:
+    """Stretch at which Drucker's postulate first fails in a range, by mode; modes in which it holds are left out."""
+    low, high = min(stretch[0], 1.0), max(stretch[1], 1.0)
+    modes: tuple[Mode, ...] = ("uniaxial", "equibiaxial", "planar")
+    found = {mode: first_instability(law, mode, high, low, "drucker") for mode in modes}
+    return {mode: float(at) for mode, at in found.items() if at is not None}
+
+
+def _range(tests: Sequence[MaterialTest], stretch: tuple[float, float] | None) -> tuple[float, float]:
+    if stretch is not None:
+        return stretch
+    ranges = [test.range for test in tests if test.mode != "simple_shear"]
+    if not ranges:
+        sheared = max(float(np.abs(test.stretch).max()) for test in tests)
+        return 1.0, float(sheared / 2 + np.sqrt(1 + sheared**2 / 4))  # largest principal stretch of simple shear
+    return min(1.0, *(low for low, _ in ranges)), max(1.0, *(high for _, high in ranges))
+
+
+def _check(tests: Sequence[MaterialTest], stretch: tuple[float, float] | None, weights: str, starts: int) -> None:
+    if not tests:
+        raise TurgorError("no test was given; a law needs at least one to be fitted to.")
+    for test in tests:
+        turn = test.first_turn()
+        if turn is not None:
+            raise TurgorError(
+                f"test '{test.name}' turns round at point {turn + 1} (stretch {test.stretch[turn]:.4g}); choose one "
+                "loading curve with select_cycle first."
+            )
+    if stretch is not None and not (0 < stretch[0] <= 1 < stretch[1] or 0 < stretch[0] < 1 <= stretch[1]):
+        raise TurgorError(f"stretch is {stretch[0]:g} to {stretch[1]:g}; the range must include the undeformed 1.")
+    if weights not in ("relative", "absolute"):
+        raise unknown("weights", weights, ("relative", "absolute"))
+    if starts < 1:
+        raise TurgorError(f"starts is {starts}; at least 1 is needed.")

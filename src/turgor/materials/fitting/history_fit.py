@@ -1,0 +1,86 @@
+"""HistoryFit: a rubber fitted to what happened in time, and how far the tests determine it."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.fitting.history_points import HistoryPart
+from turgor.materials.fitting.result import FitResidual
+from turgor.materials.laws.laws import Law
+from turgor.materials.material import Material
+
+#: Points of each test that are used.
+POINTS = 400
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class HistoryFit:
+    """A rubber whose viscoelasticity and softening were fitted, and how far the tests determine them.
+
+    Parameters
+    ----------
+    material : Material
+        Law times ``scale``, which makes its constants instantaneous ones, with `Prony` series and `Mullins` softening.
+    values : mapping of str to float
+        Parameters in SI: ``scale`` of the law, ``g1``, ``tau1`` and so on, ``r``, ``m``, ``beta``.
+    errors : mapping of str to float
+        Their standard errors from the scatter about the curve; 0 for one held by a bound. Deviations of neighboring
+        points belong together, so these are too small.
+    bounds_hit : tuple of str
+        Parameters that a bound holds: the tests do not determine them.
+    undetermined : tuple of str
+        Parameters whose standard error exceeds half their value.
+    largest_softening : float [-]
+        Share of the stress lost near rest after the largest stretch of the tests, 1 − η; this is determined even where
+        r, m and β, which make it up, are not.
+    quality : tuple of FitResidual
+        Error of every test where it carries load.
+    """
+
+    material: Material
+    values: Mapping[str, float]
+    errors: Mapping[str, float]
+    bounds_hit: tuple[str, ...]
+    undetermined: tuple[str, ...]
+    largest_softening: float
+    quality: tuple[FitResidual, ...]
+
+    def predict(self, tests: MaterialTest | Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
+        """Compare the rubber with tests that it may not have seen.
+
+        Parameters
+        ----------
+        tests : MaterialTest or sequence of MaterialTest
+            Tests with time.
+        """
+        return quality_of(self.material, [tests] if isinstance(tests, MaterialTest) else tests)
+
+    def describe(self) -> str:
+        """Say the parameters with their standard errors, and what the tests do not determine."""
+        lines = [f"{name} = {value:.4g} ± {self.errors[name]:.2g}" for name, value in self.values.items()]
+        held = (*self.bounds_hit, *(f"{name} is not determined" for name in self.undetermined))
+        return "\n".join((*lines, *held))
+
+
+def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
+    """Compare a rubber with tests over time.
+
+    Parameters
+    ----------
+    material : Material
+        With its viscoelasticity and stress softening.
+    tests : sequence of MaterialTest
+        Tests with time; about `POINTS` points of each are used.
+    """
+    series, law = material.viscoelasticity, material.law
+    assert isinstance(law, Law)
+    g, tau = (series.g, series.tau) if series is not None else ((), ())
+    factor = 1.0 if series is None else series.instantaneous
+    found = []
+    for test in tests:
+        part = HistoryPart(law, test, POINTS)
+        predicted = factor * (part.columns(material.stress_softening, tau) @ np.array([1 - sum(g), *g]))
+        found.append(FitResidual.of(part.loaded_test, predicted * part.scale))
+    return tuple(found)

@@ -1,0 +1,125 @@
+"""Ranking laws on the same tests, and saying in words what the numbers mean."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from turgor.errors import TurgorError
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.fitting.checks import LARGEST_STRETCH
+from turgor.materials.fitting.fit_laws import fit
+from turgor.materials.fitting.result import Fit
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Ranking:
+    """Fits of several laws to the same tests, the best first.
+
+    Parameters
+    ----------
+    fits : tuple of Fit
+        In the order of Akaike's criterion.
+    failed : tuple of str
+        Laws that could not be fitted, and why.
+    """
+
+    fits: tuple[Fit, ...]
+    failed: tuple[str, ...] = ()
+
+    @property
+    def best(self) -> Fit:
+        """The fit with the smallest AIC."""
+        return self.fits[0]
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What a person should know before choosing one, as sentences."""
+        return (*_on_order(self.fits), *_on_modes(self.fits), *_on_range(self.fits), *_on_search(self.fits))
+
+
+def rank(
+    laws: Sequence[str | type],
+    tests: MaterialTest | Sequence[MaterialTest],
+    *,
+    stretch: tuple[float, float] | None = None,
+    weights: str = "relative",
+    starts: int = 20,
+    seed: int = 0,
+) -> Ranking:
+    """Fit several laws to the same tests and order them by Akaike's criterion, the best first.
+
+    Parameters
+    ----------
+    laws : sequence of str or type
+        Such as ``["yeoh", "ogden-3"]``.
+    tests, stretch, weights, starts, seed
+        As of `fit`.
+    """
+    if not laws:
+        raise TurgorError("no law was given; name one or more, for example 'yeoh'.")
+    fits, failed = [], []
+    for law in laws:
+        try:
+            fits.append(fit(law, tests, stretch=stretch, weights=weights, starts=starts, seed=seed))
+        except TurgorError as error:
+            failed.append(str(error))
+    if not fits:
+        raise TurgorError(" ".join(dict.fromkeys(failed)))
+    return Ranking(fits=tuple(sorted(fits, key=lambda each: each.aic)), failed=tuple(failed))
+
+
+def _on_order(fits: Sequence[Fit]) -> list[str]:
+    said = []
+    for each in fits:
+        limit = LARGEST_STRETCH.get(type(each.law).__name__)
+        if limit is not None and each.stretch[1] > limit:
+            said.append(
+                f"{each.spec.name} suits strains up to {100 * (limit - 1):.0f} %; over the "
+                f"{100 * (each.stretch[1] - 1):.0f} % wanted it is {100 * each.relative:.2g} % off (M03)."
+            )
+    good = [each for each in fits if each.relative <= 1.25 * min(other.relative for other in fits)]
+    fewest = min(good, key=lambda each: (len(each.spec.names), each.aic))
+    best = fits[0]
+    if fewest is best:
+        said.append(f"{best.spec.name} fits best, {100 * best.relative:.2g} % off.")
+    else:
+        said.append(
+            f"{best.spec.name} fits best, {100 * best.relative:.2g} % off; {fewest.spec.name} is nearly as good, "
+            f"{100 * fewest.relative:.2g} %, with {len(fewest.spec.names)} parameters, not {len(best.spec.names)}."
+        )
+    return said
+
+
+def _on_modes(fits: Sequence[Fit]) -> list[str]:
+    names = [each.spec.name for each in fits if any(found.code == "M02" for found in each.findings)]
+    if not names:
+        return []
+    return [
+        f"Uniaxial tests alone do not determine {', '.join(names)}: add an equibiaxial or planar test, or use "
+        "Yeoh, which predicts other modes from uniaxial tests reasonably well (M02)."
+    ]
+
+
+def _on_range(fits: Sequence[Fit]) -> list[str]:
+    low, high = fits[0].stretch_range
+    said = [f"Do not use these constants outside stretch {low:.3g} to {high:.3g}, where the tests lie (M01)."]
+    beyond = [found for found in fits[0].findings if found.code == "M01"]
+    if beyond:
+        least, most = fits[0].stretch
+        said.append(f"You asked for {least:.3g} to {most:.3g}, more than the tests cover.")
+    return said
+
+
+def _on_search(fits: Sequence[Fit]) -> list[str]:
+    said = []
+    for each in fits:
+        agreed, starts = each.starts
+        if starts > 1 and agreed < 0.2 * starts:
+            said.append(f"{each.spec.name}: only {agreed} of {starts} starts found this fit; try more starts.")
+        loose = each.undetermined
+        if loose:
+            said.append(f"{each.spec.name}: the tests determine only a combination of {loose[0]} and {loose[1]}.")
+        for mode, at in each.instability.items():
+            said.append(f"{each.spec.name} loses its stability in {mode} tests at stretch {at:.3g} (Drucker).")
+        if each.bounds_hit:
+            said.append(f"{each.spec.name}: {'; '.join(each.bounds_hit)}.")
+    return said

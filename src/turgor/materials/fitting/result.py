@@ -1,0 +1,219 @@
+"""Fit: a fitted law with all that says how far it can be trusted."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import inf, nan
+from typing import Any, Self
+
+import numpy as np
+
+from turgor.finding import Finding
+from turgor.materials.experiments.material_test import Array, MaterialTest
+from turgor.materials.fitting.law_specs import LawSpec
+from turgor.materials.fitting.points import WEIGHT_FLOOR
+from turgor.materials.material import Material
+from turgor.source import Source
+
+#: Correlation beyond which two parameters count as tied together.
+LOOSE = 0.99
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FitResidual:
+    """How far a law lies from a test.
+
+    Parameters
+    ----------
+    name : str
+        Name of the test.
+    mode : str
+        Its mode.
+    points : int
+        How many stresses were compared.
+    relative : float [-]
+        Root mean square of deviation over measured stress, this taken as at least 5 % of the largest.
+    r2 : float [-]
+        1 − Σ deviation² / Σ (measured − mean)²; negative where the mean would do better,
+        and no number where every stress is the same.
+    """
+
+    __test__ = False  # not a class of tests for pytest
+
+    name: str
+    mode: str
+    points: int
+    relative: float
+    r2: float
+
+    @classmethod
+    def of(cls, test: MaterialTest, predicted: Array) -> Self:
+        """Compare a prediction with a test.
+
+        Parameters
+        ----------
+        test : MaterialTest
+            What was measured.
+        predicted : (n,) array [Pa]
+            What a law says, in the order of ``test.measured``.
+        """
+        off = predicted - test.measured
+        size = np.abs(test.measured)
+        relative = off / np.maximum(size, WEIGHT_FLOOR * size.max())
+        spread = test.measured - test.measured.mean()
+        scatter = float(spread @ spread)
+        return cls(
+            name=test.name,
+            mode=test.mode,
+            points=len(off),
+            relative=float(np.sqrt((relative**2).mean())),
+            r2=1 - float(off @ off) / scatter if scatter > 0 else nan,
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Fit:
+    """A fitted law, how well it fits, how well it is determined, and where it may be used.
+
+    Parameters
+    ----------
+    spec : LawSpec
+        Name and parameters of the law.
+    law : Law
+        The law itself.
+    values : mapping of str to float
+        Parameters in SI, by name.
+    errors : mapping of str to float
+        Their standard errors, from the scatter about the curve; 0 for one held by a bound. Where a law cannot follow a
+        curve, deviations are no scatter, and these errors are too small.
+    correlation : (n, n) array [-]
+        Correlations of the parameters; ±1 means that the tests determine only a combination.
+    bounds_hit : tuple of str
+        What held the parameters back, in words.
+    quality : tuple of FitResidual
+        Error of every test.
+    aic : float
+        Akaike's criterion, smaller is better; comparable for the same tests, range and weights only.
+    stretch : (float, float) [-]
+        The range it was fitted for.
+    stretch_range : (float, float) [-]
+        The part of it that the tests cover, in which the law may be used; the undeformed state belongs to it.
+    instability : mapping of str to float
+        Stretch at which Drucker's postulate first fails in this range, by mode; empty where the law is stable.
+    weights : str
+        ``"relative"`` or ``"absolute"``.
+    starts : (int, int)
+        How many starts of the search ended at this misfit, and how many there were.
+    tests : tuple of MaterialTest
+        The points that were used.
+    findings : tuple of Finding
+        What the checks noticed.
+    """
+
+    spec: LawSpec
+    law: Any
+    values: Mapping[str, float]
+    errors: Mapping[str, float]
+    correlation: Array
+    bounds_hit: tuple[str, ...]
+    quality: tuple[FitResidual, ...]
+    aic: float
+    stretch: tuple[float, float]
+    stretch_range: tuple[float, float]
+    instability: Mapping[str, float]
+    weights: str
+    starts: tuple[int, int]
+    tests: tuple[MaterialTest, ...]
+    findings: tuple[Finding, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"Fit({self.spec.name}: {self.describe()}; {100 * self.relative:.2g} % off)"
+
+    @property
+    def relative(self) -> float:
+        """Root mean square relative error over all points [-]."""
+        count = sum(test.points for test in self.quality)
+        return float(np.sqrt(sum(test.points * test.relative**2 for test in self.quality) / count))
+
+    @property
+    def undetermined(self) -> tuple[str, str] | None:
+        """The two parameters that are tied most to each other, where that leaves one of them open; None elsewhere."""
+        off = np.abs(self.correlation - np.diag(np.diag(self.correlation)))
+        i, j = np.unravel_index(int(np.argmax(off)), off.shape)
+        names = self.spec.names
+        open_ones = any(self.errors[names[k]] > abs(self.values[names[k]]) for k in (i, j))
+        return (names[i], names[j]) if off[i, j] > LOOSE and open_ones else None
+
+    @property
+    def material(self) -> Material:
+        """The law as a material with its range and source."""
+        return self.named("")
+
+    def named(self, name: str, density: float | None = None, bulk_modulus: float = inf) -> Material:
+        """Return the law as a material.
+
+        Parameters
+        ----------
+        name : str
+            What it is called; by default law and tests.
+        density : float, optional [kg/m³]
+            Mass per volume.
+        bulk_modulus : float [Pa]
+            Resistance to a change of volume; by default it keeps its volume.
+        """
+        names = ", ".join(test.name for test in self.tests)
+        detail = (
+            f"{self.spec.name} by {self.weights} least squares, {100 * self.relative:.2g} % off on average; "
+            f"{'; '.join(test.source.detail or test.source.text for test in self.tests)}"
+        )
+        return Material(
+            name=name or f"{self.spec.name} of {names}",
+            law=self.law,
+            density=density,
+            bulk_modulus=bulk_modulus,
+            stretch_range=self.stretch_range,
+            source=Source(
+                text=f"fitted to {names}",
+                detail=detail,
+                # M01 and M03 are about a use, M02 is about the constants themselves
+                doubts=tuple(f"{found.code}: {found.message}" for found in self.findings if found.code == "M02"),
+            ),
+        )
+
+    def describe(self) -> str:
+        """Write the parameters with their standard errors.
+
+        Moduli stand in kPa, shapes as they are.
+        """
+        return ", ".join(self.parameter(name) for name in self.spec.names)
+
+    def parameter(self, name: str) -> str:
+        """Write one parameter with its standard error.
+
+        Parameters
+        ----------
+        name : str
+            One of the names of the law.
+        """
+        factor, unit = (1e3, " kPa") if name in self.spec.coefficients else (1.0, "")
+        value, error = self.values[name] / factor, self.errors[name] / factor
+        return f"{name} = {value:.5g} ± {error:.2g}{unit}" if error > 0 else f"{name} = {value:.5g}{unit}"
+
+    def predict(self, tests: Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
+        """Compare the law with tests that it was not fitted to.
+
+        Parameters
+        ----------
+        tests : sequence of MaterialTest
+            Any tests.
+        """
+        return tuple(FitResidual.of(test, test.predicted(self.law)) for test in tests)
+
+    def with_findings(self, findings: Sequence[Finding]) -> "Fit":
+        """Return the fit with these findings.
+
+        Parameters
+        ----------
+        findings : sequence of Finding
+            What checks noticed.
+        """
+        return replace(self, findings=tuple(findings))

@@ -1,0 +1,204 @@
+"""Saving fits: a file of records in the form of the library, which a job or a script can name."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import tomlkit
+
+from turgor.errors import TurgorError
+from turgor.materials.fitting.result import Fit
+from turgor.materials.laws.conventions import DIMENSIONLESS, LAWS, law_from_printed
+from turgor.materials.library.record_history import history_tables
+from turgor.materials.material import Material
+from turgor.units import format_quantity
+
+#: How files write a law: its name there and the convention that says what its symbols mean.
+_FORMS = {
+    "neo-hooke": ("neo_hooke", "two_index"),
+    "mooney-rivlin": ("mooney_rivlin", "two_index"),
+    "yeoh": ("yeoh", "two_index"),
+    "yeoh-2": ("yeoh", "two_index"),
+    "gent": ("gent", "canonical"),
+    "arruda-boyce": ("arruda_boyce", "canonical"),
+}
+
+
+def can_be_saved(fit: Fit) -> bool:
+    """Whether files of records have a form for the law of a fit.
+
+    Parameters
+    ----------
+    fit : Fit
+        The fit.
+    """
+    law, convention = _form(fit)
+    try:
+        law_from_printed(law, convention, _printed(fit))
+    except (TurgorError, TypeError):
+        return False
+    return True
+
+
+def records_toml(name: str, fits: Sequence[Fit]) -> str:
+    """Write fits as the text of a file of records, which reads back to exactly the same laws.
+
+    Parameters
+    ----------
+    name : str
+        What the material is called.
+    fits : sequence of Fit
+        One or more, each of another law.
+    """
+    document = tomlkit.document()
+    document.add(tomlkit.comment("Fitted by turgor; moduli with their units, exponents without."))
+    document["name"] = name
+    document["kind"] = "rubber"
+    records = tomlkit.table(is_super_table=True)
+    for fit in fits:
+        records[fit.spec.name] = _record(fit)
+    document["records"] = records
+    return tomlkit.dumps(document)
+
+
+def save_fits(path: str | Path, name: str, fits: Sequence[Fit]) -> None:
+    """Write fits into a file of records; ``from_library`` with its path and a record's name reads one.
+
+    Parameters
+    ----------
+    path : str or Path
+        A file ending in ``.toml``.
+    name : str
+        What the material is called.
+    fits : sequence of Fit
+        One or more, each of another law.
+    """
+    if Path(path).suffix != ".toml":
+        raise TurgorError(f"'{path}' does not end in .toml, the form in which materials are saved.")
+    Path(path).write_text(records_toml(name, fits), encoding="utf-8")
+
+
+def save_material(path: str | Path, material: Material, record: str = "fitted") -> None:
+    """Write a material with all that it has into a file of records; ``from_library`` reads it back.
+
+    Parameters
+    ----------
+    path : str or Path
+        A file ending in ``.toml``.
+    material : Material
+        A rubber, such as that of a `HistoryFit`.
+    record : str
+        Name of its record.
+
+    Raises
+    ------
+    TurgorError
+        If the file does not end so, or files of records have no form for the law.
+    """
+    if Path(path).suffix != ".toml":
+        raise TurgorError(f"'{path}' does not end in .toml, the form in which materials are saved.")
+    Path(path).write_text(material_toml(material, record), encoding="utf-8")
+
+
+def material_toml(material: Material, record: str = "fitted") -> str:
+    """Write a material as the text of a file of records, which reads back to the same law, series and softening.
+
+    Parameters
+    ----------
+    material : Material
+        A rubber.
+    record : str
+        Name of its record.
+
+    Examples
+    --------
+    >>> from turgor.materials.laws.laws import NeoHooke
+    >>> from turgor.source import Source
+    >>> rubber = Material(name="ours", law=NeoHooke(C10=1.2e5), source=Source(text="our tests"))
+    >>> print(material_toml(rubber).split("[records.fitted]")[1].strip())
+    law = "neo_hooke"
+    parameters = {C10 = "120 kPa"}
+    convention = "two_index"
+    source = "our tests"
+    """
+    records = tomlkit.table(is_super_table=True)
+    records[record] = _entry(material)
+    document = tomlkit.document()
+    document["name"] = material.name
+    if material.density is not None:
+        document["density"] = format_quantity(material.density, "kg/m³")
+    document["records"] = records
+    return tomlkit.dumps(document)
+
+
+def _entry(material: Material) -> tomlkit.items.Table:
+    """The record of a material."""
+    names = [name for name, kind in LAWS.items() if type(material.law) is kind and name != "hooke"]
+    if not names:
+        raise TurgorError(f"files of records have no form for the law {type(material.law).__name__}.")
+    entry = tomlkit.table()
+    entry["law"] = names[0]
+    parameters = tomlkit.inline_table()
+    for symbol, value in _symbols(material.law):
+        shape = symbol in DIMENSIONLESS or symbol.startswith("alpha")
+        parameters[symbol] = value if shape else format_quantity(value, "kPa")
+    entry["parameters"] = parameters
+    entry["convention"] = {"ogden": "mu/alpha", "gent": "canonical", "arruda_boyce": "canonical"}.get(
+        names[0], "two_index"
+    )
+    if not material.incompressible:
+        entry["compressibility"] = {"bulk_modulus": format_quantity(material.bulk_modulus, "MPa")}
+    if material.stretch_range is not None:
+        entry["stretch_range"] = [round(edge, 6) for edge in material.stretch_range]
+    entry["source"] = str(material.source)
+    if material.source.doubts:
+        entry["doubts"] = list(material.source.doubts)
+    for key, table in history_tables(material.viscoelasticity, material.stress_softening).items():
+        entry[key] = table
+    return entry
+
+
+def _symbols(law: Any) -> Iterator[tuple[str, float]]:
+    """Coefficients of a law by their symbols in files."""
+    for item in fields(law):
+        value = getattr(law, item.name)
+        if not isinstance(value, tuple):
+            yield item.name, value
+        elif isinstance(value[0], tuple):
+            yield from ((f"C{i}{j}", number) for i, j, number in value)
+        else:
+            yield from ((f"{item.name}_{n}", number) for n, number in enumerate(value, 1))
+
+
+def _record(fit: Fit) -> tomlkit.items.Table:
+    law, convention = _form(fit)
+    if not can_be_saved(fit):
+        raise TurgorError(f"files of records have no form for the law {fit.spec.name}; use its material directly.")
+    entry = tomlkit.table()
+    entry["law"] = law
+    parameters = tomlkit.inline_table()
+    for key, (symbol, value) in zip(fit.values, _printed(fit).items(), strict=True):
+        parameters[symbol] = value if key in fit.spec.shapes else format_quantity(value, "kPa")
+    entry["parameters"] = parameters
+    entry["convention"] = convention
+    entry["stretch_range"] = [round(edge, 6) for edge in fit.stretch_range]
+    source = fit.material.source
+    entry["source"] = str(source)
+    if source.doubts:
+        entry["doubts"] = list(source.doubts)
+    return entry
+
+
+def _printed(fit: Fit) -> dict[str, float]:
+    """Parameters by their symbols in files."""
+    if not fit.spec.name.startswith("ogden"):
+        return dict(fit.values)
+    return {f"{key[:-1]}_{key[-1]}": value for key, value in fit.values.items()}
+
+
+def _form(fit: Fit) -> tuple[str, str]:
+    kind = fit.spec.name.partition("-")[0]
+    if kind == "ogden":
+        return "ogden", "mu/alpha"
+    return _FORMS.get(fit.spec.name, ("generalized_rivlin", "two_index"))

@@ -1,0 +1,1 @@
+"""History: viscoelasticity, stress softening, and the stress of a material over time."""

@@ -1,0 +1,1 @@
+"""Laws: strain energies, their derivatives, curves of homogeneous deformations and stability."""

@@ -1,0 +1,1 @@
+"""Bodies: meshes placed, mirrored and put together."""

@@ -1,0 +1,154 @@
+"""Several bodies in one mesh: their names, their mirror planes, and what cannot be put together."""
+
+import re
+from collections.abc import Mapping
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError
+from turgor.meshing.bodies.bodies import find_overlap
+from turgor.meshing.bodies.placing import said_before
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.openings import mirror_planes
+from turgor.units import mm
+
+AXES = "xyz"
+
+
+def together(bodies: Mapping[str, Mesh]) -> Mesh:
+    """Put several meshes into one, so that they can touch each other in one model.
+
+    The name of its body is added to the name of every region and face: the cavity of ``upper`` becomes
+    ``cavity_upper``, its region ``body`` becomes ``body_upper``. Mirror planes keep their names, because all
+    bodies share them: each is cut there, or lies wholly on the modeled side and has a twin on the other, which
+    volumes and forces of the whole count too.
+
+    Parameters
+    ----------
+    bodies : mapping of str to Mesh
+        At least two meshes, each already in its place; names hold letters, digits and underscores. Nodes are not
+        joined: bodies meet by contact only.
+
+    Returns
+    -------
+    Mesh
+
+    Raises
+    ------
+    TurgorError
+        If a name does not fit or is taken, kinds of cells differ, bodies overlap, or a body lies across a mirror plane
+        of another.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.meshing.generate import mesh
+    >>> from turgor.meshing.bodies.placing import mirrored, placed
+    >>> finger = mesh(FastPneuNet(chambers=1, length=10e-3).build(), size=4e-3)
+    >>> pair = together({"upper": placed(finger, shift=(0, 0, 2e-3)), "lower": mirrored(finger)})
+    >>> list(pair.regions)
+    ['body_upper', 'base_upper', 'body_lower', 'base_lower']
+    >>> pair.cavities, pair.symmetry_faces
+    (('cavity_lower', 'cavity_upper'), ('symmetry_y',))
+    """
+    _check_bodies(bodies)
+    _check_apart(bodies)
+    mirrors = _shared_mirrors(bodies)
+    vertices = np.cumsum([0, *(mesh.vertex_count for mesh in bodies.values())])
+    middles = vertices[-1] + np.cumsum([0, *(len(mesh.points) - mesh.vertex_count for mesh in bodies.values())])
+    points, cells, first_cell = np.empty((middles[-1], 3)), [], 0
+    regions: dict[str, NDArray[np.int64]] = {}
+    faces: dict[str, NDArray[np.int64]] = {}
+    for i, (body, mesh) in enumerate(bodies.items()):
+        number = np.arange(len(mesh.points))
+        number += np.where(number < mesh.vertex_count, vertices[i], middles[i] - mesh.vertex_count)
+        points[number] = mesh.points
+        cells.append(number[mesh.cells])
+        for name, rows in mesh.regions.items():
+            regions[_free(f"{name}_{body}", regions)] = first_cell + rows
+        for name, sides in mesh.faces.items():
+            if (body, name) in mirrors:
+                shared = mirrors[body, name]
+                faces[shared] = np.concatenate([faces.get(shared, sides[:0]), number[sides]])
+            else:
+                faces[_free(f"{name}_{body}", faces)] = number[sides]
+        first_cell += len(mesh.cells)
+    return Mesh(
+        points=points,
+        cells=np.concatenate(cells),
+        regions=regions,
+        faces=faces,
+        name="; ".join(f"{body}: {mesh.name}" for body, mesh in bodies.items()),
+        findings=tuple(
+            said_before(f"Body '{body}'", found) for body, mesh in bodies.items() for found in mesh.findings
+        ),
+    )
+
+
+def _check_bodies(bodies: Mapping[str, Mesh]) -> None:
+    if len(bodies) < 2:
+        raise TurgorError(f"together: {len(bodies)} body given; at least two are needed.")
+    for body in bodies:
+        if not re.fullmatch("[A-Za-z0-9_]+", body):
+            raise TurgorError(f"body '{body}': a name holds letters, digits and underscores only.")
+    first, *others = bodies
+    for body in others:
+        kind, wanted = bodies[body].cell_type.name, bodies[first].cell_type.name
+        if kind != wanted:
+            raise TurgorError(
+                f"body '{body}' has {kind.replace('hedron', 'hedra')}, '{first}' has "
+                f"{wanted.replace('hedron', 'hedra')}; all bodies need the same kind of cells."
+            )
+
+
+def _check_apart(bodies: Mapping[str, Mesh]) -> None:
+    for (first, one), (second, other) in combinations(bodies.items(), 2):
+        place = find_overlap(one, other)
+        if place is not None:
+            x, y, z = place / mm
+            raise TurgorError(
+                f"bodies '{first}' and '{second}' overlap, at ({x:.3g}, {y:.3g}, {z:.3g}) mm for example; "
+                "shift one of them, so that they are apart or just touch."
+            )
+
+
+def _shared_mirrors(bodies: Mapping[str, Mesh]) -> dict[tuple[str, str], str]:
+    """Common name of each mirror plane (body, face); refuse bodies that do not fit the mirrors of the others."""
+    near = 1e-6 * max(float(np.ptp(mesh.points, axis=0).max()) for mesh in bodies.values())
+    known: dict[int, tuple[str, str, float]] = {}
+    names: dict[tuple[str, str], str] = {}
+    for body, mesh in bodies.items():
+        for face, (axis, position) in mirror_planes(mesh).items():
+            name, owner, place = known.setdefault(axis, (face, body, position))
+            if abs(place - position) > near:
+                raise TurgorError(
+                    f"the mirror plane {face} of body '{body}' is at {AXES[axis]} = {position / mm:.6g} mm, that of "
+                    f"'{owner}' at {place / mm:.6g} mm; bodies that mirror planes cut must share them."
+                )
+            names[body, face] = name
+    if len({name for name, _, _ in known.values()}) < len(known):
+        raise TurgorError("together: two different mirror planes have the same name; name each after its normal.")
+    _check_sides(bodies, known, near)
+    return names
+
+
+def _check_sides(bodies: Mapping[str, Mesh], known: Mapping[int, tuple[str, str, float]], near: float) -> None:
+    """Refuse a body that is not on the modeled side of a mirror plane, or reaches it without being cut there."""
+    for axis, (name, owner, place) in known.items():
+        positive = bodies[owner].points[:, axis].max() > place + near
+        for body, mesh in bodies.items():
+            beyond = (mesh.points[:, axis] - place) * (-1 if positive else 1)
+            is_cut = axis in {at for at, _ in mirror_planes(mesh).values()}
+            if beyond.max() > (near if is_cut else -near):
+                raise TurgorError(
+                    f"body '{body}' does not stay on the side of the mirror plane {name} on which '{owner}' is "
+                    "modeled; cut it there too, shift it clear of the plane, or model all bodies whole."
+                )
+
+
+def _free(name: str, taken: Mapping[str, object]) -> str:
+    if name in taken:
+        raise TurgorError(f"together: two bodies would have the name '{name}'; give one of them another name.")
+    return name

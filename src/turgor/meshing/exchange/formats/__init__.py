@@ -1,0 +1,1 @@
+"""Formats: parsers and writers of mesh files."""

@@ -1,0 +1,1 @@
+"""Quality: shape of cells, checks of a mesh, and walls that face each other."""

@@ -1,0 +1,187 @@
+"""How good the cells are: the Jacobian of the curved cells, their shape, their size."""
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError
+from turgor.meshing.cells import TETRAHEDRON
+from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.meshing.quality.hexahedra_quality import hexahedra_jacobian_range, hexahedra_shapes, hexahedra_volumes
+
+Array = NDArray[np.float64]
+
+#: The Jacobian of a quadratic tetrahedron is a cubic; a lattice of 35 points (its 10 nodes among them) samples it.
+LATTICE_ORDER = 4
+
+#: Cells looked at together, so that a large mesh does not need gigabytes.
+CHUNK = 20_000
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeshQuality:
+    """Counts, sizes and shape of the cells of a mesh.
+
+    Parameters
+    ----------
+    cells, points, vertices, unknowns : int
+        Counts; unknowns are displacement components and mean stresses before supports.
+    inverted : int
+        Cells whose Jacobian is not positive everywhere; none in a mesh that can be solved.
+    min_jacobian_ratio : float [-]
+        Smallest over largest Jacobian within the worst cell: 1 for straight edges, ≤ 0 for an inverted cell.
+    min_shape, mean_shape : float [-]
+        Of the straight cells: 1 is regular, 0 is flat. Mean ratio 12 (3 V)^(2/3) / Σ l² for tetrahedra; for hexahedra
+        the scaled Jacobian, the volume between the unit vectors along the edges at the worst corner.
+    min_edge, mean_edge, max_edge : float [m]
+        Distances between vertices that share an edge.
+    """
+
+    cells: int
+    points: int
+    vertices: int
+    unknowns: int
+    inverted: int
+    min_jacobian_ratio: float
+    min_shape: float
+    mean_shape: float
+    min_edge: float
+    mean_edge: float
+    max_edge: float
+
+
+def _lattice() -> Array:
+    """Barycentric coordinates of the lattice points, (p, 4)."""
+    return np.array([p for p in product(range(LATTICE_ORDER + 1), repeat=4) if sum(p) == LATTICE_ORDER]) / LATTICE_ORDER
+
+
+def _gradients(L: Array) -> Array:
+    """Derivatives of the ten shape functions at points given in barycentric coordinates, (p, 10, 3)."""
+    dL = np.vstack([-np.ones(3), np.eye(3)])
+    corners = (4 * L[:, :, None] - 1) * dL
+    mids = [4 * (L[:, a, None] * dL[b] + L[:, b, None] * dL[a]) for a, b in TETRAHEDRON_EDGES]
+    return np.concatenate([corners, np.stack(mids, axis=1)], axis=1)
+
+
+def jacobian_range(mesh: Mesh) -> tuple[Array, Array]:
+    """Smallest and largest Jacobian determinant of each curved cell, at its nodes and within it.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    low, high : (c,) arrays [m³]
+        Six times the volume for a tetrahedron with straight edges, the volume for a box; negative
+        where a cell is turned inside out.
+    """
+    if mesh.cell_type is not TETRAHEDRON:
+        return hexahedra_jacobian_range(mesh)
+    gradients = _gradients(_lattice())
+    low, high = np.empty(len(mesh.cells)), np.empty(len(mesh.cells))
+    for start in range(0, len(mesh.cells), CHUNK):
+        part = slice(start, start + CHUNK)
+        determinant = _determinants(mesh.points[mesh.cells[part]], gradients)
+        low[part], high[part] = determinant.min(axis=1), determinant.max(axis=1)
+    return low, high
+
+
+def _determinants(nodes: Array, gradients: Array) -> Array:
+    """Jacobian determinants (c, p) of cells with nodes (c, 10, 3)."""
+    J = np.einsum("cai,pad->cpid", nodes, gradients, optimize=True)
+    return np.asarray(np.einsum("cpi,cpi->cp", J[..., 0], np.cross(J[..., 1], J[..., 2])))
+
+
+def cell_volumes(mesh: Mesh) -> Array:
+    """Volume of each curved cell, (c,) [m³]; exact, because the Jacobian is a cubic and so is the rule."""
+    if mesh.cell_type is not TETRAHEDRON:
+        return hexahedra_volumes(mesh)
+    points = np.vstack([np.full(4, 1 / 4), 1 / 6 + np.eye(4) / 3])
+    weights = np.array([-4 / 5, 9 / 20, 9 / 20, 9 / 20, 9 / 20]) / 6
+    return _determinants(mesh.points[mesh.cells], _gradients(points)) @ weights
+
+
+def quality(mesh: Mesh) -> MeshQuality:
+    """Measure the cells of a mesh.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    MeshQuality
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from turgor.meshing.mesh import Mesh
+    >>> points = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])[[0, 2, 1, 3]]  # regular
+    >>> mids = [(points[a] + points[b]) / 2 for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
+    >>> points, cells = np.vstack([points, mids]), np.arange(10)[None]
+    >>> one = Mesh(points=points, cells=cells, regions={"body": np.array([0])}, faces={})
+    >>> measured = quality(one)
+    >>> round(measured.min_shape, 12), round(measured.min_jacobian_ratio, 12)
+    (1.0, 1.0)
+    """
+    low, high = jacobian_range(mesh)
+    shape = cell_shapes(mesh)
+    ends = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)
+    ends = np.unique(ends, axis=0)
+    lengths = np.linalg.norm(mesh.points[ends[:, 1]] - mesh.points[ends[:, 0]], axis=1)
+    return MeshQuality(
+        cells=len(mesh.cells),
+        points=len(mesh.points),
+        vertices=mesh.vertex_count,
+        unknowns=mesh.unknown_count,
+        inverted=int((low <= 0).sum()),
+        min_jacobian_ratio=float((low / np.maximum(np.abs(low), np.abs(high))).min()),
+        min_shape=float(shape.min()),
+        mean_shape=float(shape.mean()),
+        min_edge=float(lengths.min()),
+        mean_edge=float(lengths.mean()),
+        max_edge=float(lengths.max()),
+    )
+
+
+def cell_shapes(mesh: Mesh) -> Array:
+    """Shape of each cell with straight edges, (c,), as `MeshQuality` has it: 1 is regular, 0 is flat."""
+    if mesh.cell_type is not TETRAHEDRON:
+        return hexahedra_shapes(mesh)
+    corners = mesh.points[mesh.cells[:, :4]]
+    a, b, c = (corners[:, i] - corners[:, 0] for i in (1, 2, 3))
+    volume = np.einsum("ci,ci->c", a, np.cross(b, c)) / 6
+    edges = np.stack([corners[:, j] - corners[:, i] for i, j in TETRAHEDRON_EDGES], axis=1)
+    squares = np.einsum("cei,cei->ce", edges, edges)
+    return np.asarray(12 * np.cbrt(3 * np.maximum(volume, 0)) ** 2 / squares.sum(axis=1))
+
+
+def jacobian_ratios(mesh: Mesh) -> Array:
+    """Smallest over largest Jacobian of each curved cell, (c,): 1 for straight edges, ≤ 0 for an inverted cell."""
+    low, high = jacobian_range(mesh)
+    return np.asarray(low / np.maximum(np.abs(low), np.abs(high)))
+
+
+def refuse_inverted(mesh: Mesh) -> None:
+    """Refuse a mesh with a cell that is turned inside out somewhere, because nothing can be solved on it.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Raises
+    ------
+    TurgorError
+        If the Jacobian of a cell is zero or negative at one of its nodes or within it.
+    """
+    low, _ = jacobian_range(mesh)
+    bad = np.flatnonzero(low <= 0)
+    if len(bad):
+        x, y, z = mesh.points[mesh.cells[bad[0]]].mean(axis=0) * 1e3
+        raise TurgorError(
+            f"{len(bad)} of {len(low)} cells are turned inside out, the first around ({x:.4g}, {y:.4g}, {z:.4g}) mm; "
+            "use a smaller mesh size, so that curved faces are followed by more cells."
+        )

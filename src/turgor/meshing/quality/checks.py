@@ -1,0 +1,116 @@
+"""Checks of a mesh before a solve, each a finding."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.finding import Finding, Severity
+from turgor.meshing.cells import TETRAHEDRON, six_node_triangles
+from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
+from turgor.meshing.quality.facing import OPPOSED, unit_normals
+from turgor.meshing.surface import check_surface, outer_triangles
+from turgor.units import mm
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: An edge that rises less than this from its surface runs along a wall, not through it: the longest cells accepted
+#: are four times as long as a wall is thick.
+STEEP = 0.2
+
+
+def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
+    """Look for walls with fewer than two cells through them (G01) and for faces that do not fit the mesh (G02 to G04).
+
+    What was noticed while the mesh was made (G08: mended cells) comes first.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    tuple of Finding
+        Empty when there is nothing to doubt.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.meshing.generate import mesh
+    >>> [finding.code for finding in check_mesh(mesh(FastPneuNet(chambers=2, length=20e-3).build(), size=3e-3))]
+    ['G01']
+    """
+    return (*mesh.findings, *_thin_walls(mesh), *check_surface(mesh))
+
+
+def crossings(mesh: Mesh) -> tuple[Ints, Array]:
+    """Find the cell edges that reach through a wall from one surface to the other: one cell through the wall there.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    edges : (e, 2) int array
+        Vertices at the two ends.
+    thickness : (e,) array [m]
+        Thickness of the wall at each edge: its length along the surface normal.
+    """
+    surface = six_node_triangles(outer_triangles(mesh))
+    on_mirror = np.zeros(len(surface), dtype=bool)
+    for name in mesh.symmetry_faces:  # a mirror plane is no surface of the whole actuator
+        on_mirror |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
+    surface = surface[~on_mirror]
+    edges = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)
+    edges = np.unique(edges, axis=0)
+    flat = np.sort(np.concatenate([surface[:, e] for e in TRIANGLE_EDGES]), axis=1)
+    n = len(mesh.points)
+    within = ~np.isin(edges[:, 0] * n + edges[:, 1], flat[:, 0] * n + flat[:, 1])
+    edges = edges[within & np.isin(edges, surface[:, :3]).all(axis=1)]
+    # every triangle at the first end against every triangle at the second
+    owner, first = _triangles_at(surface, edges[:, 0])
+    pair, second = _triangles_at(surface, edges[owner, 1])
+    owner, first = owner[pair], first[pair]
+    normal, span = unit_normals(mesh.points, surface), mesh.points[edges[:, 1]] - mesh.points[edges[:, 0]]
+    leaving = -np.einsum("pi,pi->p", span[owner], normal[first])
+    arriving = np.einsum("pi,pi->p", span[owner], normal[second])
+    depth = np.minimum(leaving, arriving)
+    opposed = np.einsum("pi,pi->p", normal[first], normal[second]) < -OPPOSED
+    through = opposed & (depth > STEEP * np.linalg.norm(span, axis=1)[owner])
+    thickness = np.full(len(edges), np.inf)
+    np.minimum.at(thickness, owner[through], depth[through])
+    crossing = np.isfinite(thickness)
+    return edges[crossing], thickness[crossing]
+
+
+def _triangles_at(surface: Ints, vertices: Ints) -> tuple[Ints, Ints]:
+    """Pairs of (place in ``vertices``, triangle with a corner at that vertex)."""
+    corners = surface[:, :3].ravel()
+    order = np.argsort(corners, kind="stable")
+    start, end = (np.searchsorted(corners[order], vertices, side=side) for side in ("left", "right"))
+    place = np.repeat(np.arange(len(vertices)), end - start)
+    offset = np.arange(len(place)) - np.repeat(np.cumsum(end - start) - (end - start), end - start)
+    return place, order[start[place] + offset] // 3
+
+
+def _thin_walls(mesh: Mesh) -> list[Finding]:
+    edges, thickness = crossings(mesh)
+    if not len(edges):
+        return []
+    thinnest = thickness.min()
+    x, y, z = mesh.points[edges[thickness.argmin()]].mean(axis=0) / mm
+    tetrahedra = mesh.cell_type is TETRAHEDRON
+    return [
+        Finding(
+            code="G01",
+            severity=Severity.WARNING,
+            message=f"One cell reaches through the wall in {len(edges)} places; the thinnest of these walls is "
+            f"{thinnest / mm:.3g} mm thick, at ({x:.3g}, {y:.3g}, {z:.3g}) mm.",
+            advice="Quadratic cells bend well with one through a wall, but compare with a finer mesh before trusting "
+            "stresses; wall_cells = 2 puts two through every wall, and so does a size near "
+            f"{thinnest / 2 / mm:.2g} mm."
+            if tetrahedra
+            else "Quadratic cells bend well with one through a wall, but compare with a finer mesh before trusting "
+            "stresses, or angles to better than 10 %; wall_cells = 2 with a size of twice the wall is one.",
+        )
+    ]

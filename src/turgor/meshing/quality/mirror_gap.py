@@ -1,0 +1,147 @@
+"""How near walls come to their own mirror image: the distance that they keep from a mirror plane."""
+
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from turgor.meshing.cells import six_node_triangles
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.quality.facing import OPPOSED, first_hits, unit_normals
+from turgor.meshing.quality.proximity import REACH
+from turgor.meshing.surface import outer_triangles
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: A node nearer to a mirror plane at rest than this share of the longest side of the mesh lies in it.
+ON_PLANE = 1e-6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MirrorWalls:
+    """Nodes of walls on one side of a mirror plane.
+
+    Parameters
+    ----------
+    nodes : (k,) int array
+        Those that do not lie in the plane.
+    axis : int
+        The plane is ``x[axis] == level``.
+    level : float [m]
+    side : float
+        1 where the body lies above the level, -1 where it lies below.
+    """
+
+    nodes: Ints
+    axis: int
+    level: float
+    side: float
+
+
+def find_mirror_walls(mesh: Mesh, cavity: str | None = None) -> tuple[MirrorWalls, ...]:
+    """Find the nodes whose wall would meet its mirror image where they reach a mirror plane.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    cavity : str, optional
+        Name of a cavity: its walls are looked at instead of those outside.
+
+    Returns
+    -------
+    tuple of MirrorWalls
+        One for each mirror plane.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.meshing.generate import mesh
+    >>> half = mesh(FastPneuNet(chambers=2, length=20e-3, symmetric=True).build(), size=4e-3)
+    >>> [(walls.axis, walls.side) for walls in find_mirror_walls(half)]
+    [(1, 1.0)]
+    """
+    if cavity is None:
+        inside = [mesh.face_nodes(name) for name in mesh.cavities]
+        nodes = np.setdiff1d(outer_triangles(mesh), np.concatenate([np.zeros(0, dtype=np.int64), *inside]))
+    else:
+        nodes = mesh.face_nodes(cavity)
+    size = float(np.ptp(mesh.points, axis=0).max())
+    found = []
+    for name in mesh.symmetry_faces:
+        plane = mesh.points[mesh.face_nodes(name)]
+        axis = int(np.ptp(plane, axis=0).argmin())
+        level = float(plane[:, axis].mean())
+        side = 1.0 if mesh.points[:, axis].mean() > level else -1.0
+        off = side * (mesh.points[nodes, axis] - level) > ON_PLANE * size
+        found.append(MirrorWalls(nodes[off], axis, level, side))
+    return tuple(found)
+
+
+def mirror_gap(walls: tuple[MirrorWalls, ...], points: Array) -> float:
+    """Measure how far walls are from their mirror planes.
+
+    Parameters
+    ----------
+    walls : tuple of MirrorWalls
+    points : (n, 3) array [m]
+        Current positions of all nodes.
+
+    Returns
+    -------
+    float [m]
+        Smallest distance of a node, half of that from its image; negative once it has passed through, infinite
+        without mirror planes.
+    """
+    gaps = [each.side * (points[each.nodes, each.axis] - each.level) for each in walls]
+    return float(min((gap.min(initial=inf) for gap in gaps), default=inf))
+
+
+def faces_its_image(mesh: Mesh) -> bool:
+    """Whether an outside wall faces its own image in a mirror plane through air, no farther away than half of `REACH`.
+
+    A triangle sees its image where it looks at the plane and nothing stands between. A wall that runs into the plane is
+    left out, as are walls that share an edge: its distance is zero from the start.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.meshing.generate import mesh
+    >>> faces_its_image(mesh(FastPneuNet(chambers=2, length=20e-3, symmetric=True).build(), size=4e-3))
+    False
+    """
+    planes = find_mirror_walls(mesh)
+    if not planes:
+        return False
+    reach = REACH * float(np.ptp(mesh.points, axis=0).max()) / 2
+    surface = six_node_triangles(outer_triangles(mesh))
+    normal, center = unit_normals(mesh.points, surface), mesh.points[surface[:, :3]].mean(axis=1)
+    free = first_hits(mesh.points, surface, reach) < 0
+    for each in planes:
+        away = each.side * (center[:, each.axis] - each.level)
+        off = np.isin(surface[:, :3], each.nodes)
+        sees = free & (each.side * normal[:, each.axis] < -OPPOSED) & (away < reach) & off.any(axis=1)
+        if _apart(surface[sees, :3], off[sees]):
+            return True
+    return False
+
+
+def _apart(triangles: Ints, off: NDArray[np.bool_]) -> bool:
+    """Whether some of the connected triangles (f, 3) have all their corners off the plane."""
+    nodes, local = np.unique(triangles, return_inverse=True)
+    rows, size = local.reshape(-1, 3), len(nodes)
+    links = (np.ones(2 * len(rows)), (np.tile(rows[:, 0], 2), rows[:, 1:].T.ravel()))
+    label = connected_components(coo_array(links, shape=(size, size)), directed=False)[1] if size else nodes
+    touching = np.unique(label[rows[~off]])
+    return bool(np.setdiff1d(label, touching).size)

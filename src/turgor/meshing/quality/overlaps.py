@@ -1,0 +1,126 @@
+"""Where the surface of a mesh overlaps itself: edges that stick through triangles of another wall or body."""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from turgor.geometry.cad.stl import winding
+from turgor.meshing.bodies.bodies import find_bodies
+from turgor.meshing.cells import six_node_triangles
+from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
+from turgor.meshing.quality.facing import unit_normals
+from turgor.meshing.surface import outer_triangles
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Walls overlap where a place this share of an edge below both surfaces lies in the body twice.
+DEEP = 0.1
+
+#: Edges that stick through a wall almost flatly are left out: the sum of the normals there is shorter than this.
+STEEP = 0.7
+
+#: Edges that are looked at together, so that a large surface does not need gigabytes.
+CHUNK = 20_000
+
+#: Crossings, and places all over the surface, that are looked at closely; spread evenly over all where there are more.
+MOST, SAMPLES = 150, 150
+
+#: Flat triangles that follow a curved one closely: plugs of round holes do not seem to overlap their walls.
+QUARTERS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])
+
+
+def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
+    """Find where the surface passes through itself.
+
+    Every edge of the surface is held against the flat triangles around it. Where it sticks through one, the number of
+    times that the surface winds around a place a little below both tells whether two walls fill it; and so it does
+    below places all over the surface of several bodies.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    points : (n, 3) array [m], optional
+        Positions of the nodes; those at rest by default.
+
+    Returns
+    -------
+    (k, 3) array [m]
+        Places where walls overlap by about a tenth of an edge or more, some of many.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> from turgor.meshing.generate import mesh
+    >>> len(find_overlaps(mesh(FastPneuNet(chambers=2, length=20e-3).build(), size=4e-3)))
+    0
+    """
+    x = mesh.points if points is None else points
+    curved = six_node_triangles(outer_triangles(mesh))
+    triangles = curved[:, :3]
+    normals = unit_normals(x, triangles)
+    every = np.sort(np.concatenate([triangles[:, e] for e in TRIANGLE_EDGES]), axis=1)
+    edges, index = np.unique(every, axis=0, return_inverse=True)
+    at_edges = np.zeros((len(edges), 3))
+    np.add.at(at_edges, index.ravel(), np.tile(normals, (3, 1)))
+    at_edges /= np.maximum(np.linalg.norm(at_edges, axis=1, keepdims=True), 1e-30)
+    longest = np.linalg.norm(x[triangles] - x[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
+    crossings, below = [np.zeros((0, 3))], [np.zeros((0, 3))]
+    for start in range(0, len(edges), CHUNK):
+        part = slice(start, start + CHUNK)
+        edge, triangle, place = _crossings(x, edges[part], triangles, normals)
+        inward = normals[triangle] + at_edges[part][edge]
+        leaning = np.linalg.norm(inward, axis=1) > STEEP  # walls that touch all over cross each other flatly
+        edge, triangle, place, inward = edge[leaning], triangle[leaning], place[leaning], inward[leaning]
+        length = np.maximum(longest[triangle], np.linalg.norm(np.diff(x[edges[part][edge]], axis=1)[:, 0], axis=1))
+        crossings.append(place)
+        below.append(place - DEEP * length[:, None] * inward)
+    chosen = _spread(sum(map(len, crossings)), MOST)
+    found, looked = np.concatenate(crossings)[chosen], np.concatenate(below)[chosen]
+    several = len(find_bodies(mesh)) > 1
+    middle, inner = _samples(x, triangles, normals, SAMPLES if several else 0)
+    fine = x[curved[:, QUARTERS].reshape(-1, 3)]
+    inside = np.array([winding(each, fine) > 1.95 for each in (*looked, *inner)], dtype=bool)  # 1.5 on a surface
+    return np.concatenate([found, middle])[inside]
+
+
+def _samples(x: Array, triangles: Ints, normals: Array, most: int) -> tuple[Array, Array]:
+    """Places all over the surface, and a little below it: bodies with flush sides overlap without any crossing."""
+    some = _spread(len(triangles), most)
+    corners = x[triangles[some]]
+    length = np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1, keepdims=True)
+    middle = corners.mean(axis=1)
+    return middle, middle - DEEP * length * normals[some]
+
+
+def _spread(count: int, most: int) -> Ints:
+    """At most so many numbers from 0 to ``count``, evenly spread."""
+    return np.unique(np.linspace(0, max(count - 1, 0), min(most, count)).round().astype(np.int64))
+
+
+def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[Ints, Ints, Array]:
+    """Edges that stick through triangles, these triangles, and where they do."""
+    edge, triangle = _near(x, edges, triangles)
+    a, b = x[edges[edge, 0]], x[edges[edge, 1]]
+    corners, normal = x[triangles[triangle]], normals[triangle]
+    above, below = (np.einsum("pi,pi->p", end - corners[:, 0], normal) for end in (a, b))
+    crossing = above * below < 0
+    share = np.where(crossing, above / np.where(crossing, above - below, 1.0), 0.0)
+    place = a + share[:, None] * (b - a)
+    for k in range(3):
+        side = corners[:, (k + 1) % 3] - corners[:, k]
+        crossing &= np.einsum("pi,pi->p", np.cross(side, place - corners[:, k]), normal) >= 0
+    return edge[crossing], triangle[crossing], place[crossing]
+
+
+def _near(x: Array, edges: Ints, triangles: Ints) -> tuple[Ints, Ints]:
+    """Pairs of an edge and a triangle that may meet and share no corner."""
+    middle, center = x[edges].mean(axis=1), x[triangles].mean(axis=1)
+    half = np.linalg.norm(x[edges[:, 1]] - x[edges[:, 0]], axis=1) / 2
+    radius = np.linalg.norm(x[triangles] - center[:, None], axis=2).max(axis=1)
+    reach = float(half.max() + radius.max())
+    pairs = cKDTree(middle).sparse_distance_matrix(cKDTree(center), reach, output_type="ndarray")
+    pairs = pairs[pairs["v"] <= half[pairs["i"]] + radius[pairs["j"]]]
+    edge, triangle = pairs["i"], pairs["j"]
+    apart = (edges[edge][:, :, None] != triangles[triangle][:, None, :]).all(axis=(1, 2))
+    return edge[apart], triangle[apart]

@@ -1,0 +1,1 @@
+"""Refining: cells cut into smaller ones, and which cell each piece came from."""

@@ -1,0 +1,34 @@
+"""MeshSettings: how a geometry is meshed."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeshSettings:
+    """How a geometry is meshed; `mesh` says what each setting does, and checks it against the geometry.
+
+    Parameters
+    ----------
+    size : float or None [m]
+        Largest edge length aimed at; None takes `default_size`.
+    grading : float [-]
+        How fast cells may grow away from small ones: 0.1 slowly, 1 at once.
+    face_sizes : mapping of str to float [m]
+        Smaller sizes for some faces, by name.
+    wall_cells : int
+        Cells at least through every wall: 1 or 2.
+    cells : str
+        ``"tetrahedra"`` or ``"hexahedra"``.
+
+    Examples
+    --------
+    >>> MeshSettings(size=2e-3).cells
+    'tetrahedra'
+    """
+
+    size: float | None = None
+    grading: float = 0.5
+    face_sizes: Mapping[str, float] = field(default_factory=dict)
+    wall_cells: int = 1
+    cells: str = "tetrahedra"

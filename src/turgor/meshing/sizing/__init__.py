@@ -1,0 +1,1 @@
+"""Sizing: the sizes of cells, and cells through walls."""

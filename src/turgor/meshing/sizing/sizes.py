@@ -1,0 +1,200 @@
+"""Mesh sizes: which ones a geometry allows, which one suits it, and what is wrong with those that were given."""
+
+from collections.abc import Mapping
+from math import ceil, floor, isfinite, log10
+from numbers import Integral, Real
+from typing import Any
+
+from turgor.errors import TurgorError, unknown
+from turgor.geometry.geometry import Geometry
+from turgor.meshing.settings import MeshSettings
+from turgor.units import mm
+
+#: Cells up to this many times longer than the thinnest wall is thick are accepted: one quadratic cell through a
+#: wall, four times as long as thick, still bends well; beyond that bulging walls are lost.
+LARGEST_SIZE_PER_WALL = 4.0
+
+#: Without a given size, cells are this many times longer than the thinnest wall is thick. Measured with hexahedra: at
+#: four times, an eccentric bender was 3 % off and ring sectors 6 %, at three times 0.3 % and 1 %.
+DEFAULT_SIZE_PER_WALL = {"tetrahedra": 2.0, "hexahedra": 3.0}
+
+#: Without a given size, the part is at least this many cells long.
+DEFAULT_CELLS_PER_EXTENT = 8.0
+
+#: Largest mesh that one machine can be expected to solve, and one that it solves in a minute or two.
+MOST_UNKNOWNS, DEFAULT_UNKNOWNS = 3e6, 1.5e5
+
+#: Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35.
+UNKNOWNS_PER_SIZE_CUBED = 40.0
+
+#: Unknowns per area over size squared that a face with a size of its own adds, measured on the cavity of the fast
+#: PneuNet from 1 to 0.5 mm: 15 to 19 (cells grow away from it with a grading of 0.5).
+UNKNOWNS_PER_SIZE_SQUARED = 20.0
+
+#: Cells along an arc as long as its radius. With 1, curved cells turn inside out where a fillet or a tube is coarse
+#: (a slot of 1 mm radius at 1 mm size: 3 cells); with 2, none did on slots, tubes, half tubes and spheres.
+CELLS_PER_RADIUS = 2.0
+
+#: Relative mesh errors that can be asked for.
+LEAST_TARGET, MOST_TARGET = 1e-4, 0.5
+
+#: Cells through a wall that can be asked for.
+MOST_WALL_CELLS = 2
+
+
+def size_range(geometry: Geometry) -> tuple[float, float]:
+    """Smallest and largest mesh size that `mesh` accepts for a geometry [m].
+
+    The smallest makes about 3 million unknowns; the largest is four times the thinnest wall, or the part itself.
+    """
+    return _size_of(geometry, MOST_UNKNOWNS), min(LARGEST_SIZE_PER_WALL * geometry.smallest_wall, _extent(geometry))
+
+
+def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
+    """Mesh size for a geometry where none is given [m]: twice the thinnest wall, for hexahedra three times; two digits.
+
+    It is larger where this would make more than about 150,000 unknowns, up to four times the wall, and never more
+    than an eighth of the part.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    cells : str
+        ``"tetrahedra"`` or ``"hexahedra"``, which are shorter beside walls by themselves.
+
+    Returns
+    -------
+    float [m]
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> finger = FastPneuNet().build()
+    >>> default_size(finger), default_size(finger, "hexahedra")
+    (0.002, 0.003)
+    """
+    low, high = size_range(geometry)
+    per_wall = DEFAULT_SIZE_PER_WALL.get(cells, DEFAULT_SIZE_PER_WALL["tetrahedra"])  # unknown cells are refused later
+    size = max(per_wall * geometry.smallest_wall, _size_of(geometry, DEFAULT_UNKNOWNS))
+    size = min(size, high, _extent(geometry) / DEFAULT_CELLS_PER_EXTENT)
+    digits = 1 - floor(log10(size / mm))
+    rounded = floor(round(size / mm * 10**digits, 6)) / 10**digits * mm
+    return rounded if rounded >= low else low
+
+
+def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
+    """Refuse what no mesh can be made with.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    settings : MeshSettings
+        With a size.
+
+    Raises
+    ------
+    TurgorError
+        If its size, grading or number of cells through walls is not allowed: what it is, and what is allowed.
+    """
+    grading: object = settings.grading
+    _check_wall_cells(settings.wall_cells)
+    _check_size(geometry, settings.size, size_range(geometry)[1] if settings.wall_cells == 1 else _extent(geometry))
+    if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
+        raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
+
+
+def check_target(target: float) -> None:
+    """Refuse a relative mesh error that no mesh can be refined to.
+
+    Examples
+    --------
+    >>> check_target(2.0)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: mesh target is 200 %; allowed is 0.01 % to 50 %.
+    """
+    if not LEAST_TARGET <= target <= MOST_TARGET:
+        raise TurgorError(
+            f"mesh target is {100 * target:g} %; allowed is {100 * LEAST_TARGET:g} % to {100 * MOST_TARGET:g} %."
+        )
+
+
+def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: float) -> None:
+    """Refuse sizes of faces that the geometry does not have, that are no lengths or larger than the whole mesh's.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    face_sizes : mapping of str to float [m]
+        Sizes by the name of the face.
+    size : float [m]
+        Size of the whole mesh.
+
+    Raises
+    ------
+    TurgorError
+        If one of them is not allowed: what it is, and what is allowed.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> check_face_sizes(FastPneuNet().build(), {"cavty": 1e-3}, 2e-3)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: unknown face 'cavty'; did you mean 'cavity'? Known: cavity, fixed, outside, ...
+    """
+    given: object = face_sizes
+    if not isinstance(given, Mapping):
+        raise TurgorError(f"mesh face_sizes is {face_sizes!r}; sizes by face are needed, such as {{'cavity': 1*mm}}.")
+    for name, value in given.items():
+        if name not in geometry.faces:
+            raise unknown("face", str(name), geometry.faces)
+        if isinstance(value, bool) or not isinstance(value, Real) or not isfinite(value):
+            raise TurgorError(f"mesh size of face '{name}' is {value!r}; a length in meters is needed, such as 1*mm.")
+        low = (UNKNOWNS_PER_SIZE_SQUARED * _face_area(geometry, name) / MOST_UNKNOWNS) ** 0.5
+        if not low <= value <= size:
+            shown = f"{ceil(low / mm * 1000) / 1000:g} mm to {size / mm:.6g} mm, the size of the whole mesh"
+            raise TurgorError(f"mesh size of face '{name}' is {value / mm:.6g} mm; allowed is {shown}.")
+
+
+def _extent(geometry: Geometry) -> float:
+    """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
+    geometry._shape.MakeTriangulation()
+    return geometry.extent
+
+
+def _size_of(geometry: Geometry, unknowns: float) -> float:
+    return float((UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / unknowns) ** (1 / 3))
+
+
+def _check_size(geometry: Geometry, size: object, high: float) -> None:
+    if isinstance(size, bool) or not isinstance(size, Real) or not isfinite(size):
+        raise TurgorError(f"mesh size is {size!r}; a finite length in meters is needed, such as 3*mm.")
+    length, low, wall = float(size), size_range(geometry)[0], geometry.smallest_wall
+    if low <= length <= high * (1 + 1e-9):
+        return
+    limit = f"(four times the thinnest wall, {wall / mm:.4g} mm)" if high < _extent(geometry) else "(the whole part)"
+    # rounded inwards, so that both numbers shown are themselves allowed
+    allowed = f"allowed is {ceil(low / mm * 1000) / 1000} mm to {floor(high / mm * 1000 + 1e-6) / 1000:g} mm {limit}"
+    given = f"mesh size is {length / mm:.6g} mm"
+    if length <= 0:
+        raise TurgorError(f"{given}; {allowed}.")
+    if length < low:
+        millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / length**3 / 1e6
+        raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; {allowed}.")
+    what = "larger than the part" if length > _extent(geometry) else f"too coarse for the wall of {wall / mm:.4g} mm"
+    hint = "; is the unit right?" if low <= length * mm <= high else "."
+    raise TurgorError(f"{given}, {what}; {allowed}{hint}")
+
+
+def _check_wall_cells(wall_cells: object) -> None:
+    whole = isinstance(wall_cells, Integral) and not isinstance(wall_cells, bool)
+    if not whole or not 1 <= int(wall_cells) <= MOST_WALL_CELLS:  # type: ignore[call-overload]
+        raise TurgorError(
+            f"mesh wall_cells is {wall_cells!r}; allowed is 1, which leaves the walls as they come, or "
+            f"{MOST_WALL_CELLS}, which puts two cells through every wall; a smaller size puts more."
+        )
+
+
+def _face_area(geometry: Geometry, name: str) -> float:
+    """Area of a named face [m²]."""
+    faces = set(geometry._shape.faces)  # a face between two solids is listed for both
+    return float(sum(face.mass for face in faces if face.name == name)) * geometry.length_scale**2

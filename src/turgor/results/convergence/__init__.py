@@ -1,0 +1,1 @@
+"""Convergence: what results on several meshes say about the error."""

@@ -1,0 +1,1 @@
+"""Fields: values at the points of a state, from which measures, pictures and files are made."""

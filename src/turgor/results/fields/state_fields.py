@@ -1,0 +1,152 @@
+"""What measures, files and pictures need of a state, each field computed once and only if it is asked for."""
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
+from turgor.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.quality.proximity import FacingWalls, find_facing_walls
+from turgor.meshing.refining.region_nodes import RegionNodes, region_nodes
+from turgor.meshing.surface import outer_triangles
+from turgor.model.fibers import Fibers
+from turgor.model.model import DISPLACEMENT, Model
+from turgor.solvers.solution import State
+
+Array = NDArray[np.float64]
+
+
+class MirrorPlane(NamedTuple):
+    """A plane on which a half or quarter model is cut: ``points[:, axis] == position`` [m]."""
+
+    axis: int
+    position: float
+
+
+class MeshFacts:
+    """What the states of one path share: the mirror planes, the walls that may meet, and the threads at rest."""
+
+    def __init__(self, mesh: Mesh) -> None:
+        self.mesh = mesh
+        self._threads: list[tuple[Fibers, FiberTrusses]] = []
+
+    @cached_property
+    def mirrors(self) -> tuple[MirrorPlane, ...]:
+        """Mirror planes, one for each face named ``symmetry_*``."""
+        planes = []
+        for name in self.mesh.symmetry_faces:
+            points = self.mesh.points[self.mesh.face_nodes(name)]
+            axis = int(np.ptp(points, axis=0).argmin())
+            planes.append(MirrorPlane(axis, float(points[:, axis].mean())))
+        return tuple(planes)
+
+    @cached_property
+    def walls(self) -> FacingWalls:
+        """Pairs of outer walls that may meet."""
+        return find_facing_walls(self.mesh)
+
+    @cached_property
+    def region_nodes(self) -> RegionNodes:
+        """The nodes of the mesh, doubled where regions meet."""
+        return region_nodes(self.mesh)
+
+    def threads(self, fibers: Fibers) -> FiberTrusses:
+        """Threads of a winding where they lie at rest; found once."""
+        for known, threads in self._threads:
+            if known is fibers:
+                return threads
+        self._threads.append((fibers, discrete_threads(self.mesh, fibers)))
+        return self._threads[-1][1]
+
+    @cached_property
+    def surface(self) -> NDArray[np.int64]:
+        """The whole surface of the mesh, (f, k): sides of cells that no other cell shares."""
+        return outer_triangles(self.mesh)
+
+    def of_whole(self, vector: Array) -> Array:
+        """Mean over the whole actuator of a vector of the modeled part: what points along a mirror's normal cancels."""
+        out = np.array(vector, dtype=np.float64)
+        for plane in self.mirrors:
+            out[..., plane.axis] = 0.0
+        return out
+
+
+class StateFields:
+    """A state with its fields.
+
+    Stresses and stretches at the nodes are averaged over the cells of one region. A node where regions meet has a value
+    for each of them: the first n values belong to the n nodes of the mesh, and ``facts.region_nodes`` says to which
+    node and region each of the d values belongs. With one region d equals n.
+
+    Parameters
+    ----------
+    state : State
+        Equilibrium at one point of the path.
+    facts : MeshFacts
+        What states of the same mesh share; made here if it is not given.
+    """
+
+    def __init__(self, state: State, facts: MeshFacts | None = None) -> None:
+        self.state = state
+        self.facts = facts or MeshFacts(state.model.mesh)
+
+    @property
+    def model(self) -> Model:
+        """The question."""
+        return self.state.model
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh of the model."""
+        return self.state.model.mesh
+
+    @property
+    def displacement(self) -> Array:
+        """Displacement of every node, (n, 3) [m]."""
+        return self.state.displacement
+
+    @cached_property
+    def points(self) -> Array:
+        """Current positions of all nodes, (n, 3) [m]."""
+        return self.mesh.points + self.state.displacement
+
+    @cached_property
+    def cells(self) -> CellFields:
+        """Stresses and stretches at the quadrature points of the cells."""
+        return cell_fields(self.model, self.state.displacement, self.state.mean_stress, self.state.memory)
+
+    @cached_property
+    def von_mises(self) -> Array:
+        """Von Mises stress averaged at the nodes of each region, (d,) [Pa]."""
+        return np.maximum(self._averaged(self.cells.von_mises), 0.0)
+
+    @cached_property
+    def stretch(self) -> Array:
+        """Largest principal stretch averaged at the nodes of each region, (d,)."""
+        return self._averaged(self.cells.stretch)
+
+    @cached_property
+    def contact_pressure(self) -> Array:
+        """Contact pressure at the nodes, (n,) [Pa]: that of all contacts together, zero where nothing touches."""
+        total = np.zeros(len(self.mesh.points))
+        for touch in self.state.touches.values():
+            total += touch.pressure
+        return total
+
+    @cached_property
+    def cauchy_stress(self) -> Array:
+        """Cauchy stress averaged at the nodes of each region, (d, 3, 3) [Pa]."""
+        return self._averaged(self.cells.cauchy)
+
+    @cached_property
+    def mean_stress(self) -> Array:
+        """Mean stress at the nodes of each region, (d,) [Pa]: the multiplier, interpolated between its values."""
+        if self.model.formulation == DISPLACEMENT:
+            return self._averaged(self.cells.mean_stress)
+        return nodal_mean_stress(self.model, self.state.mean_stress, self.facts.region_nodes)
+
+    def _averaged(self, values: Array) -> Array:
+        return nodal_average(self.mesh, values, self.facts.region_nodes)

@@ -1,0 +1,1 @@
+"""Files: states and modes written for ParaView."""

@@ -1,0 +1,1 @@
+"""Measures: numbers of a state, such as the bending angle."""

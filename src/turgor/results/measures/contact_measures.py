@@ -1,0 +1,206 @@
+"""Measures of contact and of the procedures that need it: forces on obstacles, areas, pressures, penetration."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError, near_match, unknown
+from turgor.model.contact import SELF
+from turgor.model.model import Model
+from turgor.model.obstacles import Obstacle, Plane
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.measures.reading import Measure
+from turgor.solvers.procedures.blocked_force import PLATE, BlockedForce
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.setups.blocked_tip import HeldTip
+from turgor.solvers.setups.grasped_object import BETWEEN, Grasped
+from turgor.solvers.solution import Solution
+
+Array = NDArray[np.float64]
+
+
+def force_on(obstacle: str) -> Measure:
+    """Make the measure of the force on one obstacle, by its name.
+
+    Examples
+    --------
+    >>> force_on("plate").name
+    'plate_force'
+    """
+    return Measure(
+        name=f"{obstacle}_force", unit="N", function=lambda at: float(np.linalg.norm(_force_on(at, obstacle))),
+        definition=f"magnitude of the force of the actuator on the obstacle {obstacle}, whole actuator",
+    )  # fmt: skip
+
+
+def area_on(obstacle: str) -> Measure:
+    """Make the measure of the area that touches one obstacle, by its name, or ``"self"``.
+
+    Examples
+    --------
+    >>> area_on("plate").name
+    'plate_contact_area'
+    """
+    where = "walls of the actuator, both counted," if obstacle == SELF else f"the obstacle {obstacle}"
+    return Measure(
+        name=f"{obstacle}_contact_area", unit="mm2", function=lambda at: _area_on(at, obstacle),
+        definition=f"area of the deformed surface that touches {where}, whole actuator",
+    )  # fmt: skip
+
+
+def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
+    """Return the measures that a response has by itself: those of the procedure, of each obstacle, of all contact.
+
+    Parameters
+    ----------
+    solution : Solution
+
+    Returns
+    -------
+    tuple of Measure
+        None where nothing can touch and nothing is blocked.
+    """
+    chosen: list[Measure] = []
+    procedure, model = solution.procedure, solution.model
+    if isinstance(procedure, BlockedForce):
+        chosen.append(blocked_force)
+        held = procedure.hold if procedure.hold != PLATE else ""
+        chosen += [_component(axis) for axis in held if len(held) > 1]
+    if isinstance(procedure, Grasp):
+        chosen += [pull_distance, grip_force, holding_force]
+    told = (PLATE,) if isinstance(procedure, BlockedForce) else ()
+    for obstacle in model.contact.obstacles:
+        if not (isinstance(obstacle, Grasped) or obstacle.name.startswith(BETWEEN) or obstacle.name in told):
+            chosen.append(force_on(obstacle.name))
+    if model.contact.obstacles or any(state.touches for state in solution.states):
+        chosen += [contact_area, maximum_contact_pressure, deepest_penetration]
+    return tuple(chosen)
+
+
+def _obstacle(model: Model, name: str) -> Obstacle:
+    """The obstacle of a name; without it, the error helps with names of measures too."""
+    for obstacle in model.contact.obstacles:
+        if obstacle.name == name:
+            return obstacle
+    if not model.contact.obstacles:
+        raise TurgorError(
+            f"the model has no obstacle '{name}'{near_match(f'{name}_force', _NAMES) or ': it has no obstacles.'}"
+        )
+    raise unknown("obstacle", name, [obstacle.name for obstacle in model.contact.obstacles])
+
+
+def _force_on(at: StateFields, name: str) -> Array:
+    """Force of the whole actuator on an obstacle, (3,) [N]."""
+    _obstacle(at.model, name)
+    touch = at.state.touches.get(name)
+    if touch is None:
+        return np.zeros(3)
+    return at.facts.of_whole(-at.mesh.symmetry_factor * touch.force.sum(axis=0))
+
+
+def _area_on(at: StateFields, name: str) -> float:
+    if name != SELF:
+        _obstacle(at.model, name)
+    touch = at.state.touches.get(name)
+    return 0.0 if touch is None else at.mesh.symmetry_factor * touch.area
+
+
+def _held_tip(model: Model) -> HeldTip | None:
+    return next((support for support in model.supports if isinstance(support, HeldTip)), None)
+
+
+def _push(at: StateFields) -> tuple[Array, Array]:
+    """Force of the tip on what stops it, of the whole actuator [N], and the direction in which it pushes, (3,) each."""
+    held = _held_tip(at.model)
+    if held is not None:
+        force = np.zeros(3)
+        axes = ["xyz".index(letter) for letter in held.directions]
+        force[axes] = -at.state.nodal_force[at.mesh.face_nodes(held.face)].sum(axis=0)[axes]
+        return at.facts.of_whole(at.mesh.symmetry_factor * force), np.array(held.push)
+    plates = [each for each in at.model.contact.obstacles if each.name == PLATE and isinstance(each.shape, Plane)]
+    if not plates:
+        raise TurgorError(
+            "nothing stops the tip: the model has neither a plane obstacle 'plate' nor a held tip; solve it with "
+            "BlockedForce."
+        )
+    assert isinstance(plates[0].shape, Plane)
+    return _force_on(at, PLATE), -np.array(plates[0].shape.normal)
+
+
+def _blocked_force(at: StateFields) -> float:
+    force, direction = _push(at)
+    return float(force @ direction)
+
+
+def _component(axis: str) -> Measure:
+    """Make the measure of the force of the tip along an axis."""
+    return Measure(
+        name=f"blocked_force_{axis}", unit="N", function=lambda at: float(_push(at)[0]["xyz".index(axis)]),
+        definition=f"force of the tip along {axis} on the plate or on what holds it, whole actuator",
+    )  # fmt: skip
+
+
+def _grasped(at: StateFields) -> Grasped:
+    for obstacle in at.model.contact.obstacles:
+        if isinstance(obstacle, Grasped):
+            return obstacle
+    raise TurgorError("nothing is grasped; solve the model with Grasp.")
+
+
+def _holding_force(at: StateFields) -> float:
+    held = _grasped(at)
+    return float(-held.fingers * _force_on(at, held.name) @ np.array(held.pull))
+
+
+def _pull_distance(at: StateFields) -> float:
+    held = _grasped(at)
+    return float(held.displacement(at.state.load_factor) @ np.array(held.pull))
+
+
+def _largest(values: Sequence[float]) -> float:
+    return float(max(values, default=0.0))
+
+
+blocked_force = Measure(
+    name="blocked_force", unit="N", function=_blocked_force,
+    definition="force with which the tip pushes on the plate or pulls at what holds it, in the direction of the "
+    "procedure, whole actuator",
+)  # fmt: skip
+blocked_force_x, blocked_force_y, blocked_force_z = map(_component, "xyz")
+contact_area = Measure(
+    name="contact_area", unit="mm2",
+    function=lambda at: at.mesh.symmetry_factor * sum(touch.area for touch in at.state.touches.values()),
+    definition="area of the deformed surface that touches obstacles or other walls, whole actuator; where walls meet "
+    "both count",
+)  # fmt: skip
+maximum_contact_pressure = Measure(
+    name="maximum_contact_pressure", unit="kPa",
+    function=lambda at: _largest([touch.pressure.max() for touch in at.state.touches.values()]),
+    definition="largest contact pressure at any node; at edges it depends on the mesh",
+)  # fmt: skip
+deepest_penetration = Measure(
+    name="deepest_penetration", unit="um",
+    function=lambda at: _largest([touch.penetration for touch in at.state.touches.values()]),
+    definition="deepest penetration of any contact",
+)  # fmt: skip
+grip_force = Measure(
+    name="grip_force", unit="N", function=lambda at: float(-_force_on(at, _grasped(at).name)[2]),
+    definition="force of one finger on the object along -z, towards the middle between two fingers",
+)  # fmt: skip
+holding_force = Measure(
+    name="holding_force", unit="N", function=_holding_force,
+    definition="force with which all fingers together resist the pull; negative while they push the object out",
+)  # fmt: skip
+pull_distance = Measure(
+    name="pull_distance", unit="mm", function=_pull_distance, definition="how far the object has been pulled",
+)  # fmt: skip
+
+#: Ready-made measures of contact.
+CONTACT_MEASURES: tuple[Measure, ...] = (
+    blocked_force, blocked_force_x, blocked_force_y, blocked_force_z,
+    contact_area, maximum_contact_pressure, deepest_penetration,
+    grip_force, holding_force, pull_distance,
+)  # fmt: skip
+
+_NAMES = tuple(each.name for each in CONTACT_MEASURES)

@@ -1,0 +1,18 @@
+"""Measures of fibers: the largest tension of a thread, and how hard a winding holds the body."""
+
+from turgor.results.fields.fibers import maximum_tension
+from turgor.results.measures.reading import Measure
+from turgor.results.measures.winding import winding_force
+
+maximum_fiber_tension = Measure(
+    name="maximum_fiber_tension", unit="N", function=maximum_tension,
+    definition="largest tension of any thread, averaged over the sides of cells around each place",
+)  # fmt: skip
+winding_force_per_length = Measure(
+    name="winding_force_per_length", unit="N/m", function=winding_force,
+    definition="force of the threads around the axis for each current length along it, mean over the wound faces: of "
+    "hoops the tension times threads per length",
+)  # fmt: skip
+
+#: Every measure of fibers.
+FIBER_MEASURES: tuple[Measure, ...] = (maximum_fiber_tension, winding_force_per_length)

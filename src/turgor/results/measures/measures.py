@@ -1,0 +1,294 @@
+"""Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.cells.element import element_of
+from turgor.engine.faces import surfaces
+from turgor.errors import TurgorError, unknown
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.quality.proximity import smallest_gap as smallest_gap_between
+from turgor.model.drive import common_pressure, pressures_at
+from turgor.model.model import Model
+from turgor.model.supports import Fixed
+from turgor.response import Column, Response
+from turgor.results.drive import stage_column
+from turgor.results.fields.state_fields import MeshFacts, StateFields
+from turgor.results.measures.cavities import enclosed_volume
+from turgor.results.measures.contact_measures import (
+    CONTACT_MEASURES,
+    area_on,
+    contact_measures_of,
+    force_on,
+)
+from turgor.results.measures.energies import energy_columns, time_column
+from turgor.results.measures.fiber_measures import FIBER_MEASURES
+from turgor.results.measures.field_measures import (
+    as_column,
+    in_each_region,
+    in_region,
+    maximum_principal_stretch,
+    maximum_von_mises,
+    principal_stretch_p99,
+    von_mises_p99,
+)
+from turgor.results.measures.reading import Measure as Measure
+from turgor.results.measures.rotations import face_rotation, twist
+from turgor.solvers.pressures import pressures_of, stated_by_loads
+from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.solution import Solution, State
+from turgor.source import Source
+
+Array = NDArray[np.float64]
+
+
+def measure(solution: Solution, *measures: Measure) -> Response:
+    """Read measures off every state of a path.
+
+    Parameters
+    ----------
+    solution : Solution
+        The path, complete or not.
+    *measures : Measure
+        What to read; `STANDARD_MEASURES` if none is given.
+
+    Returns
+    -------
+    Response
+        First the drive: ``load_factor`` and, where a pressure acts, ``pressure``, or ``cavity_1_pressure`` and the like
+        where faces have different ones, and what the procedure prescribed, ``injected_volume`` or
+        ``gas_mass_ratio``, and in a sequence ``stage``, the number of finished stages and the load factor of this one;
+        then the measures. With several cavities, ``cavity_volume`` of all is
+        followed by ``cavity_1_volume`` and so on; with several regions ``von_mises_p99`` is followed by
+        ``body_von_mises_p99`` and so on. The standard measures are followed by those of the procedure
+        and of contact, where there is any. A moving actuator also has its ``time`` and, last, its energies.
+
+    Raises
+    ------
+    TurgorError
+        If a measure needs a face that the mesh does not have.
+    """
+    chosen = chosen_measures(solution, measures)
+    facts = MeshFacts(solution.model.mesh)
+    rows = []
+    for state in solution.states:
+        at = StateFields(state, facts)  # shared by the measures of this state, then dropped: fields are large
+        rows.append([each(at) for each in chosen])
+    table = np.array(rows).reshape(len(rows), len(chosen))
+    columns = list(_drive(solution))
+    for each, values in zip(chosen, table.T, strict=True):
+        columns.append(Column(each.name, each.unit, np.unwrap(values) if each.unwrap else values))
+    columns += energy_columns(solution)
+    return Response(
+        columns=tuple(columns),
+        source=_source(solution),
+        status=str(solution.status),
+        message=solution.message,
+        stages=tuple(state.stage for state in solution.states) if isinstance(solution.procedure, Stages) else (),
+    )
+
+
+def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:
+    """Choose what `measure` reads: what is asked for with its parts, or the standard measures."""
+    standard = tuple(measures) in ((), STANDARD_MEASURES)
+    asked = (*STANDARD_MEASURES, *contact_measures_of(solution)) if standard else measures
+    return _with_parts(asked, solution.model.mesh)
+
+
+def check_measures(model: Model, measures: Sequence[Measure]) -> None:
+    """Try measures on the undeformed state, so that a missing face is reported before the solve and not after it."""
+    mesh = model.mesh
+    rest = State(
+        model=model, load_factor=0.0, displacement=np.zeros_like(mesh.points),
+        mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
+    )  # fmt: skip
+    at = StateFields(rest)
+    for each in measures:
+        each(at)
+
+
+def find_measure(name: str) -> Measure:
+    """Return the ready-made measure of a name; an unknown name fails with the near match.
+
+    Examples
+    --------
+    >>> find_measure("bending_angle").unit
+    'deg'
+    """
+    if name in MEASURES:
+        return MEASURES[name]
+    regional = in_region(name)
+    if regional is not None:
+        return regional
+    if name.startswith("cavity_") and name.endswith("_volume"):
+        return volume_of(name.removesuffix("_volume"))
+    if name.endswith("_contact_area"):
+        return area_on(name.removesuffix("_contact_area"))
+    if name.endswith("_force"):
+        return force_on(name.removesuffix("_force"))
+    raise unknown("measure", name, MEASURES)
+
+
+def volume_of(cavity: str) -> Measure:
+    """Make the measure of the volume of one cavity, by the name of its face.
+
+    Examples
+    --------
+    >>> volume_of("cavity_1").name
+    'cavity_1_volume'
+    """
+    return Measure(
+        name=f"{as_column(cavity)}_volume", unit="mL", function=lambda at: enclosed_volume(at, [cavity]),
+        definition=f"current volume enclosed by the face {cavity}, whole actuator",
+    )  # fmt: skip
+
+
+def _with_parts(chosen: Sequence[Measure], mesh: Mesh) -> tuple[Measure, ...]:
+    """Add the volume of each cavity to that of all, and stress and stretch of each region, where there are several."""
+    out, given = [], {each.name for each in chosen}
+    for each in chosen:
+        parts = in_each_region(each, mesh)
+        if each is cavity_volume and len(mesh.cavities) > 1:
+            parts = [volume_of(cavity) for cavity in mesh.cavities]
+        out += [each, *(part for part in parts if part.name not in given)]
+    return tuple(out)
+
+
+def _drive(solution: Solution) -> tuple[Column, ...]:
+    factors = np.array([state.load_factor for state in solution.states])
+    columns = [Column("load_factor", "", factors), *stage_column(solution), *time_column(solution)]
+    common = common_pressure(solution.model)
+    if not all(state.model is solution.model and stated_by_loads(state) for state in solution.states):
+        found = [pressures_of(state) for state in solution.states]
+        for face in found[0]:
+            name = "pressure" if len(found[0]) == 1 else f"{as_column(face)}_pressure"
+            columns.append(Column(name, "kPa", np.array([at[face] for at in found])))
+    elif common is not None:
+        columns.append(Column("pressure", "kPa", np.array([common.at(factor) for factor in factors])))
+    elif solution.model.pressures:
+        acting = [pressures_at(solution.model, factor) for factor in factors]
+        for face in acting[0]:
+            columns.append(Column(f"{as_column(face)}_pressure", "kPa", np.array([at[face] for at in acting])))
+    for name in solution.states[0].driven:
+        if any(name not in state.driven for state in solution.states):
+            continue  # another stage prescribed something else
+        unit = "mL" if name.startswith("injected_volume") else ""
+        columns.append(Column(as_column(name), unit, np.array([state.driven[name] for state in solution.states])))
+    return tuple(columns)
+
+
+def _source(solution: Solution) -> Source:
+    mesh = solution.model.mesh
+    return Source(text="finite elements", detail=f"{mesh.name}, {len(mesh.cells)} cells, {len(mesh.points)} nodes")
+
+
+def _heading(at: StateFields, face: str, points: Array) -> float:
+    """Direction of a face's vector area in the x-z plane [rad], counted from +x towards −z."""
+    area = at.facts.of_whole(surfaces.vector_area(points, at.mesh.face(face)))
+    if not np.hypot(area[0], area[2]) > 1e-6 * surfaces.area(at.mesh.points, at.mesh.face(face)):
+        raise TurgorError(f"face '{face}' has no normal in the x-z plane, the plane of bending.")
+    return float(np.arctan2(-area[2], area[0]))
+
+
+def _bending_angle(at: StateFields) -> float:
+    turned = [_heading(at, face, at.points) - _heading(at, face, at.mesh.points) for face in ("tip", "fixed")]
+    angle = turned[0] - turned[1]
+    return float(np.arctan2(np.sin(angle), np.cos(angle)))
+
+
+def _tip_vector(at: StateFields) -> Array:
+    """Mean displacement of the face ``tip`` of the whole actuator, weighted by reference area, (3,) [m]."""
+    weights = surfaces.nodal_weights(at.mesh.points, at.mesh.face("tip"))
+    return at.facts.of_whole(weights @ at.displacement / weights.sum())
+
+
+def _twist_angle(at: StateFields) -> float:
+    if at.mesh.symmetry_faces:
+        return 0.0  # the mirror image turns the other way
+    return twist(face_rotation(at, "fixed").T @ face_rotation(at, "tip"))
+
+
+def _cavity_volume(at: StateFields) -> float:
+    if not at.mesh.cavities:
+        raise unknown("face", "cavity", at.mesh.faces)
+    return enclosed_volume(at, at.mesh.cavities)
+
+
+def _reaction(at: StateFields) -> float:
+    held = np.zeros(at.mesh.points.shape, dtype=bool)
+    for support in at.model.supports:
+        if isinstance(support, Fixed):
+            nodes = at.mesh.face_nodes(support.face)
+            for direction in support.directions:
+                held[nodes, "xyz".index(direction)] = True
+    if not held.any():
+        raise TurgorError("the model has no support Fixed whose force could be summed.")
+    force = np.where(held, at.state.nodal_force, 0.0).sum(axis=0)
+    return float(np.linalg.norm(at.facts.of_whole(at.mesh.symmetry_factor * force)))
+
+
+bending_angle = Measure(
+    name="bending_angle", unit="deg", function=_bending_angle, unwrap=True,
+    definition="rotation of the face tip (its vector area) against the face fixed in the x-z plane, "
+    "positive towards the base",
+)  # fmt: skip
+tip_displacement = Measure(
+    name="tip_displacement", unit="mm", function=lambda at: float(np.linalg.norm(_tip_vector(at))),
+    definition="magnitude of the mean displacement of the face tip",
+)  # fmt: skip
+tip_displacement_x = Measure(
+    name="tip_displacement_x", unit="mm", function=lambda at: float(_tip_vector(at)[0]),
+    definition="mean displacement of the face tip along x",
+)  # fmt: skip
+tip_displacement_y = Measure(
+    name="tip_displacement_y", unit="mm", function=lambda at: float(_tip_vector(at)[1]),
+    definition="mean displacement of the face tip along y",
+)  # fmt: skip
+tip_displacement_z = Measure(
+    name="tip_displacement_z", unit="mm", function=lambda at: float(_tip_vector(at)[2]),
+    definition="mean displacement of the face tip along z",
+)  # fmt: skip
+twist_angle = Measure(
+    name="twist_angle", unit="deg", function=_twist_angle, unwrap=True,
+    definition="rotation of the face tip against the face fixed about its own normal, positive counterclockwise "
+    "seen from the tip; zero where a mirror plane forbids it",
+)  # fmt: skip
+cavity_volume = Measure(
+    name="cavity_volume", unit="mL", function=_cavity_volume,
+    definition="current volume enclosed by the faces cavity*, whole actuator",
+)  # fmt: skip
+reaction = Measure(
+    name="reaction", unit="N", function=_reaction,
+    definition="magnitude of the force at the supports Fixed, whole actuator; zero where only the pressure "
+    "of a closed cavity acts, since that pushes on itself",
+)  # fmt: skip
+smallest_gap = Measure(
+    name="smallest_gap", unit="mm",
+    function=lambda at: float(smallest_gap_between(at.facts.walls, at.displacement)),
+    definition="smallest distance between outer walls that face each other; negative once they have passed through",
+)  # fmt: skip
+#: What a run writes unless it is told otherwise.
+STANDARD_MEASURES: tuple[Measure, ...] = (
+    bending_angle, tip_displacement, cavity_volume, principal_stretch_p99, maximum_principal_stretch, von_mises_p99,
+    maximum_von_mises, reaction,
+)  # fmt: skip
+
+#: Every ready-made measure by name.
+MEASURES: Mapping[str, Measure] = MappingProxyType(
+    {
+        each.name: each
+        for each in (
+            *STANDARD_MEASURES,
+            tip_displacement_x,
+            tip_displacement_y,
+            tip_displacement_z,
+            twist_angle,
+            smallest_gap,
+            *FIBER_MEASURES,
+            *CONTACT_MEASURES,
+        )
+    }
+)

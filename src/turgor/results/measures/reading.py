@@ -1,0 +1,58 @@
+"""Measure: a number that can be read off a state, with its name, unit and definition."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from turgor.errors import TurgorError
+from turgor.response import COLUMN_UNITS, Column
+from turgor.results.fields.state_fields import StateFields
+from turgor.solvers.solution import State
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measure:
+    """A number that can be read off a state.
+
+    Parameters
+    ----------
+    name : str
+        Name of the column it fills.
+    unit : str
+        Unit the column is shown and written in, one of `COLUMN_UNITS`; empty for a pure number.
+    function : callable
+        ``function(at) -> float [SI]``, where ``at`` is a `StateFields`: the state, its mesh, its fields.
+    definition : str
+        What it is, in one line, for reports.
+    unwrap : bool
+        Whether it is an angle known up to full turns, to be continued along the path.
+
+    Examples
+    --------
+    >>> def rise(at):
+    ...     return at.displacement[:, 2].max()
+    >>> Measure(name="rise", unit="mm", function=rise, definition="largest displacement along z").text(0.0021)
+    '2.1 mm'
+    """
+
+    name: str
+    unit: str
+    function: Callable[[StateFields], float]
+    definition: str
+    unwrap: bool = False
+
+    def __post_init__(self) -> None:
+        Column(self.name, self.unit, np.empty(0))  # its checks are the checks of a column
+
+    def __call__(self, state: State | StateFields) -> float:
+        """Return the measure of one state in SI units; an angle lies within half a turn."""
+        at = state if isinstance(state, StateFields) else StateFields(state)
+        try:
+            return float(self.function(at))
+        except TurgorError as error:
+            raise TurgorError(f"measure '{self.name}': {error}") from None
+
+    def text(self, value: float) -> str:
+        """Write a value for a person, such as ``"85.3 deg"``."""
+        return f"{value / COLUMN_UNITS[self.unit]:.4g} {self.unit}".rstrip()

@@ -1,0 +1,1 @@
+"""Pictures: drawings of a mesh or a state without a graphics card."""

@@ -1,0 +1,117 @@
+"""Picture of a mesh: the whole actuator with the edges of its cells, colored by their shape, as PNG."""
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError
+from turgor.meshing.cells import six_node_triangles
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.quality.cell_quality import cell_shapes
+from turgor.meshing.surface import corner_keys
+from turgor.results.fields.state_fields import MeshFacts
+from turgor.results.pictures.colors import RUBBER
+from turgor.results.pictures.rendering import MARGIN, View, render
+from turgor.results.pictures.shading import INK
+from turgor.results.pictures.skin import Skin, drawn_triangles, visible_skin
+from turgor.results.pictures.state_picture import FOOT, HEAD, draw_axes
+
+Array = NDArray[np.float64]
+
+#: Colors of the shapes 0, 0.2, 0.4 and from 0.6: flat cells are seen at once, good ones have the color of rubber.
+SHAPES = ("#a8202a", "#e07b39", "#f3d78b", RUBBER)
+WORST_GOOD = 0.6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _AtRest:
+    """What a skin needs of a state, for a mesh that has none."""
+
+    mesh: Mesh
+    facts: MeshFacts = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "facts", MeshFacts(self.mesh))
+
+    @property
+    def points(self) -> Array:
+        return self.mesh.points
+
+
+def write_mesh_picture(path: str | Path, mesh: Mesh, title: str = "", width: int = 1600) -> None:
+    """Draw the cells of the whole actuator: their edges, colored by the mean-ratio shape of the cells.
+
+    Parameters
+    ----------
+    path : str or Path
+        PNG file to write.
+    mesh : Mesh
+        What to draw; a half or quarter is mirrored.
+    title : str
+        Line above the actuator.
+    width : int
+        Width in pixels, 400 or more.
+    """
+    if Path(path).suffix.lower() != ".png":
+        raise TurgorError(f"picture '{path}' ends in '{Path(path).suffix}'; allowed is .png.")
+    if width < 400:
+        raise TurgorError(f"picture width is {width} pixels; allowed is 400 or more.")
+    skin = _cell_skin(mesh)
+    plain = View(left=0.0, right=1.0, limit=WORST_GOOD)
+    across, upward, _ = plain.eye.project(skin.points).T
+    left, right = float(across.min()), float(across.max())
+    view = replace(plain, left=left, right=max(right, left + float(np.ptp(upward))), width=width)
+    figure = _page(render([skin], view, _colors()), view, title)
+    figure.savefig(path, metadata={"Software": None})
+
+
+def _cell_skin(mesh: Mesh) -> Skin:
+    """The skin with a patch, and one value, for the side of each cell."""
+    triangles, _ = drawn_triangles(mesh)
+    skin = visible_skin(_AtRest(mesh=mesh), np.zeros(len(mesh.points)))
+    copies = mesh.symmetry_factor
+    pieces = len(skin.triangles) // (copies * len(triangles))
+    nodes = len(skin.points) // (copies * len(triangles))
+    per_side = len(mesh.cell_type.side.triangles)  # a quadrilateral is drawn as two triangles
+    patch = np.arange(copies * len(triangles)) // per_side
+    shapes = np.tile(_shapes_behind(mesh, triangles), copies)
+    return replace(skin, patch=np.repeat(patch, pieces), values=np.repeat(shapes, nodes))
+
+
+def _shapes_behind(mesh: Mesh, triangles: NDArray[np.int64]) -> Array:
+    """Shape of the cell that each outer triangle belongs to."""
+    sides = mesh.cells[:, np.array(mesh.cell_type.sides)]
+    owner = np.repeat(np.arange(len(mesh.cells)), sides.shape[1] * len(mesh.cell_type.side.triangles))
+    keys = corner_keys(six_node_triangles(sides.reshape(-1, sides.shape[2])), len(mesh.points))
+    order = np.argsort(keys)
+    place = np.searchsorted(keys[order], corner_keys(triangles, len(mesh.points)))
+    return np.asarray(cell_shapes(mesh)[owner[order[place]]])
+
+
+def _colors() -> Colormap:
+    return LinearSegmentedColormap.from_list("shape", SHAPES)
+
+
+def _page(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
+    """Put picture, title, colors and axes on one page."""
+    width, height = picture.shape[1], picture.shape[0] + HEAD + FOOT
+    figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
+    FigureCanvasAgg(figure)
+    figure.figimage(picture, 0, FOOT)
+    ink = "#{:02x}{:02x}{:02x}".format(*INK)
+    figure.text(MARGIN / width, 1 - 0.5 * HEAD / height, title, fontsize=24, va="center", color=ink)
+    bar = figure.add_axes((MARGIN / width, 62 / height, 0.42, 22 / height))
+    mappable = ScalarMappable(Normalize(0, WORST_GOOD), _colors())
+    colorbar = figure.colorbar(mappable, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
+    colorbar.outline.set_visible(False)
+    bar.tick_params(labelsize=16, colors=ink, length=5)
+    note = "shape of the cells: 1 is regular, 0 is flat"
+    figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=ink)
+    draw_axes(figure, view)
+    return figure

@@ -1,0 +1,176 @@
+"""Parallel rays cast at a skin: what is seen in each sample of a picture, and how open the surface is to the sky.
+
+Embree does it on any machine; VTK would need a graphics library that a bare machine does not have.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from embreex.mesh_construction import TriangleMesh
+from embreex.rtcore_scene import EmbreeScene
+from numpy.typing import NDArray
+
+from turgor.results.pictures.skin import Skin
+
+Array = NDArray[np.float64]
+
+#: Side of the tiles, in samples, that are skipped where no triangle comes near.
+TILE = 16
+
+#: Rays a point sends out to see how much of the sky is hidden from it.
+SKY_RAYS = 32
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Camera:
+    """Parallel projection.
+
+    Parameters
+    ----------
+    right, up, forward : (3,) arrays
+        Unit vectors of the picture, in space; ``forward`` points away from the eye.
+    """
+
+    right: Array
+    up: Array
+    forward: Array
+
+    def project(self, points: Array) -> Array:
+        """Picture coordinates and depth of points, (p, 3) [m]."""
+        return points @ np.stack([self.right, self.up, self.forward], axis=1)
+
+
+def camera(azimuth: float, elevation: float) -> Camera:
+    """Camera that looks along +y, walked around by ``azimuth`` to see the tip, raised by ``elevation`` [rad]."""
+    ca, sa, ce, se = np.cos(azimuth), np.sin(azimuth), np.cos(elevation), np.sin(elevation)
+    right = np.array([ca, sa, 0.0])
+    forward = np.array([-sa * ce, ca * ce, -se])
+    return Camera(right=right, up=np.cross(right, forward), forward=forward)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Raster:
+    """Part of the picture plane, cut into samples; rows count downwards.
+
+    Parameters
+    ----------
+    left, top : float [m]
+        Upper left corner.
+    step : float [m]
+        Distance of samples.
+    rows, columns : int
+        How many there are.
+    """
+
+    left: float
+    top: float
+    step: float
+    rows: int
+    columns: int
+
+    def band(self, start: int, stop: int) -> "Raster":
+        """Some of the rows."""
+        return Raster(
+            left=self.left, top=self.top - start * self.step, step=self.step, rows=stop - start, columns=self.columns
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Hits:
+    """What the samples of a raster see.
+
+    Parameters
+    ----------
+    triangle : (h, w) int array
+        Triangle seen, -1 where there is none.
+    depth : (h, w) array [m]
+        Distance along the view, zero where nothing is seen.
+    u, v : (k,) arrays
+        Barycentric coordinates of the second and third corner, for the samples that see a triangle, in order.
+    """
+
+    triangle: NDArray[np.int32]
+    depth: NDArray[np.float32]
+    u: NDArray[np.float32]
+    v: NDArray[np.float32]
+
+
+class Scene:
+    """A skin before a camera; lengths are scaled to about one, since Embree computes in single precision."""
+
+    def __init__(self, skin: Skin, eye: Camera) -> None:
+        self.skin, self.eye = skin, eye
+        self._center = (skin.points.min(axis=0) + skin.points.max(axis=0)) / 2
+        self._size = float(np.ptp(skin.points, axis=0).max()) or 1.0
+        self._scene: Any = EmbreeScene()
+        TriangleMesh(self._scene, self._scaled(skin.points), np.ascontiguousarray(skin.triangles, dtype=np.int32))
+
+    def _scaled(self, points: Array) -> NDArray[np.float32]:
+        return np.ascontiguousarray((points - self._center) / self._size, dtype=np.float32)
+
+    def look(self, raster: Raster, near: NDArray[np.bool_]) -> Hits:
+        """Cast a ray through the middle of each sample of a raster where something is near (see `near`)."""
+        rows, columns = np.nonzero(near)
+        across = (raster.left + (columns + 0.5) * raster.step - self._center @ self.eye.right) / self._size
+        upward = (raster.top - (rows + 0.5) * raster.step - self._center @ self.eye.up) / self._size
+        origins = np.empty((len(rows), 3), dtype=np.float32)
+        for i in range(3):
+            origins[:, i] = across * self.eye.right[i] + upward * self.eye.up[i] - 2 * self.eye.forward[i]
+        directions = np.tile(self.eye.forward.astype(np.float32), (len(origins), 1))
+        found = self._scene.run(origins, directions, query="INTERSECT", output=True)
+        triangle = np.full((raster.rows, raster.columns), -1, dtype=np.int32)
+        depth = np.zeros(triangle.shape, dtype=np.float32)
+        seen = found["primID"] >= 0
+        triangle[near] = found["primID"]
+        depth[near] = np.where(seen, found["tfar"], 0) * np.float32(self._size)
+        return Hits(triangle=triangle, depth=depth, u=found["u"][seen], v=found["v"][seen])
+
+    def depth(self, points: Array) -> Array:
+        """Distance along the view at which a ray would meet points, (p,) [m], to compare with that of `Hits`."""
+        return np.asarray((points - self._center) @ self.eye.forward + 2 * self._size)
+
+    def distance(self, hits: Hits) -> Array:
+        """Place along the view of what was hit, (h, w) [m], to compare scenes with each other."""
+        return np.asarray(hits.depth + self._center @ self.eye.forward - 2 * self._size)
+
+    @property
+    def size(self) -> float:
+        """Longest side of the box around the skin [m]."""
+        return self._size
+
+    def near(self, raster: Raster) -> NDArray[np.bool_]:
+        """Samples that a triangle may cover, (rows, columns), tile by tile; the others see nothing and need no ray."""
+        flat = self.eye.project(self.skin.points)[:, :2][self.skin.triangles]
+        tile = max(TILE, int(np.ceil(np.ptp(flat, axis=1).max() / raster.step)))
+        down, aside = -(-raster.rows // tile), -(-raster.columns // tile)
+        corners = flat.reshape(-1, 2)
+        column = np.floor((corners[:, 0] - raster.left) / raster.step / tile).astype(int)
+        row = np.floor((raster.top - corners[:, 1]) / raster.step / tile).astype(int)
+        near = np.zeros((down + 2, aside + 2), dtype=bool)
+        for i in (0, 1, 2):  # a triangle is no larger than a tile: it ends in a neighbor of its corners' tiles
+            for j in (0, 1, 2):
+                near[np.clip(row + i, 0, down + 1), np.clip(column + j, 0, aside + 1)] = True
+        near = np.repeat(np.repeat(near[1:-1, 1:-1], tile, axis=0), tile, axis=1)
+        return near[: raster.rows, : raster.columns]
+
+    def openness(self, reach: float) -> Array:
+        """Share of the sky above each point of the skin that nothing hides within ``reach`` [m], (p,)."""
+        normals, count = self.skin.normals, len(self.skin.points)
+        tangent = np.cross(normals, np.where(np.abs(normals[:, :1]) < 0.7, [[1.0, 0, 0]], [[0, 1.0, 0]]))
+        tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+        second = np.cross(normals, tangent)
+        origins = self._scaled(self.skin.points + 1e-3 * reach * normals)
+        limit = np.full(count, reach / self._size, dtype=np.float32)
+        hidden = np.zeros(count)
+        for x, y, z in _cosine_directions(SKY_RAYS):
+            direction = (x * tangent + y * second + z * normals).astype(np.float32)
+            hidden += self._scene.run(origins, direction, dists=limit, query="OCCLUDED") >= 0
+        return 1 - hidden / SKY_RAYS
+
+
+def _cosine_directions(count: int) -> Array:
+    """Directions over a hemisphere, as dense as the cosine to its pole: a golden spiral, (count, 3)."""
+    k = np.arange(count) + 0.5
+    radius, angle = np.sqrt(k / count), np.pi * (3 - np.sqrt(5)) * k
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle), np.sqrt(1 - radius**2)], axis=1)

@@ -1,0 +1,140 @@
+"""Shading: colors, light and lines of what the samples of a picture see."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.colors import Colormap
+from numpy.typing import NDArray
+
+from turgor.results.pictures.raycast import Camera, Hits
+from turgor.results.pictures.skin import Skin
+
+Bytes = NDArray[np.uint8]
+Mask = NDArray[np.bool_]
+
+INK = (38, 43, 52)
+GHOST = (176, 182, 190)
+PAPER = (255, 255, 255)
+
+#: How much of the light comes from the lamp at the upper left; the rest is sky, dimmed where little of it is seen.
+LAMP = 0.45
+LAMP_PLACE = (-0.45, 0.75, -0.65)
+HIGHLIGHT = 0.10
+BRIGHTNESS = 1.12
+
+#: A jump in depth of more than this share of the size of the body is an edge in front of something behind it.
+DEPTH_JUMP = 0.006
+
+GAMMA = 2.2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Look:
+    """How values become colors.
+
+    Parameters
+    ----------
+    colors : Colormap
+    limit : float
+        Value at the upper end of the colors; the lower end is zero.
+    openness : (p,) array
+        Share of the sky that each point of the skin sees.
+    """
+
+    colors: Colormap
+    limit: float
+    openness: NDArray[np.float64]
+
+
+def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
+    """Color every sample, (h, w, 3): the field's color under a lamp and a sky; white where nothing is seen."""
+    image = np.full((*hits.triangle.shape, 3), PAPER, dtype=np.uint8)
+    seen = hits.triangle >= 0
+    fields = np.column_stack([skin.values, look.openness, skin.normals]).astype(np.float32)
+    corners = skin.triangles[hits.triangle[seen]]
+    at = fields[corners[:, 0]] * (1 - hits.u - hits.v)[:, None]
+    at += fields[corners[:, 1]] * hits.u[:, None]
+    at += fields[corners[:, 2]] * hits.v[:, None]
+    value, sky, normal = at[:, 0], at[:, 1], at[:, 2:]
+    table = (look.colors(np.linspace(0, 1, 1024))[:, :3] ** GAMMA).astype(np.float32)
+    color = table[np.clip(value * (1023 / look.limit), 0, 1023).astype(np.int32)]
+    forward = eye.forward.astype(np.float32)
+    lamp = _unit(LAMP_PLACE[0] * eye.right + LAMP_PLACE[1] * eye.up + LAMP_PLACE[2] * eye.forward)
+    half = _unit(lamp - forward)
+    length = np.sqrt(np.einsum("si,si->s", normal, normal))
+    normal *= (-np.sign(normal @ forward) / np.maximum(length, 1e-12))[:, None]
+    light = (1 - LAMP) * (0.25 + 0.75 * sky) * (0.8 + 0.2 * normal[:, 2])
+    light += LAMP * np.maximum(normal @ lamp, 0) * (0.4 + 0.6 * sky)
+    color *= (BRIGHTNESS * light)[:, None]
+    color += (HIGHLIGHT * np.maximum(normal @ half, 0) ** 40 * sky)[:, None]
+    levels = (np.linspace(0, 1, 4096) ** (1 / GAMMA) * 255 + 0.5).astype(np.uint8)
+    image[seen] = levels[(np.clip(color, 0, 1) * 4095).astype(np.int32)]
+    return image
+
+
+def _unit(vector: NDArray[Any]) -> NDArray[np.float32]:
+    return np.asarray(vector / np.linalg.norm(vector), dtype=np.float32)
+
+
+def find_lines(skin: Skin, hits: Hits) -> tuple[Mask, Mask]:
+    """Samples on the outline of the body, and samples on edges within it."""
+    patch = np.where(hits.triangle >= 0, skin.patch.astype(np.int32)[hits.triangle], -1)
+    jump = DEPTH_JUMP * float(np.ptp(skin.points, axis=0).max())
+    outline, inner = np.zeros(patch.shape, dtype=bool), np.zeros(patch.shape, dtype=bool)
+    for axis in (0, 1):
+        here, there = _but_last(patch, axis), _but_first(patch, axis)
+        change, covered = here != there, (here >= 0) & (there >= 0)
+        slope = np.diff(hits.depth, axis=axis)
+        # from one pair of samples to the next the slope changes little where the surface is smooth, however steep
+        step = np.abs(_but_first(slope, axis) - _but_last(slope, axis)) > jump
+        _mark(outline, change & ~covered, axis)
+        _mark(inner, change & covered, axis)
+        _mark(inner, step & _but_last(covered, axis) & _but_first(covered, axis), axis)
+    return outline, inner & ~outline
+
+
+def _but_last(field: NDArray, axis: int) -> NDArray:
+    return field[:-1] if axis == 0 else field[:, :-1]
+
+
+def _but_first(field: NDArray, axis: int) -> NDArray:
+    return field[1:] if axis == 0 else field[:, 1:]
+
+
+def _mark(mask: Mask, where: Mask, axis: int) -> None:
+    """Set the samples of a mask that begin a pair or a triple of neighbors."""
+    if axis == 0:
+        mask[: where.shape[0]] |= where
+    else:
+        mask[:, : where.shape[1]] |= where
+
+
+def draw_lines(image: Bytes, lines: tuple[Mask, Mask], ink: tuple[int, int, int], width: float) -> None:
+    """Draw outline and inner edges into an image; ``width`` in samples is that of the outline."""
+    for mask, share, opacity in zip(lines, (1.0, 0.6), (0.95, 0.6), strict=True):
+        place = thickened(mask, width * share / 2)
+        image[place] = (image[place] * (1 - opacity) + np.array(ink) * opacity).astype(np.uint8)
+
+
+def thickened(mask: Mask, radius: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Rows and columns of the samples within a radius of those that are set, each once."""
+    rows, columns = np.nonzero(mask)
+    reach = int(np.ceil(radius))
+    wide = np.zeros(mask.shape, dtype=bool)
+    for down in range(-reach, reach + 1):
+        for aside in range(-reach, reach + 1):
+            if down**2 + aside**2 <= max(radius, 0.5) ** 2:
+                at = np.clip(rows + down, 0, mask.shape[0] - 1), np.clip(columns + aside, 0, mask.shape[1] - 1)
+                wide[at] = True
+    found = np.nonzero(wide)
+    return found[0], found[1]
+
+
+def reduced(image: Bytes, samples: int) -> Bytes:
+    """Average ``samples`` x ``samples`` samples into each pixel."""
+    total = np.zeros((image.shape[0] // samples, image.shape[1] // samples, 3), dtype=np.uint16)
+    for i in range(samples):
+        for j in range(samples):
+            total += image[i::samples, j::samples]
+    return ((total + samples**2 // 2) // samples**2).astype(np.uint8)

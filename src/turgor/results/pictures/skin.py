@@ -1,0 +1,194 @@
+"""Skin: the visible surface of the whole actuator as small flat triangles, ready to be drawn."""
+
+from dataclasses import dataclass
+from functools import cache
+from math import cos
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from turgor.engine.cells.reference import reference_nodes, tables_at
+from turgor.meshing.cells import six_node_triangles
+from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
+from turgor.meshing.surface import corner_keys, outer_triangles
+from turgor.results.fields.state_fields import MeshFacts, MirrorPlane
+from turgor.units import deg
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Surfaces that meet at more than this angle in the undeformed actuator have an edge between them.
+EDGE_ANGLE = 30 * deg
+
+#: Parts into which each side of a six-node triangle is cut, so that curved faces look curved.
+PARTS = 4
+
+#: Beyond this many flat triangles the sides are cut in two instead: the mesh is fine enough by itself.
+MANY = 150_000
+
+
+class Drawn(Protocol):
+    """What is drawn: a state, or a mesh by itself."""
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh."""
+
+    @property
+    def points(self) -> Array:
+        """Current positions of all nodes, (n, 3) [m]."""
+
+    @property
+    def facts(self) -> MeshFacts:
+        """The mirror planes."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Skin:
+    """Flat triangles with normals, values and the smooth patch they belong to.
+
+    Parameters
+    ----------
+    points : (p, 3) array [m]
+        Current positions.
+    normals : (p, 3) array
+        Outward unit normals, continuous within a patch.
+    values : (p,) array
+        The field to color by.
+    triangles : (t, 3) int array
+        Corners of each triangle.
+    patch : (t,) int array
+        Patches end at sharp edges and where two regions meet; a line is drawn between them.
+    """
+
+    points: Array
+    normals: Array
+    values: Array
+    triangles: Ints
+    patch: Ints
+
+    @property
+    def areas(self) -> Array:
+        """Area of each triangle, (t,) [m²]."""
+        a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
+        return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+
+
+def visible_skin(at: Drawn, values: Array) -> Skin:
+    """Build the skin of a state: outer surface without the mirror planes, mirrored to the whole actuator.
+
+    Parameters
+    ----------
+    at : Drawn
+        The state.
+    values : (n,) or (d,) array
+        Values at the nodes of the mesh, or at those of its regions: each triangle has those of the region behind it.
+    """
+    mesh = at.mesh
+    triangles, region = drawn_triangles(mesh)
+    shared = len(values) == len(mesh.points)
+    corners = values[triangles if shared else at.facts.region_nodes.of(triangles, np.tile(region[:, None], 6))]
+    smooth = _smooth_patches(mesh.points, triangles)
+    normals = _nodal_normals(at, triangles, smooth)
+    patch = np.unique(np.stack([smooth, region], axis=1), axis=0, return_inverse=True)[1].ravel()
+    parts = PARTS if len(triangles) * PARTS**2 * mesh.symmetry_factor <= MANY else 2
+    N, pieces = _subdivision(parts)
+    count = len(N)
+    fine_values = np.einsum("qa,fa->fq", N, corners)
+    low, high = corners.min(axis=1, keepdims=True), corners.max(axis=1, keepdims=True)
+    fine_normals = np.einsum("qa,fai->fqi", N, normals).reshape(-1, 3)
+    fine_normals /= np.maximum(np.linalg.norm(fine_normals, axis=1, keepdims=True), 1e-30)
+    skin = Skin(
+        points=np.einsum("qa,fai->fqi", N, at.points[triangles]).reshape(-1, 3),
+        normals=fine_normals,
+        values=np.clip(fine_values, low, high).ravel(),  # a quadratic overshoots between its nodes
+        triangles=(pieces + count * np.arange(len(triangles))[:, None, None]).reshape(-1, 3),
+        patch=np.repeat(patch, len(pieces)),
+    )
+    for plane in at.facts.mirrors:
+        skin = with_image(skin, plane)
+    return skin
+
+
+def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
+    """Outer triangles that lie on no mirror plane, and the number of the region behind each."""
+    triangles = six_node_triangles(outer_triangles(mesh))
+    count = len(mesh.points)
+    for name in mesh.symmetry_faces:
+        plane = six_node_triangles(mesh.face(name))
+        on_plane = np.isin(corner_keys(triangles, count), corner_keys(plane, count))
+        triangles = triangles[~on_plane]
+    touching = np.zeros((len(mesh.regions), count), dtype=bool)
+    for number, cells in enumerate(mesh.regions.values()):
+        touching[number, mesh.cells[cells]] = True
+    # of the regions that touch all six nodes only one owns the triangle; the other could touch them by an edge at most
+    return triangles, touching[:, triangles].all(axis=2).argmax(axis=0)
+
+
+def _smooth_patches(points: Array, triangles: Ints) -> Ints:
+    """Number the patches of triangles that are joined by edges without a sharp bend, (f,)."""
+    edges = np.concatenate([triangles[:, [a, b]] for a, b in TRIANGLE_EDGES])
+    owner = np.tile(np.arange(len(triangles)), 3)
+    # normals in the middle of each side, where two curved neighbors of one smooth face agree
+    normals = _unit_normals(points, triangles)[:, 3:].transpose(1, 0, 2).reshape(-1, 3)
+    key = np.sort(edges, axis=1)
+    order = np.lexsort((key[:, 1], key[:, 0]))
+    same = (key[order[1:]] == key[order[:-1]]).all(axis=1)
+    first, second = order[:-1][same], order[1:][same]
+    smooth = np.einsum("ei,ei->e", normals[first], normals[second]) > cos(EDGE_ANGLE)
+    a, b = owner[first[smooth]], owner[second[smooth]]
+    graph = coo_matrix((np.ones(len(a)), (a, b)), shape=(len(triangles),) * 2)
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
+
+
+def _unit_normals(points: Array, triangles: Ints) -> Array:
+    """Unit normals at the six nodes of every triangle, (f, 6, 3)."""
+    nodes = reference_nodes(6)
+    dN = tables_at(6, nodes, np.ones(len(nodes))).dN
+    tangents = np.einsum("qad,fai->fqid", dN, points[triangles])
+    normals = np.cross(tangents[..., 0], tangents[..., 1])
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-30))
+
+
+def _nodal_normals(at: Drawn, triangles: Ints, patch: Ints) -> Array:
+    """Current normals at the nodes of every triangle, averaged within each patch, (f, 6, 3)."""
+    own = _unit_normals(at.points, triangles)
+    key = (patch[:, None] * len(at.mesh.points) + triangles).ravel()
+    _, group = np.unique(key, return_inverse=True)
+    total = np.stack([np.bincount(group, own[..., i].ravel()) for i in range(3)], axis=1)
+    normals = total[group].reshape(own.shape)
+    for face, plane in zip(at.mesh.symmetry_faces, at.facts.mirrors, strict=True):
+        on_plane = np.isin(triangles, at.mesh.face_nodes(face))
+        normals[on_plane, plane.axis] = 0.0  # the surface goes on smoothly into its mirror image
+    return normals / np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-30)
+
+
+@cache
+def _subdivision(parts: int) -> tuple[Array, Ints]:
+    """Shape functions (q, 6) at a lattice on the triangle, and the small triangles between its points, (parts², 3)."""
+    number = {(i, j): k for k, (i, j) in enumerate((i, j) for i in range(parts + 1) for j in range(parts + 1 - i))}
+    pieces = []
+    for i in range(parts):
+        for j in range(parts - i):
+            pieces.append((number[i, j], number[i + 1, j], number[i, j + 1]))
+            if i + j < parts - 1:
+                pieces.append((number[i + 1, j], number[i + 1, j + 1], number[i, j + 1]))
+    lattice = np.array(list(number), dtype=np.float64) / parts
+    return tables_at(6, lattice, np.ones(len(lattice))).N, np.array(pieces)
+
+
+def with_image(skin: Skin, plane: MirrorPlane) -> Skin:
+    """Return the skin together with its mirror image."""
+    points, normals = skin.points.copy(), skin.normals.copy()
+    points[:, plane.axis] = 2 * plane.position - points[:, plane.axis]
+    normals[:, plane.axis] *= -1
+    return Skin(
+        points=np.concatenate([skin.points, points]),
+        normals=np.concatenate([skin.normals, normals]),
+        values=np.concatenate([skin.values, skin.values]),
+        triangles=np.concatenate([skin.triangles, skin.triangles[:, ::-1] + len(points)]),
+        patch=np.concatenate([skin.patch, skin.patch]),
+    )

@@ -1,0 +1,195 @@
+"""Pictures: the whole actuator at true scale, colored by von Mises stress or by contact pressure, as PNG."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.transforms import IdentityTransform
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError, unknown
+from turgor.response import Response
+from turgor.results.drive import face_of, pressures_in
+from turgor.results.fields.contact import extents_of
+from turgor.results.fields.fibers import drawn_threads
+from turgor.results.fields.percentiles import PERCENTILE, volume_percentile, weighted_percentile
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.pictures.colors import CONTACT_PRESSURE, FIELDS, VON_MISES, color_map, plain_rubber
+from turgor.results.pictures.contact_patches import pressed
+from turgor.results.pictures.obstacle_skin import obstacle_skin
+from turgor.results.pictures.rendering import ASIDE, FRONT, MARGIN, Beside, View, frame, render
+from turgor.results.pictures.shading import INK
+from turgor.results.pictures.skin import Skin, visible_skin
+from turgor.solvers.solution import State
+from turgor.units import deg, kPa, mm
+
+Array = NDArray[np.float64]
+
+#: Pixels above the actuator for the title, and below it for the colors.
+HEAD, FOOT = 90, 140
+
+
+def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_by: str = VON_MISES) -> View:
+    """Choose a view that shows all states whole, at the same scale and with the same colors.
+
+    The bar of colors ends at the largest `von_mises_p99` of the states, the stress below which 99 % of the volume lie,
+    or at the contact pressure below which 99 % of the area that touches lie. Beyond it the last color is used.
+
+    Parameters
+    ----------
+    states : sequence of State or StateFields
+        What will be shown; usually the undeformed and the last state.
+    width : int
+        Width of the pictures in pixels, 400 or more.
+    color_by : str
+        ``"von_mises"`` or ``"contact_pressure"``.
+    """
+    if width < 400:
+        raise TurgorError(f"picture width is {width} pixels; allowed is 400 or more.")
+    if color_by not in FIELDS:
+        raise unknown("field to color pictures by", color_by, FIELDS)
+    if not states:
+        raise TurgorError("a view needs at least one state to show.")
+    shown = [_fields(state) for state in states]
+    extents = extents_of(shown)
+    touching = color_by == CONTACT_PRESSURE
+    azimuth = ASIDE if touching else FRONT
+    plain = View(azimuth=azimuth, left=0.0, right=1.0, limit=1.0)
+    low, high, limit = np.full(2, np.inf), np.full(2, -np.inf), 0.0
+    for at in shown:
+        skin = visible_skin(at, getattr(at, color_by))
+        least, greatest = frame([skin], obstacle_skin(at, extents), plain.eye)
+        low, high = np.minimum(low, least), np.maximum(high, greatest)
+        limit = max(limit, _pressed(skin) if touching else volume_percentile(at.cells, at.cells.von_mises))
+    left, right = float(low[0]), float(max(high[0], low[0] + high[1] - low[1]))  # no picture is taller than it is wide
+    return View(
+        azimuth=azimuth, left=left, right=right, limit=limit if limit > 0 else 1 * kPa, width=width, color_by=color_by,
+        extents=extents,
+    )  # fmt: skip
+
+
+def write_picture(
+    path: str | Path,
+    state: State | StateFields,
+    view: View | None = None,
+    *,
+    title: str = "",
+    ghost: State | StateFields | None = None,
+) -> None:
+    """Draw a state of the whole actuator at true scale, colored by von Mises stress or by contact pressure.
+
+    Obstacles are drawn as gray bodies that let through what is behind them.
+
+    Parameters
+    ----------
+    path : str or Path
+        PNG file to write.
+    state : State or StateFields
+        What to draw; a half or quarter model is mirrored.
+    view : View
+        Direction, scale and colors; made for this state (and the ghost) if it is not given. One made by
+        ``shared_view(states, color_by="contact_pressure")`` gives a picture of what touches.
+    title : str
+        Line above the actuator, see `picture_title`.
+    ghost : State or StateFields
+        A state whose outline is drawn behind it, usually the undeformed one.
+    """
+    at = _fields(state)
+    shown = [at] if ghost is None else [at, _fields(ghost)]
+    view = view or shared_view(shown)
+    extents = view.extents or extents_of(shown)
+    touching = view.color_by == CONTACT_PRESSURE
+    skins = [visible_skin(each, np.zeros(len(each.points)) if touching else each.von_mises) for each in shown]
+    beside = Beside(
+        threads=drawn_threads(at),
+        obstacles=obstacle_skin(at, extents),
+        patches=pressed(visible_skin(at, at.contact_pressure), view.limit, view.eye) if touching else (),
+    )
+    colors = plain_rubber() if touching else None
+    figure = _compose(render(skins, view, colors, beside), view, title)
+    figure.savefig(path, metadata={"Software": None})
+
+
+def picture_title(response: Response, row: int = -1, name: str = "") -> str:
+    """Title of a picture from a row of the response: name, stage, pressure and bending angle where they are known.
+
+    Examples
+    --------
+    >>> from turgor.response import Column
+    >>> from turgor.source import Source
+    >>> columns = (Column("pressure", "kPa", [0, 50e3]), Column("bending_angle", "deg", [0, 1.5]))
+    >>> picture_title(Response(columns=columns, source=Source(text="a ruler")), name="finger")
+    'finger · 50 kPa · bending angle 85.9°'
+    """
+    parts = [name] if name else []
+    if response.stages and row not in (0, -len(response)):
+        parts.append(response.stages[row])
+    pressures = [f"{face_of(column)} {column.values[row] / kPa:.4g} kPa".strip() for column in pressures_in(response)]
+    if pressures:
+        parts.append(", ".join(pressures))
+    elif "load_factor" in response.names:
+        parts.append(f"load factor {response.column('load_factor')[row]:.4g}")
+    if "bending_angle" in response.names:
+        parts.append(f"bending angle {response.column('bending_angle')[row] / deg:.1f}°")
+    return " · ".join(parts)
+
+
+def _fields(state: State | StateFields) -> StateFields:
+    return state if isinstance(state, StateFields) else StateFields(state)
+
+
+def _pressed(skin: Skin) -> float:
+    """Pressure that 99 % of the area that touches stay below; zero where nothing touches."""
+    values = skin.values[skin.triangles].mean(axis=1)
+    on = values > 0
+    return weighted_percentile(values[on], skin.areas[on]) if on.any() else 0.0
+
+
+def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
+    """Put picture, title, colors and axes on one page, pixel by pixel."""
+    width, height = picture.shape[1], picture.shape[0] + HEAD + FOOT
+    figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
+    FigureCanvasAgg(figure)
+    figure.figimage(picture, 0, FOOT)
+    figure.text(MARGIN / width, 1 - 0.5 * HEAD / height, title, fontsize=24, va="center", color=_hex(INK))
+    bar = figure.add_axes((MARGIN / width, 62 / height, 0.42, 22 / height))
+    colors = ScalarMappable(Normalize(0, view.limit / kPa), color_map(view.color_by))
+    colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
+    colorbar.outline.set_visible(False)
+    bar.tick_params(labelsize=16, colors=_hex(INK), length=5)
+    note = FIELDS[view.color_by].format(share=f"{PERCENTILE} %")
+    figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=_hex(INK))
+    draw_axes(figure, view)
+    return figure
+
+
+def draw_axes(figure: Figure, view: View) -> None:
+    """Draw x, y and z as they are seen, each as long as a round length at the scale of the picture."""
+    width, height = figure.get_size_inches() * 100
+    length = _round_length(72 * view.pixel)
+    corner = np.array([width - MARGIN - 1.35 * length / view.pixel, 46.0])
+    directions = view.eye.project(np.eye(3))[:, :2]
+    for name, direction in zip("xyz", directions, strict=True):
+        end = corner + direction * length / view.pixel
+        line = Line2D([corner[0], end[0]], [corner[1], end[1]], color=_hex(INK), lw=2, solid_capstyle="round")
+        line.set_transform(IdentityTransform())
+        figure.add_artist(line)
+        x, y = (end + direction / np.linalg.norm(direction) * 14) / [width, height]
+        figure.text(x, y, name, fontsize=15, ha="center", va="center", color=_hex(INK))
+    label = f"each axis {length / mm:g} mm"
+    figure.text(corner[0] / width, 12 / height, label, fontsize=14, va="center", ha="center", color=_hex(INK))
+
+
+def _round_length(about: float) -> float:
+    """The largest of 1, 2, 5, 10 … mm that is not above a length."""
+    power = 10.0 ** np.floor(np.log10(about / mm))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= about / mm)) * mm
+
+
+def _hex(color: tuple[int, int, int]) -> str:
+    return "#{:02x}{:02x}{:02x}".format(*color)

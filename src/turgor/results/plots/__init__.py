@@ -1,0 +1,1 @@
+"""Plots: curves of responses, materials, fits and convergence studies."""

@@ -1,0 +1,1 @@
+"""Report: the page that says in words, numbers and pictures what a run found."""

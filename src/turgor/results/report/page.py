@@ -1,0 +1,233 @@
+"""Report: one self-contained HTML page that says what was asked, what came out, and how far to trust it."""
+
+import struct
+from base64 import b64encode
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+from jinja2 import Environment, StrictUndefined
+
+from turgor.errors import TurgorError
+from turgor.finding import Finding, Severity
+from turgor.meshing.quality.cell_quality import MeshQuality
+from turgor.response import Column, Response
+from turgor.results.drive import drive_of, pressures_in
+from turgor.results.fields.percentiles import PERCENTILE
+from turgor.results.measures.field_measures import BY_REGION
+from turgor.results.measures.headlines import headlines, in_regions, with_parts
+from turgor.results.measures.measures import MEASURES, find_measure
+from turgor.results.plots.response_plots import response_svg
+from turgor.results.report import describe, describe_procedure
+from turgor.results.report.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
+from turgor.results.report.error_text import last_with_error, with_error
+from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.solution import Solution, Timing
+
+#: Largest width and height of a picture on the page, in its pixels.
+PAGE_WIDTH, PICTURE_HEIGHT = 984, 760
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+
+#: Rows of the response that the page shows; the file has all.
+ROWS = 13
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Picture:
+    """A PNG picture and what it shows."""
+
+    caption: str
+    png: bytes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Report:
+    """What a report tells.
+
+    Parameters
+    ----------
+    title : str
+        Headline.
+    solution : Solution
+        The question and the path.
+    response : Response
+        What was measured along it.
+    findings : tuple of Finding
+        What all checks noticed, before, during and after the solve.
+    dimensions : mapping of str to str
+        Dimensions of the actuator with their units, as text.
+    quality : MeshQuality or None
+        Counts, sizes and shapes of the cells.
+    pictures : tuple of Picture
+        Pictures of the actuator.
+    versions : mapping
+        Programs, machine and linear solver.
+    repeat : str
+        Commands that repeat the run.
+    files : mapping of str to str
+        Files beside the report and what each holds.
+    created : str
+        When it was made; nothing is said if it is empty.
+    """
+
+    title: str
+    solution: Solution
+    response: Response
+    findings: tuple[Finding, ...] = ()
+    dimensions: Mapping[str, str] = field(default_factory=dict)
+    quality: MeshQuality | None = None
+    pictures: tuple[Picture, ...] = ()
+    versions: Mapping[str, str | int] = field(default_factory=dict)
+    repeat: str = ""
+    files: Mapping[str, str] = field(default_factory=dict)
+    created: str = ""
+
+
+def write_report(path: str | Path, report: Report) -> None:
+    """Write a report as one HTML file that needs no other: pictures, plot and style are inside.
+
+    Parameters
+    ----------
+    path : str or Path
+        File to write.
+    report : Report
+        What it tells.
+    """
+    source = files("turgor.results.report").joinpath("templates/report.html").read_text(encoding="utf-8")
+    template = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True).from_string(source)
+    Path(path).write_text(template.render(_context(report)), encoding="utf-8")
+
+
+def _context(report: Report) -> dict[str, object]:
+    """Everything the template names, as text, lists and pairs."""
+    solution, model = report.solution, report.solution.model
+    response = report.response
+    dimensions = list(report.dimensions.items())
+    staged = isinstance(solution.procedure, Stages)
+    return {
+        "title": report.title,
+        "status": describe_procedure.ending(solution.status),
+        "good": solution.complete and all(finding.severity is not Severity.ERROR for finding in report.findings),
+        "message": solution.message,
+        "advice": solution.advice,
+        "findings": list(report.findings),
+        "numbers": _numbers(response),
+        "percentile": PERCENTILE if {each.name for each in BY_REGION} & set(response.names) else 0,
+        "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
+        "picture_width": _picture_width(report.pictures),
+        "plot": response_svg(response) if len(response) > 1 else "",
+        "response": _table(response),
+        "errors_known": any(response.mesh_error(column.name) is not None for column in response.quantities),
+        "definitions": _definitions(response, contact_columns(model)),
+        "contact_heads": CONTACT_HEADS,
+        "contact_rows": contact_rows(solution),
+        "contact_plot": contact_plot(solution),
+        "loads": describe.loads(model),
+        "loads_head": "Loads from the first stage on" if staged else "Loads at load factor 1",
+        "staged": staged,
+        "supports": describe.supports(model),
+        "contact": describe.contact(model),
+        "mesh": describe.mesh(model.mesh, report.quality),
+        "dimensions": dimensions,
+        "half": -(-len(dimensions) // 2),
+        "materials": describe.materials(model),
+        "steps": list(solution.steps),
+        "path_summary": _path_summary(solution),
+        "procedure": describe_procedure.procedure(solution.procedure),
+        "versions": [(name, str(value)) for name, value in report.versions.items()],
+        "repeat": report.repeat,
+        "files": list(report.files.items()),
+        "created": report.created,
+    }
+
+
+def _picture_width(pictures: tuple[Picture, ...]) -> int:
+    """Width at which none of the pictures is too tall, in pixels of the page; one for all keeps their scale equal."""
+    widths = [float(PAGE_WIDTH)]
+    for picture in pictures:
+        if picture.png[:8] != PNG_SIGNATURE:
+            raise TurgorError(f"picture '{picture.caption}' is no PNG.")
+        width, height = struct.unpack(">II", picture.png[16:24])
+        widths.append(PICTURE_HEIGHT * width / height)
+    return int(min(widths))
+
+
+def _numbers(response: Response) -> list[tuple[str, str]]:
+    """Values of the last state with their names: the drive, then what a reader looks for first."""
+    drives = [column.name for column in pressures_in(response)] or [drive_of(response)]
+    numbers = []
+    for name in [*drives, *(name for name in headlines(response.names) if name not in drives)]:
+        column, regions = response.find(name), in_regions(response, name)
+        cavities = [] if regions else with_parts(response, name)[1:]
+        numbers.append((_last(response, column), f"{_words(column)}; {regions}" if regions else _words(column)))
+        numbers += [(_last(response, each), _words(each)) for each in map(response.find, cavities)]
+    return numbers
+
+
+def _last(response: Response, column: Column) -> str:
+    """Value of the last state with its mesh error and unit; degrees have their sign."""
+    return last_with_error(response, column).replace(" deg", "°")
+
+
+def _definitions(response: Response, contacts: set[str]) -> list[tuple[str, str]]:
+    """Names and definitions of the columns that ready-made measures filled."""
+    parts = {part for name in headlines(response.names) for part in with_parts(response, name)}
+    known = {*MEASURES, *parts, *contacts}
+    return [
+        (_words(column), find_measure(column.name).definition) for column in response.columns if column.name in known
+    ]
+
+
+def _words(column: Column) -> str:
+    """Name of a column without its unit."""
+    return column.label.split(" [")[0]
+
+
+def _table(response: Response) -> dict[str, object]:
+    """Labels and rows of the response as text, thinned out evenly where there are many."""
+    count = len(response)
+    step = max(1, -(-(count - 1) // (ROWS - 1)))
+    rows = [*range(0, count - 1, step), count - 1]
+    columns = [
+        list(response.stages) if column.name == "stage" and response.stages else _written(response, column)
+        for column in response.quantities
+    ]
+    return {
+        "labels": [column.label for column in response.quantities],
+        "rows": [[column[row] for column in columns] for row in rows],
+        "left_out": count - len(rows),
+        "count": count,
+    }
+
+
+def _written(response: Response, column: Column) -> list[str]:
+    """Values of a column in its unit, with mesh errors where they are known.
+
+    A value without one has as many decimals as give the largest five digits, four at most.
+    """
+    largest = max((abs(v) for v in column.in_unit.tolist() if abs(v) < float("inf")), default=0.0)
+    before = len(str(int(largest)))
+    decimals = min(4, max(0, 5 - before))
+    errors = response.mesh_error(column.name)
+    known = errors if errors is not None else np.full(len(response), np.nan)
+    return [
+        with_error(value, error, column.unit).removesuffix(column.unit).rstrip()
+        if error > 0
+        else f"{shown:.{decimals}f}"
+        for value, shown, error in zip(column.values.tolist(), column.in_unit.tolist(), known.tolist(), strict=True)
+    ]
+
+
+def _path_summary(solution: Solution) -> str:
+    accepted = sum(step.accepted for step in solution.steps)
+    parts = [f"{accepted} steps accepted, {len(solution.steps) - accepted} cut back, {solution.iterations} iterations."]
+    timing: Timing = solution.timing
+    if timing.total > 0:
+        spent = timing.parts()
+        listed = ", ".join(f"{name} {seconds:.1f} s" for name, seconds in spent.items())
+        parts.append(f"Wall time {timing.total:.1f} s: {listed}.")
+    if timing.linear_solver:
+        parts.append(f"Linear solver {timing.linear_solver}.")
+    return " ".join(parts)

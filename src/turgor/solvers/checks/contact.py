@@ -1,0 +1,153 @@
+"""Checks of contact: walls that met without any, walls that overlap at rest, contact that gave way too far."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+from turgor.finding import Finding, Severity
+from turgor.meshing.quality.mirror_gap import find_mirror_walls, mirror_gap
+from turgor.meshing.quality.overlaps import find_overlaps
+from turgor.meshing.quality.proximity import find_facing_walls, smallest_gap
+from turgor.model.contact import SELF
+from turgor.model.drive import common_pressure, drive_text, pressed_together, rises
+from turgor.model.model import Model
+from turgor.solvers.checks.thresholds import PENETRATION_ROUND_OFF
+from turgor.solvers.solution import State
+from turgor.units import mm, um
+
+
+def check_contact(model: Model) -> tuple[Finding, ...]:
+    """Look for walls that overlap before anything is loaded (B07), where contact should keep them apart.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    mesh = model.mesh
+    if not mesh.cell_type.side.triangles or model.contact.for_mesh(mesh) is None:
+        return ()
+    places = find_overlaps(mesh)
+    if not len(places):
+        return ()
+    x, y, z = places[len(places) // 2] / mm
+    return (
+        Finding(
+            code="B07",
+            severity=Severity.WARNING,
+            message=f"The mesh overlaps itself at rest, for instance at ({x:.3g}, {y:.3g}, {z:.3g}) mm; contact leaves "
+            "these walls alone.",
+            advice="Move the bodies apart before meshing, or mend the mesh there.",
+        ),
+    )
+
+
+def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:
+    """Say which contacts gave way further than their tolerance in the last state (B06).
+
+    Parameters
+    ----------
+    states : sequence of State
+        The path.
+
+    Returns
+    -------
+    tuple of Finding
+        One for each such contact.
+    """
+    found = []
+    for name, touch in states[-1].touches.items() if states else ():
+        if touch.share > 1 + PENETRATION_ROUND_OFF:
+            who = "Walls of the actuator penetrate each other" if name == SELF else f"The actuator penetrates '{name}'"
+            found.append(
+                Finding(
+                    code="B06",
+                    severity=Severity.WARNING,
+                    message=f"{who} by up to {touch.penetration / um:.3g} µm in the last state, at the worst place "
+                    f"{touch.share:.3g} times as deep as the tolerance allows.",
+                    advice=f"Round sharp edges that press, refine the mesh there, or raise the stiffness of "
+                    f"{'self_contact' if name == SELF else 'the obstacle'}; forces are still in balance.",
+                )
+            )
+    return tuple(found)
+
+
+def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
+    """Find the load at which walls first met that no contact stops (B02); results beyond it are not physical.
+
+    Looked at are the outer walls, and the walls of each cavity that is pressed together, against each other and
+    against their mirror images. 20-node hexahedra, which serve comparisons with other codes, are not watched.
+
+    Parameters
+    ----------
+    model : Model
+    states : sequence of State
+        The path, from the undeformed state.
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    found = []
+    for cavity in _unguarded(model):
+        facing, mirrors = find_facing_walls(model.mesh, cavity=cavity), find_mirror_walls(model.mesh, cavity)
+        points = model.mesh.points
+        met = {
+            "": _first_contact(states, (smallest_gap(facing, state.displacement) for state in states)),
+            " their mirror image": _first_contact(
+                states, (mirror_gap(mirrors, points + state.displacement) for state in states)
+            ),
+        }
+        first = {whom: factor for whom, factor in met.items() if factor is not None}
+        if first:
+            whom = min(first, key=lambda each: first[each])
+            found.append(_met(model, cavity, whom, first[whom]))
+    return tuple(found)
+
+
+def _unguarded(model: Model) -> tuple[str | None, ...]:
+    """Cavities that are pressed together, and None for the outer walls, where no contact stops them."""
+    mesh, contact = model.mesh, model.contact
+    if not mesh.cell_type.side.triangles:
+        return ()
+    outside = (None,) if contact.for_mesh(mesh) is None else ()
+    return (*outside, *(pressed_together(model) if contact.self_contact is None else ()))
+
+
+def _first_contact(states: Sequence[State], measured: Iterable[float]) -> float | None:
+    """Load factor at which a gap was first closed, measured no further than that; None where it never was."""
+    gaps: list[float] = []
+    for gap in measured:
+        gaps.append(gap)
+        if not np.isfinite(gaps[0]):
+            return None
+        if gaps[-1] <= 0:
+            factors = [s.load_factor for s in states[: len(gaps)]]
+            if len(gaps) == 1:
+                return 0.0
+            if (np.diff(factors) > 0).all():
+                return float(PchipInterpolator(factors, gaps).roots(extrapolate=False).min())
+            places = np.arange(len(gaps))  # the load fell on the way, and does not order the states
+            return float(np.interp(PchipInterpolator(places, gaps).roots(extrapolate=False).min(), places, factors))
+    return None
+
+
+def _met(model: Model, cavity: str | None, whom: str, factor: float) -> Finding:
+    load, pressures = f"load factor {factor:.3g}", drive_text(model, factor, 3)
+    common = common_pressure(model)
+    if common is not None and rises(common):
+        load = pressures
+    elif pressures:
+        load += f" ({pressures})"
+    walls = "Outer walls" if cavity is None else f"Walls of {cavity}"
+    return Finding(
+        code="B02",
+        severity=Severity.ERROR,
+        message=f"{walls} met{whom} at {load}; beyond it they pass through each other, because self-contact is off.",
+        advice=f"Switch it on with self_contact = true under [contact], Contact(self_contact=True) in Python, or use "
+        f"the results below {load} only.",
+    )

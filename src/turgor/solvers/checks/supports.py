@@ -1,0 +1,112 @@
+"""Checks before a solve: rigid motions left free, cavities without a pressure."""
+
+import numpy as np
+
+from turgor.engine.algebra.boundary import Held, held_components
+from turgor.errors import TurgorError
+from turgor.finding import Finding, Severity
+from turgor.meshing.bodies.bodies import Body, find_bodies
+from turgor.meshing.surface import outer_triangles
+from turgor.model.model import Model
+
+
+def check_supports(model: Model, inertia: bool = False) -> None:
+    """Refuse a model whose supports leave a rigid motion or the mean stress of one of its bodies free (B01).
+
+    With ``inertia`` rigid motions may be free: a body that flies has an acceleration, if no equilibrium.
+    """
+    supports = held_components(model)
+    surface = np.unique(outer_triangles(model.mesh))
+    bodies = find_bodies(model.mesh)
+    for body in bodies:
+        free = 0 if inertia else 6 - _held_motions(model, supports, body)
+        if free and len(bodies) == 1:
+            raise TurgorError(
+                f"the supports leave {free} of 6 rigid motions free (B01); hold a face, for example Fixed('fixed')."
+                f"{_contact_does_not_hold(model, 1)}"
+            )
+        if free:
+            raise TurgorError(
+                f"the supports leave {free} of 6 rigid motions of the body {_named(body)} free (B01); "
+                f"hold one of its faces, {_faces_to_hold(body)}.{_contact_does_not_hold(model, len(bodies))}"
+            )
+        materials = [model.region_materials[name] for name in body.regions]
+        whole = supports.mask[np.intersect1d(surface, body.nodes)].all()
+        if whole and all(material.incompressible for material in materials):
+            raise TurgorError(
+                "the supports prescribe the whole surface of an incompressible body (B01), which leaves its mean "
+                "stress undetermined; leave a direction of one face free or give the material a bulk_modulus."
+            )
+
+
+def free_motions(model: Model) -> int:
+    """Count the rigid motions of all bodies that supports leave free.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    int
+    """
+    supports = held_components(model)
+    return sum(6 - _held_motions(model, supports, body) for body in find_bodies(model.mesh))
+
+
+def _held_motions(model: Model, supports: Held, body: Body) -> int:
+    """How many of the six rigid motions of a body its supports hold."""
+    mask = np.zeros_like(supports.mask)
+    mask[body.nodes] = supports.mask[body.nodes]
+    if not mask.any():
+        return 0
+    points = model.mesh.points - model.mesh.points[body.nodes].mean(axis=0)
+    size = float(np.abs(points[body.nodes]).max())
+    motions = []
+    for axis in range(3):
+        translation = np.zeros_like(points)
+        translation[:, axis] = 1.0
+        motions.append(supports.frames.to_local(translation)[mask])
+        motions.append(supports.frames.to_local(np.cross(np.eye(3)[axis], points / size))[mask])
+    return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(mask.sum()))))
+
+
+def _named(body: Body) -> str:
+    return " and ".join(f"'{region}'" for region in body.regions)
+
+
+def _faces_to_hold(body: Body) -> str:
+    """Faces that a body can be held at, one that is meant for it first."""
+    faces = [name for name in body.faces if not name.startswith(("cavity", "symmetry_"))]
+    if not faces:
+        return "which has no name yet"
+    best = next((name for name in faces if name.startswith("fixed")), faces[0])
+    return f"for example Fixed('{best}'); its faces are {', '.join(faces)}"
+
+
+def _contact_does_not_hold(model: Model, bodies: int) -> str:
+    """Say that contact is no support, where there is any."""
+    obstacles = [f"'{obstacle.name}'" for obstacle in model.contact.obstacles]
+    others = ["other bodies"] if bodies > 1 else []
+    if not obstacles and not others:
+        return ""
+    return (
+        f" Contact with {', '.join(obstacles + others)} does not count: it pushes only while it touches, "
+        "and a body that it alone should hold has no equilibrium before that; Stabilized or Dynamic let it find one."
+    )
+
+
+def unloaded_cavities(model: Model) -> tuple[Finding, ...]:
+    """Say which cavities have no pressure of their own while others have one (B03)."""
+    loaded = {load.face for load in model.pressures}
+    empty = [name for name in model.mesh.cavities if name not in loaded]
+    if not empty or len(empty) == len(model.mesh.cavities):
+        return ()
+    return (
+        Finding(
+            code="B03",
+            severity=Severity.NOTE,
+            message=f"No pressure is stated for {', '.join(empty)}: it stays open to the air, at 0 kPa.",
+            advice=f"Give it one under [loads.{empty[0]}] if it should have any.",
+        ),
+    )

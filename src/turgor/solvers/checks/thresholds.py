@@ -1,0 +1,34 @@
+"""Thresholds of the checks: every number that was chosen, with its reason."""
+
+# --- contact
+
+#: A tolerance that is just met is met.
+PENETRATION_ROUND_OFF = 1e-6
+
+# --- distortion
+
+#: Rubber keeps its volume. A mesh keeps it on average; where a point of a cell has less than this share of its volume
+#: left, or the inverse of it, the cell bends in a way that the rubber cannot.
+KEPT_VOLUME = 0.5
+
+#: Rubber whose bulk modulus is this many times its shear modulus or more keeps its volume.
+HARD_RUBBER = 50.0
+
+# --- fibers
+
+#: Distance between smeared threads, in cells and as a share of the perimeter, from which smearing them is doubtful.
+CELLS_BETWEEN, SHARE_OF_PERIMETER = 1.5, 0.25
+
+# --- obstacles
+
+#: Obstacles may reach into the actuator by this share of its longest side: what just touches overlaps by round-off.
+OBSTACLE_TOUCHING = 1e-4
+
+# --- time steps
+
+#: A term is followed badly by steps longer than the first of these shares of its time. Terms much faster than the
+#: steps, beyond the second, are nearly relaxed all the time, and no harm is done.
+LONG_RELAXATION_STEP, FAST_RELAXATION = 0.6, 20.0
+
+#: A step in which no node moves by more than this share of the largest displacement counts as a hold, which is exact.
+HELD_SHARE = 0.02

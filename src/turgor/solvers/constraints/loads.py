@@ -1,0 +1,67 @@
+"""Load control: the constraint without an extra unknown, because the parameter is the load factor itself."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.contact.part import Look
+from turgor.engine.contact.terms import Contacts
+from turgor.engine.system import Evaluation, System
+from turgor.solvers.constraints.clock import Clock
+from turgor.solvers.constraints.constraint import Conditions, Constraint, Place
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GivenLoads:
+    """No scalar is sought: the parameter is the load factor.
+
+    Parameters
+    ----------
+    system : System
+    """
+
+    system: System
+
+    def load_factor(self, parameter: float, scalars: Array) -> float:
+        """The parameter itself."""
+        return parameter
+
+    def evaluate(
+        self,
+        unknowns: Array,
+        parameter: float,
+        scalars: Array,
+        known: Contacts | None = None,
+        how: Look = Look.FOLLOW,
+    ) -> Evaluation | None:
+        """The equations at a load factor."""
+        return self.system.evaluate(unknowns, parameter, None, known, how)
+
+    def columns(self, at: Evaluation) -> Array:
+        """None, as an array (0, size)."""
+        return np.empty((0, len(at.unknowns)))
+
+    def unstable(self, modes: int | None, stiffness: Array) -> int | None:
+        """All of those at given loads."""
+        return modes
+
+
+@dataclass(frozen=True, slots=True)
+class NoConditions:
+    """No condition beside equilibrium."""
+
+    def conditions(self, unknowns: Array, parameter: float, scalars: Array) -> Conditions:
+        """Arrays without rows."""
+        return Conditions(np.empty(0), np.empty((0, len(unknowns))), np.empty((0, 0)))
+
+    def onward(self, last: Place, now: Place) -> "NoConditions":
+        """The same all along."""
+        return self
+
+
+def load_control(system: System, duration: float | None = None) -> Constraint:
+    """Return the constraint of load control, which takes a duration [s] at load factor 1 where it takes time."""
+    return Constraint(GivenLoads(system), NoConditions(), Clock(duration))

@@ -1,0 +1,200 @@
+"""Load control: the path of `Static`, and what it does where no step of the load succeeds."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import inf
+from time import perf_counter
+
+import numpy as np
+
+from turgor.model.drive import kinks
+from turgor.solvers.checks.distortion import distortion_text
+from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.continuation.path_follower import accept, follow, noted
+from turgor.solvers.continuation.path_points import (
+    Ending,
+    Judgment,
+    Point,
+    Run,
+    Task,
+    nothing,
+    plain_point,
+    settings_of,
+)
+from turgor.solvers.continuation.predictor import BY_LOAD, predicted
+from turgor.solvers.continuation.step_acceptance import turns_aside, why_rejected
+from turgor.solvers.continuation.step_control import StepControl
+from turgor.solvers.continuation.tangent_response import rate_at, rate_in_step
+from turgor.solvers.continuation.thresholds import (
+    LONG_FIRST_STEP,
+    RELAXATION_REACH,
+    RELAXATIONS,
+    SHORTER_RELAXATION_REACH,
+)
+from turgor.solvers.newton.newton import NewtonResult, Start
+from turgor.solvers.newton.pseudo_transient import pseudo_transient
+from turgor.solvers.outcomes import Outcome, converged, stuck
+from turgor.solvers.problem import Problem
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.restart import unknowns_of
+from turgor.solvers.solution import State, Status
+
+
+def follow_load(problem: Problem, procedure: Static) -> Outcome:
+    """Step from load factor 0 to 1; the path so far is in the lists of the problem whatever happens."""
+    return follow(load_run(problem, procedure, patient=True))
+
+
+def load_run(
+    problem: Problem,
+    procedure: Static,
+    patient: bool,
+    stop: Callable[[State], str | None] | None = None,
+    history: list[Point] | None = None,
+) -> Run:
+    """Make a run of load control from the start of a problem.
+
+    Parameters
+    ----------
+    problem : Problem
+    procedure : Static
+    patient : bool
+        Whether pseudo-transient continuation may help where Newton's method finds nothing.
+    stop : callable, optional
+        Asked instead of the listener of the problem.
+    history : list of Point, optional
+        Filled with the last points.
+    """
+    system, turns = problem.system, kinks(problem.system.model)
+    strategy = LoadStrategy(patient)
+    if stop is not None:
+        problem = replace(problem, listeners=replace(problem.listeners, stop=stop))
+    task = Task(
+        problem=problem,
+        procedure=procedure,
+        strategy=strategy,
+        settings=replace(settings_of(procedure), count_anew=True),
+        driven=nothing,
+        finished=_full_load,
+        kinks=turns,
+    )
+    constraint = load_control(system, procedure.duration)
+    run = Run(task, constraint, StepControl.of(procedure, turns), history=[] if history is None else history)
+    rest = system.evaluate(unknowns_of(system, problem.start), 0.0)
+    assert rest is not None
+    run.history.append(plain_point(run, rest, (0.0, np.empty(0)), None))
+    run.states.append(run.history[-1].state)
+    if (
+        run.stepping.length >= LONG_FIRST_STEP and not turns
+    ):  # loads that grow in proportion: all say how the first ones do
+        strategy.rate = rate_at(system, problem.tangent, rest)[0]
+    return run
+
+
+def _full_load(before: Point, now: Point, run: Run) -> Ending | None:
+    """All of the load acts."""
+    if now.parameter < 1.0:
+        return None
+    return Ending(now.state, lambda run: converged(run.task.system.model, run.states, run.steps))
+
+
+@dataclass(slots=True, eq=False)
+class LoadStrategy:
+    """How load control goes from step to step.
+
+    Parameters
+    ----------
+    patient : bool
+        Whether pseudo-transient continuation may help.
+    lost_stability : bool
+        Whether an attempt since the last state had unstable modes.
+    rate : float
+        How far nodes move with the load factor at the last state; infinite where that is not known.
+    relaxations : int
+        How often pseudo-transient continuation was tried.
+    """
+
+    patient: bool
+    lost_stability: bool = False
+    rate: float = inf
+    relaxations: int = 0
+
+    def next_parameter(self, run: Run) -> float:
+        """No farther than supports go about straight."""
+        now = run.history[-1].parameter
+        load = run.stepping.next_load(now)
+        while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
+            load = now + 0.5 * (load - now)
+        return load
+
+    def predict(self, run: Run, parameter: float) -> Start:
+        """Extrapolate, compared by the relative residual."""
+        last = run.history[-1]
+        if run.task.tangent.plain:
+            return Start(last.unknowns, last.stresses)
+        return predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
+
+    def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
+        """Reject what may lie on another path, unless the step cannot be any shorter."""
+        system, now, why, rate = run.task.system, run.history[-1].parameter, None, inf
+        if result.converged and result.evaluation is not None:
+            rate = rate_in_step(system, run.task.tangent, result.evaluation.unknowns, now, parameter)
+            if run.stepping.failed(parameter - now) is not None:
+                why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
+        if not result.converged or result.evaluation is None or why is not None:
+            self.lost_stability |= bool(result.unstable_modes)
+            return Judgment(None, result.reason or why)
+        self.lost_stability, self.rate = False, rate
+        point = plain_point(run, result.evaluation, (parameter, result.scalars), result.unstable_modes)
+        return Judgment(point, result.reason)
+
+    def rescue(self, run: Run) -> Outcome | None:
+        """Where no step succeeds, let the body move against viscous forces; say how the run ends if that fails too."""
+        ending = stuck(run.task.system.model, run.states, run.steps, self.lost_stability)
+        if not self.patient or self.relaxations >= RELAXATIONS or ending.status is not Status.STEP_TOO_SMALL:
+            return ending
+        if distortion_text(run.states[-1]):  # a cell has collapsed, and nothing beyond it is of the body
+            return ending
+        self.relaxations += 1
+        for share in (1.0, SHORTER_RELAXATION_REACH):
+            found = _pseudo_transient(run, _reach(run, share))
+            if found is not None:
+                self.rate = inf
+                return accept(run, *found)
+        return ending
+
+    def accepted(self, run: Run, now: Point) -> None:
+        """Take long steps again where they were cut only to see where stability is lost."""
+        if now.state.unstable_modes and not run.states[-2].unstable_modes:
+            run.stepping = run.stepping.resumed(run.task.procedure.first_step)
+
+    def turn(self, run: Run, now: Point) -> None:
+        """Forget the past, which predicts nothing."""
+        self.rate = inf
+        del run.history[:-1]
+        run.stepping = run.stepping.turned(run.task.procedure.first_step)
+
+
+def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | None:
+    """Find the point at a load against viscous forces; None where that fails or the point is in doubt."""
+    task, system, last = run.task, run.task.system, run.history[-1]
+    anchors, began = system.contact.friction_history, perf_counter()
+    run.constraint.clock.begin(system, load)
+    report = task.problem.listeners.reporter(len(run.steps) + 1, load)
+    result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
+    why = why_rejected(system, run.states, run.history, result) if result.converged else None
+    found = result.converged and why is None
+    noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, result.reason or why))
+    if not found or result.evaluation is None:
+        system.contact.friction_history = anchors
+        return None
+    return plain_point(run, result.evaluation, (load, result.scalars), result.unstable_modes), result
+
+
+def _reach(run: Run, share: float) -> float:
+    """Load factor to which a body moves against viscous forces: a share of the steps taken before it got hard."""
+    factors = [point.parameter for point in run.history]
+    taken = max((b - a for a, b in pairwise(factors)), default=RELAXATION_REACH)
+    now = factors[-1]
+    return min(now + share * min(taken, RELAXATION_REACH), *(target for target in run.stepping.targets if target > now))

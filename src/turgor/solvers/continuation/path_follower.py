@@ -1,0 +1,106 @@
+"""Path follower: the one loop that steps along a path, whatever constraint drives it.
+
+A strategy says what differs between load control and a path whose scalars are sought: how far the next step goes, where
+Newton's method starts, whether a result is the next point of the path, and what follows when no step succeeds.
+"""
+
+from collections.abc import Callable
+from time import perf_counter
+
+from turgor.solvers.continuation.limit_points import insert_limit_points
+from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
+from turgor.solvers.continuation.scalar_control.arc_scaling import next_conditions
+from turgor.solvers.continuation.thresholds import HISTORY
+from turgor.solvers.newton.newton import NewtonResult
+from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
+from turgor.solvers.solution import Step
+
+
+def follow(run: Run) -> Outcome:
+    """Step along the path from the last point of the history until it is finished."""
+    model = run.task.system.model
+    return step_loop(
+        lambda: _advance(run),
+        lambda: len(run.steps) >= run.task.procedure.max_steps,
+        lambda: too_many_steps(model, run.states[-1], run.task.procedure),
+        lambda: interrupted(model, run.states[-1]),
+    )
+
+
+def step_loop(
+    attempt: Callable[[], Outcome | None],
+    spent: Callable[[], bool],
+    out_of_steps: Callable[[], Outcome],
+    interrupt: Callable[[], Outcome],
+) -> Outcome:
+    """Attempt steps until one of them ends the run, the allowed number is spent, or the user presses Ctrl-C."""
+    try:
+        while not spent():
+            outcome = attempt()
+            if outcome is not None:
+                return outcome
+        return out_of_steps()
+    except KeyboardInterrupt:
+        return interrupt()
+
+
+def _advance(run: Run) -> Outcome | None:
+    """Attempt one step; return how the run ends, if it does."""
+    task, system, last, began = run.task, run.task.system, run.history[-1], perf_counter()
+    parameter = task.strategy.next_parameter(run)
+    shorter, anchors = run.stepping.failed(parameter - last.parameter), system.contact.friction_history
+    run.constraint.clock.begin(system, parameter)
+    start = task.strategy.predict(run, parameter)
+    load = run.constraint.sought.load_factor(parameter, start.scalars)
+    result = solve_at(run, parameter, start, task.problem.listeners.reporter(len(run.steps) + 1, load))
+    judgment = task.strategy.judge(run, result, parameter)
+    noted(run, result, (parameter, perf_counter() - began), judgment)
+    if judgment.point is None:
+        system.contact.friction_history = anchors
+        if shorter is None:
+            return task.strategy.rescue(run)
+        run.stepping = shorter
+        return None
+    run.bifurcations += judgment.passed
+    return accept(run, judgment.point, result)
+
+
+def noted(run: Run, result: NewtonResult, when: tuple[float, float], judgment: Judgment) -> None:
+    """Note an attempted step to a parameter, with the seconds that it took."""
+    parameter, seconds = when
+    run.steps.append(
+        Step(
+            load_factor=run.constraint.sought.load_factor(parameter, result.scalars),
+            increment=parameter - run.history[-1].parameter,
+            iterations=result.iterations,
+            residual=result.residual,
+            accepted=judgment.point is not None,
+            seconds=seconds,
+            why=judgment.reason,
+        )
+    )
+
+
+def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
+    """Make a point the last state of the path; return how the run ends, if it does."""
+    task, system, last = run.task, run.task.system, run.history[-1]
+    assert result.evaluation is not None
+    system.contact.accept(result.evaluation.contacts)  # after the state has been read
+    run.history.append(now)
+    del run.history[:-HISTORY]
+    before, ending = insert_limit_points(run, last, now)
+    ending = ending or task.finished(before, now, run)
+    state = now.state if ending is None else ending.state
+    run.states.append(state)
+    system.materials.memory = state.memory
+    reason = task.problem.listeners.accepted(len(run.steps), state, result)
+    if reason is not None:
+        return stopped_by(system.model, state, reason)
+    if ending is not None:
+        return ending.outcome(run)
+    run.stepping = run.stepping.accepted(now.parameter - last.parameter, result.hardest or result.iterations)
+    task.strategy.accepted(run, now)
+    next_conditions(run, last, now)
+    if now.parameter in task.kinks:
+        task.strategy.turn(run, now)
+    return None

@@ -1,0 +1,107 @@
+"""Predictor: extrapolate the last points of a path, with the highest order that a lower one does not improve."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.system import Evaluation, System
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.continuation.path_points import Point, between
+from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, SHORTENINGS
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.line_search import evaluate
+from turgor.solvers.newton.newton import Start
+
+Array = NDArray[np.float64]
+
+
+def unbalanced_force(system: System, at: Evaluation) -> float:
+    """Size of the residual on all that is free."""
+    return float(np.linalg.norm(at.residual[~system.held]))
+
+
+@dataclass(frozen=True, slots=True)
+class Extrapolation:
+    """How extrapolations are compared.
+
+    Parameters
+    ----------
+    measure : callable
+        ``measure(system, evaluation) -> float``, smaller is better.
+    good : float
+        One that measures less is taken without trying a lower order.
+    stay : bool
+        Whether the last point itself competes with the others.
+    shorten : bool
+        Whether those that press walls into each other are shortened.
+    """
+
+    measure: Callable[[System, Evaluation], float]
+    good: float
+    stay: bool
+    shorten: bool
+
+
+#: Under load control the residual relative to the load says how good a prediction is.
+BY_LOAD = Extrapolation(relative_residual, GOOD_PREDICTION, True, True)
+
+#: Where scalars are sought, the load itself is predicted: only the unbalanced force compares predictions.
+BY_PATH = Extrapolation(unbalanced_force, 0.0, False, False)
+
+
+def predicted(
+    constraint: Constraint, tangent: Tangent, history: Sequence[Point], parameter: float, how: Extrapolation
+) -> Start:
+    """Extrapolate the history of a path to a parameter.
+
+    Parameters
+    ----------
+    constraint : Constraint
+    tangent : Tangent
+        Whose clock runs.
+    history : sequence of Point
+    parameter : float
+    how : Extrapolation
+
+    Returns
+    -------
+    Start
+    """
+    system, last = constraint.sought.system, history[-1]
+    best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
+    for count in range(len(history), 0, -1):
+        if count == 1 and not how.stay and np.isfinite(smallest):
+            break
+        trial = between(history[-count:], parameter)
+        unknowns, at = trial.unknowns, evaluate(constraint, tangent, (trial.unknowns, trial.scalars), parameter)
+        if at is not None and how.shorten and system.contact.parts and count > 1:
+            unknowns, at = _not_deeper(constraint, tangent, last, at)
+        size = np.inf if at is None else how.measure(system, at)
+        if np.isfinite(smallest) and size >= smallest:
+            break
+        if size < smallest:
+            best, smallest = Start(unknowns, trial.stresses, trial.scalars, evaluation=at), size
+        if smallest <= how.good:
+            break
+    return best
+
+
+def _not_deeper(
+    constraint: Constraint, tangent: Tangent, last: Point, at: Evaluation
+) -> tuple[Array, Evaluation | None]:
+    """Shorten an extrapolation of load control until it presses no wall much deeper into another."""
+    contact, parameter, here_ = constraint.sought.system.contact, at.load_factor, last.unknowns
+    here = evaluate(constraint, tangent, (here_, last.scalars), parameter)
+    found: Evaluation | None = at
+    for _ in range(SHORTENINGS):
+        if found is None or here is None:
+            break
+        share = contact.shortening(here.contacts, found.contacts)
+        if share == 1:
+            return found.unknowns, found
+        place = here_ + share * (found.unknowns - here_)
+        found = evaluate(constraint, tangent, (place, last.scalars), parameter)
+    return (here_, here) if found is None else (found.unknowns, found)

@@ -1,0 +1,46 @@
+"""Arc scaling: how an arc counts displacement against load, as the path goes on.
+
+The scale of the first step is that of a stiff body. One that buckles then moves a thousand times as far for its load,
+and arcs of the first scale would creep. The displacement that counts as much as the whole load grows with the body.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.constraints.load_factor import ArcTarget
+from turgor.solvers.continuation.path_points import Point, Run
+from turgor.solvers.continuation.thresholds import SCALE_GROWTH
+
+
+def next_conditions(run: Run, last: Point, now: Point) -> None:
+    """Take the conditions of the next step, for an arc in a scale that fits, and tell the history its new measure."""
+    target = run.constraint.target
+    if isinstance(target, ArcTarget):
+        run.size = max(run.size, _moved(run, now) / (SCALE_GROWTH * _largest_load(run, now)))
+        target = replace(target, size=run.size)
+    following = target.onward(last, now)
+    run.constraint = Constraint(run.constraint.sought, following, run.constraint.clock.onward(now.parameter))
+    if not isinstance(following, ArcTarget) or now.change is None or now.slope is None:
+        return
+    measure = float(following.along @ now.change + following.rise * now.slope[0])
+    run.history[:] = [_measured(point, now.parameter, measure) for point in run.history]
+
+
+def _moved(run: Run, now: Point) -> float:
+    return float(np.linalg.norm(now.state.displacement - run.states[0].displacement)) / run.task.system.length
+
+
+def _largest_load(run: Run, now: Point) -> float:
+    return max(*(abs(state.load_factor) for state in run.states), abs(float(now.scalars[0])))
+
+
+def _measured(point: Point, origin: float, measure: float) -> Point:
+    """A point whose distance from the last one is measured anew, and its rates with it."""
+    return replace(
+        point,
+        parameter=origin + measure * (point.parameter - origin),
+        change=None if point.change is None else point.change / measure,
+        slope=None if point.slope is None else point.slope / measure,
+    )

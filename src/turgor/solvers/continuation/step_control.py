@@ -1,0 +1,94 @@
+"""Step control: how far the next step goes. It knows load factors and iteration counts, nothing else."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from turgor.solvers.continuation.thresholds import COMFORTABLE_ITERATIONS, LOAD_DIGITS, ROUND_OFF, STEP_CUT, STRETCH
+from turgor.solvers.procedures.step_options import StepOptions
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StepControl:
+    """Length of the next step and the load factors still to be hit.
+
+    Parameters
+    ----------
+    length : float
+        Increment that the next step would like to take.
+    max_step, min_step : float
+        Its bounds.
+    targets : tuple of float
+        Load factors to hit exactly, rising, the last one is 1.
+    patience : int
+        Successes since the last failure; steps do not grow right after one.
+    """
+
+    length: float
+    max_step: float
+    min_step: float
+    targets: tuple[float, ...]
+    patience: int = 2
+
+    @staticmethod
+    def of(procedure: StepOptions, kinks: Sequence[float] = ()) -> "StepControl":
+        """Start as a procedure asks, and hit the kinks of the load histories too."""
+        asked = {factor for factor in procedure.at if all(abs(factor - kink) > ROUND_OFF for kink in kinks)}
+        targets = tuple(sorted({*asked, *kinks, 1.0}))
+        return StepControl(
+            length=procedure.first_step,
+            max_step=procedure.max_step,
+            min_step=procedure.min_step,
+            targets=targets,
+        )
+
+    def next_load(self, load_factor: float) -> float:
+        """Return the load factor to try next: one step on, or the next target exactly.
+
+        Examples
+        --------
+        >>> from turgor.solvers.procedures.static import Static
+        >>> control = StepControl.of(Static(first_step=0.3, max_step=0.3, at=(0.5,)))
+        >>> control.next_load(0.0), control.next_load(0.3), control.next_load(0.5)
+        (0.3, 0.5, 0.8)
+        """
+        target = next(t for t in self.targets if t > load_factor)
+        if load_factor + STRETCH * self.length >= target:
+            return target
+        tidy = round(load_factor + self.length, LOAD_DIGITS)
+        return tidy if load_factor < tidy < target else load_factor + self.length
+
+    def accepted(self, increment: float, iterations: int) -> "StepControl":
+        """Grow after an easy step, shrink after a hard one; a step shortened by a target does not shrink the next."""
+        factor = min(2.0, max(0.5, COMFORTABLE_ITERATIONS / max(iterations, 1)))
+        if self.patience < 2:
+            factor = min(factor, 1.0)
+        reference = max(increment, self.length) if factor >= 1 else increment
+        return replace(self, length=min(self.max_step, reference * factor), patience=self.patience + 1)
+
+    def turned(self, first_step: float) -> "StepControl":
+        """Start anew after a kink in a load history, where what was learned of the path no longer holds.
+
+        Examples
+        --------
+        >>> from turgor.solvers.procedures.static import Static
+        >>> StepControl.of(Static(first_step=0.3, max_step=0.3)).turned(0.1).length
+        0.1
+        """
+        return replace(self, length=min(self.length, first_step))
+
+    def resumed(self, first_step: float) -> "StepControl":
+        """Take steps as at the start, where they were cut only to see where stability is lost.
+
+        Examples
+        --------
+        >>> from turgor.solvers.procedures.static import Static
+        >>> control = StepControl.of(Static(first_step=0.2)).failed(0.2)
+        >>> round(control.length, 3), control.resumed(0.2).length
+        (0.07, 0.2)
+        """
+        return replace(self, length=max(self.length, first_step), patience=2)
+
+    def failed(self, increment: float) -> "StepControl | None":
+        """Cut the step; None when it would fall below the smallest."""
+        shorter = increment * STEP_CUT
+        return None if shorter < self.min_step else replace(self, length=shorter, patience=0)

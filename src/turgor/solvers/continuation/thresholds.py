@@ -1,0 +1,115 @@
+"""Thresholds of continuation: every number that was chosen, with its reason."""
+
+# --- arc scaling
+
+#: The displacement counts at most this many times as much as the largest load so far.
+SCALE_GROWTH = 4.0
+
+# --- branch jump
+
+#: A step in which a body moves this many times as much for its load as in the step before may have jumped. On the way
+#: to a limit point steps get shorter, and the factor from one to the next stays at two or three.
+JUMP_RATIO = 5.0
+
+#: A body that moves by less than this share of its displacement does not jump.
+STILL_SHARE = 1e-2
+
+# --- branch switch
+
+#: Longest step by volume, in the injected volume at which it takes over, over the longest step of the load.
+LONGEST_VOLUME_STEP = 4.0
+
+#: First step by volume at most, in the same measure: the load has failed to go on, so something turns ahead.
+FIRST_VOLUME_STEP = 0.05
+
+#: Longest arc over the longest step of the load.
+LONGEST_ARC = 2.0
+
+#: Smallest step of load control before `Auto` lets something else drive.
+AUTO_MIN_STEP = 2e-3
+
+# --- cavity control
+
+#: A cavity with less than this share of the box around the body has no volume.
+NO_VOLUME = 1e-9
+
+# --- continuity
+
+#: The chord of a step has this cosine at least with the directions of the path at both of its ends.
+STRAIGHT_CHORD = 0.8
+
+#: At a corner, as where walls meet, it has not however short the step is: this much will do after so many cuts.
+CORNER_CHORD, CORNER_CUTS = 0.4, 4
+
+#: Halvings of the step in which a bifurcation lies, fewest and most, and the share of its load to which it is found.
+FEWEST_HALVINGS, HALVINGS, BIFURCATION_CLOSE = 6, 10, 1e-3
+
+#: The piece that is left is longer than it would be along an even path by less than this factor, or there is a jump.
+BIFURCATION_JUMP = 4.0
+
+# --- extrema
+
+#: A slope times the width of the step is flat below this share of the value.
+FLAT_SLOPE = 1e-6
+
+# --- limit points
+
+#: Solves at most to find one limit point.
+LIMIT_POINT_SOLVES = 8
+
+# --- load control
+
+#: Where no step succeeds, a body may move against viscous forces to its next equilibrium, this often in a run, over at
+#: most this share of the load, and if that fails over a smaller one.
+RELAXATIONS, RELAXATION_REACH, SHORTER_RELAXATION_REACH = 20, 0.05, 0.1
+
+#: From a first step of this share of the load on, it is looked at how the body moves for a small load.
+LONG_FIRST_STEP = 0.2
+
+# --- path reversal
+
+#: Share of the largest load below which a path is compared with the way there; nearer to it both are alike.
+REVERSAL_FALLEN = 0.95
+
+#: A path that has gone on is as far from the way there as that is from the turn, or farther; one that goes back is
+#: nearer than this share.
+REVERSAL_NEAR = 0.3
+
+# --- predictor
+
+#: States used at most: a quartic through the last five.
+HISTORY = 5
+
+#: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
+GOOD_PREDICTION = 0.05
+
+#: An extrapolation is shortened this often at most where it presses walls into each other.
+SHORTENINGS = 3
+
+# --- step acceptance
+
+#: In one step no support leaves the straight way to its next place by more than this share of the way: on a circle it
+#: is a quarter turn that does.
+SUPPORT_ASIDE = 0.2
+
+# --- step control
+
+#: Iterations of a step that is neither too easy nor too hard.
+COMFORTABLE_ITERATIONS = 6
+
+#: A failed step is tried again with this share of its length.
+STEP_CUT = 0.35
+
+#: The last stretch to a target is taken whole if it is no longer than this many steps.
+STRETCH = 1.25
+
+#: A load factor that was asked for this near a kink is the kink.
+ROUND_OFF = 1e-12
+
+#: Load factors between targets are rounded to this many digits, so that tables read well.
+LOAD_DIGITS = 6
+
+# --- tangent response
+
+#: A step that moves a body this many times as far as the faster of the rates at its ends has left the path.
+FARTHER_THAN_RATES = 2.0

@@ -1,0 +1,62 @@
+"""Work of contacts: what moving obstacles do to the body, and what friction takes."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.contact.part import Found
+from turgor.engine.system import Evaluation, System
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pushing:
+    """What each part of the contact pushes the body with in a state, and where the path of its obstacle is, scaled.
+
+    Parameters
+    ----------
+    force : (k, 3) array
+        Zeros where the body touches itself.
+    place : (k, 3) array
+        Of the path, without the spring that holds an obstacle.
+    found : tuple of Found
+        What each part found.
+    boosts : tuple of (s,) array
+        How much stiffer than at first the sides of each part were.
+    """
+
+    force: Array
+    place: Array
+    found: tuple[Found, ...]
+    boosts: tuple[Array, ...]
+
+
+def pushing(system: System, at: Evaluation) -> Pushing:
+    """Return what obstacles do in a state; ask before the state is accepted."""
+    parts = system.contact.parts
+    force, place = np.zeros((len(parts), 3)), np.zeros((len(parts), 3))
+    for k, (part, found) in enumerate(zip(parts, at.contacts.found, strict=True)):
+        if part.obstacle is not None:
+            force[k] = -part.forces(at.contacts.position, found)[: system.node_count].sum(axis=0)
+            place[k] = part.obstacle.displacement(at.load_factor) / system.length
+    return Pushing(force, place, at.contacts.found, tuple(part.penalty_scale.copy() for part in parts))
+
+
+def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
+    """Work that moving obstacles and raised contact stiffness do between two states, by the trapezoidal rule [J].
+
+    An obstacle in a spring is in balance, so the agent that moves the spring feels what the obstacle does.
+    """
+    work = 0.5 * float(((before.force + now.force) * (now.place - before.place)).sum())
+    for part, boost, old, new in zip(system.contact.parts, before.boosts, before.found, now.found, strict=True):
+        work += part.stiffened(boost, old, new)
+    return work * system.stress_scale * system.length**3
+
+
+def taken_by_friction(system: System, at: Evaluation) -> float:
+    """Energy that friction has taken since the last accepted state [J]."""
+    parts, contacts = system.contact.parts, at.contacts
+    taken = sum(part.rubbed(contacts.position, found) for part, found in zip(parts, contacts.found, strict=True))
+    return float(taken) * system.stress_scale * system.length**3

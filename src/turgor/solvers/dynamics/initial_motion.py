@@ -1,0 +1,81 @@
+"""Initial motion: velocities that keep the volume, accelerations from the forces."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.algebra.linear import LinearSolver, linear_solver
+from turgor.engine.system import Evaluation, System
+from turgor.solvers.dynamics.thresholds import DIFFERENCE
+
+Array = NDArray[np.float64]
+
+
+class Accelerations:
+    """Accelerations under given forces, and velocities, both such that incompressible rubber keeps its volume.
+
+    Parameters
+    ----------
+    system : System
+    at : Evaluation
+        Where the body is, evaluated without inertia.
+    mass : (nnz,) array
+        Lower triangle of the scaled mass.
+    """
+
+    def __init__(self, system: System, at: Evaluation, mass: Array) -> None:
+        self._system, self._at = system, at
+        self._displacements = 3 * system.node_count
+        self._coupled = bool(system.element.mean_count) and bool((system.materials.compliance == 0).any())
+        size = float(np.abs(mass).max())
+        self._scale = float(system.dV.sum(axis=1).max()) / size  # makes the mass as large as a stiffness
+        data, mass = system.tangent_data(at), system.layout.spread(mass)
+        pattern = self._pattern = system.pattern  # now: contact may have changed it
+        row_of = pattern.indices
+        column_of = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))
+        between = (row_of >= self._displacements) & (column_of < self._displacements)
+        means = column_of >= self._displacements
+        self._volumes = np.where(between, data, 0.0)
+        matrix = np.where(between | means, data, self._scale * mass)
+        if not self._coupled:
+            matrix[between] = 0.0
+        system.apply_supports(matrix)
+        self._solver: LinearSolver = linear_solver("rslab", pattern, 1)
+        self._solver.factor(matrix)
+
+    def velocity(self, wanted: Array) -> Array:
+        """The velocity (size,) nearest to a wanted one that holds the supports and the volume."""
+        wanted = np.where(self._system.held, 0.0, wanted)
+        wanted[self._displacements :] = 0.0
+        if not self._coupled:
+            return wanted
+        right = np.zeros(self._system.size)
+        right[self._displacements :] = -self._pattern.product(self._volumes, wanted)[self._displacements :]
+        change = self._solver.solve(right)
+        change[self._displacements :] = 0.0
+        return np.asarray(wanted + change)
+
+    def acceleration(self, velocity: Array, forces: Array) -> tuple[Array, Array]:
+        """Acceleration (size,) and change of the mean stress (size,) under the unbalanced forces at a velocity."""
+        right = -(self._at.residual + forces)
+        right[self._displacements :] = 0.0
+        right[self._system.held] = 0.0
+        if self._coupled and velocity.any():
+            right[self._displacements :] = -self._turning(velocity) / self._scale
+        if not np.abs(right).any():
+            return np.zeros_like(right), np.zeros_like(right)
+        found = self._solver.solve(right)
+        acceleration, stress = found * self._scale, found.copy()
+        acceleration[self._displacements :] = 0.0
+        stress[: self._displacements] = 0.0
+        return acceleration, stress if self._coupled else np.zeros_like(stress)
+
+    def _turning(self, velocity: Array) -> Array:
+        """Second derivative of the volumes along a straight motion (m,), by differences."""
+        step = DIFFERENCE / float(np.abs(velocity).max())
+        volumes = []
+        for k in (-1.0, 0.0, 1.0):
+            at = self._system.evaluate(self._at.unknowns + k * step * velocity, self._at.load_factor)
+            if at is None:
+                return np.zeros(self._system.size - self._displacements)
+            volumes.append(at.residual[self._displacements :])
+        return np.asarray((volumes[0] - 2 * volumes[1] + volumes[2]) / step**2)

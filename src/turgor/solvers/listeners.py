@@ -1,0 +1,55 @@
+"""Listeners: what the caller of a solve hears and decides."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from turgor.solvers.newton.newton import NewtonResult, Report
+from turgor.solvers.solution import Iteration, State
+
+
+@dataclass(frozen=True, slots=True)
+class Listeners:
+    """What the caller listens to and decides; see `turgor.solvers.solve.solve`.
+
+    Parameters
+    ----------
+    progress : callable or None
+        Called after every Newton update, and with the state after every accepted step.
+    stop : callable or None
+        Returns why the run ends early, None where it goes on.
+    """
+
+    progress: Callable[[Iteration, State | None], None] | None = None
+    stop: Callable[[State], str | None] | None = None
+
+    def reporter(self, step: int, load_factor: float) -> Report:
+        """Return what Newton's method calls after each update of a step."""
+
+        def report(iteration: int, residual: float, correction: float, length: float) -> None:
+            if self.progress is not None:
+                self.progress(_iteration(step, load_factor, (iteration, residual, correction, length)), None)
+
+        return report
+
+    def accepted(self, step: int, state: State, result: NewtonResult) -> str | None:
+        """Tell the accepted state of a step; return why the caller ends the run, None where it goes on."""
+        if self.progress is not None:
+            how = result.iterations, result.residual, 0.0, 1.0
+            self.progress(_iteration(step, state.load_factor, how), state)
+        return None if self.stop is None else self.stop(state)
+
+
+def silent(iteration: int, residual: float, correction: float, length: float) -> None:
+    """Report nothing."""
+
+
+def _iteration(step: int, load_factor: float, how: tuple[int, float, float, float]) -> Iteration:
+    iteration, residual, correction, length = how
+    return Iteration(
+        step=step,
+        iteration=iteration,
+        load_factor=load_factor,
+        residual=residual,
+        correction=correction,
+        step_length=length,
+    )

@@ -1,0 +1,151 @@
+"""Methods: the one list that says how each procedure is solved.
+
+A new procedure adds its own file and one line here.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+from turgor.errors import TurgorError
+from turgor.finding import Finding, Severity
+from turgor.meshing.bodies.bodies import find_bodies
+from turgor.model.model import Model
+from turgor.solvers.continuation.branch_switch import follow_auto
+from turgor.solvers.continuation.load_control import follow_load
+from turgor.solvers.continuation.scalar_control.arc_length import follow_arc
+from turgor.solvers.continuation.scalar_control.cavity_control import controlled_faces, follow_gas, follow_volume
+from turgor.solvers.dynamics.stabilization import follow_viscously
+from turgor.solvers.dynamics.time_stepping import follow_motion
+from turgor.solvers.energies import too_viscous, unbalanced
+from turgor.solvers.outcomes import Outcome
+from turgor.solvers.problem import Problem
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.blocked_force import BlockedForce
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.grasp import Grasp
+from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.solvers.setups.blocked_tip import blocked
+from turgor.solvers.setups.grasped_object import grasped
+from turgor.solvers.solution import State
+
+
+def _unchanged(model: Model, procedure: Any) -> Model:
+    return model
+
+
+def _no_faces(model: Model, procedure: Any) -> tuple[str, ...]:
+    return ()
+
+
+def _never(model: Model) -> bool:
+    return False
+
+
+def _always(model: Model) -> bool:
+    return True
+
+
+def _can_come_to_rest(model: Model) -> bool:
+    """Whether there is an obstacle or another body at which a free body can come to rest."""
+    return bool(model.contact.obstacles) or len(find_bodies(model.mesh)) > 1
+
+
+def _nothing(states: Sequence[State]) -> tuple[Finding, ...]:
+    return ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Method:
+    """How a procedure is solved.
+
+    Parameters
+    ----------
+    follow : callable
+        ``follow(problem, procedure) -> Outcome`` fills the lists of the problem.
+    question : callable
+        ``question(model, procedure) -> Model``: the model with what the procedure adds to it.
+    controlled : callable
+        ``controlled(model, procedure) -> names`` of the cavities whose pressure is sought.
+    may_be_free : callable
+        ``may_be_free(model) -> bool``: whether supports may leave rigid motions free.
+    findings : callable
+        ``findings(states) -> findings`` about its energies (L05, L06).
+    limit_points : Severity
+        Of the finding that the path goes through limit points (L03).
+    """
+
+    follow: Callable[[Problem, Any], Outcome]
+    question: Callable[[Model, Any], Model] = _unchanged
+    controlled: Callable[[Model, Any], tuple[str, ...]] = _no_faces
+    may_be_free: Callable[[Model], bool] = _never
+    findings: Callable[[Sequence[State]], tuple[Finding, ...]] = _nothing
+    limit_points: Severity = Severity.NOTE
+
+
+#: How each procedure is solved; a class that is not listed is solved as the nearest class that it extends.
+METHODS: Mapping[type, Method] = MappingProxyType(
+    {
+        Static: Method(follow=follow_load),
+        BlockedForce: Method(follow=follow_load, question=blocked),
+        Grasp: Method(follow=follow_load, question=grasped),
+        VolumeControl: Method(follow=follow_volume, controlled=controlled_faces),
+        GasMass: Method(follow=follow_gas, controlled=controlled_faces),
+        ArcLength: Method(follow=follow_arc),
+        Auto: Method(follow=follow_auto, limit_points=Severity.WARNING),
+        Dynamic: Method(follow=follow_motion, may_be_free=_always, findings=unbalanced),
+        Stabilized: Method(follow=follow_viscously, may_be_free=_can_come_to_rest, findings=too_viscous),
+    }
+)
+
+
+def method_of(procedure: object) -> Method:
+    """Return how a procedure is solved.
+
+    Raises
+    ------
+    TurgorError
+        If its class and those that it extends are not listed.
+    """
+    for kind in type(procedure).__mro__:
+        if kind in METHODS:
+            return METHODS[kind]
+    known = ", ".join(kind.__name__ for kind in METHODS)
+    raise TurgorError(f"{type(procedure).__name__} is no procedure that can be solved; known are {known}.")
+
+
+def question_of(model: Model, procedure: object) -> Model:
+    """Return the model that a procedure follows: what was asked, with what the procedure adds to it.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Procedure
+        `BlockedForce` and `Grasp` add a plate, a hold or a path of the object; the others add nothing.
+
+    Returns
+    -------
+    Model
+    """
+    return method_of(procedure).question(model, procedure)
+
+
+def may_be_free(model: Model, procedure: object) -> bool:
+    """Return whether supports may leave rigid motions free under a procedure: what moves or is slowed down needs none.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Procedure
+        `Dynamic` always; `Stabilized` where there is something to come to rest at.
+
+    Returns
+    -------
+    bool
+    """
+    return method_of(procedure).may_be_free(model)

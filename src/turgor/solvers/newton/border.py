@@ -1,0 +1,116 @@
+"""Border: solve for unknowns and a few scalars together, by the factors of the tangent alone.
+
+Of K Δu + F Δs = −r and C Δu + D Δs = −c, the first is solved for several right sides, Δu = a + B Δs, the second then
+for the few Δs: (D + C B) Δs = −c − C a. At a limit point K is singular although the whole is not. Short of that
+point B is large and Δu the difference of large numbers, which costs digits of an update but none of the answer, because
+the residual decides. Should a factorization fail at the point itself, it is repeated without the linearized stress of
+the mixed integration points, at a tangent that lies a little beside it. Without scalars (k = 0) this is the plain
+linear solve, and a singular tangent is a failure.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.system import Evaluation, Stresses
+from turgor.solvers.constraints.constraint import NUDGE, Conditions, Constraint
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rates:
+    """How fast unknowns and scalars change with the parameter, and the unstable modes there.
+
+    Parameters
+    ----------
+    unknowns : (size,) array
+    scalars : (k,) array
+    modes : int or None
+    """
+
+    unknowns: Array
+    scalars: Array
+    modes: int | None
+
+
+@dataclass(slots=True, eq=False)
+class Border:
+    """The factored tangent with its border of k rows and columns."""
+
+    constraint: Constraint
+    tangent: Tangent
+    responses: Array = field(default_factory=lambda: np.empty((0, 0)))
+
+    def factor(self, at: Evaluation, geometric: Stresses | None, jump: Array) -> Array:
+        """Factor at an evaluation; return the forces that moving the held unknowns by ``jump`` would cause."""
+        sought = self.constraint.sought
+        columns = sought.columns(at)
+        try:
+            coupling = self.tangent.factor(at, geometric, jump)
+        except SingularTangentError:
+            if geometric is None or not len(columns):
+                raise
+            coupling = self.tangent.factor(at, None, jump)
+        held = sought.system.held
+        self.responses = np.empty_like(columns)
+        for number, column in enumerate(columns):
+            self.responses[number] = self.tangent.solve(np.where(held, 0.0, -column))
+        return coupling
+
+    def stiffness(self, conditions: Conditions) -> Array:
+        """What is left of the conditions (k, k) once the unknowns are eliminated: D + C B."""
+        return np.asarray(conditions.corner + conditions.rows @ self.responses.T)
+
+    def update(self, right: Array, conditions: Conditions, errors: Array) -> tuple[Array, Array]:
+        """Updates of unknowns and scalars for a right side of equilibrium and errors of the conditions."""
+        free = self.tangent.solve(right)
+        if not len(errors):
+            return free, errors
+        left = -errors - conditions.rows @ free
+        scalars = np.asarray(np.linalg.solve(self.stiffness(conditions), left), dtype=np.float64)
+        return free + scalars @ self.responses, scalars
+
+
+def rates(
+    constraint: Constraint, tangent: Tangent, at: Evaluation, parameter: float, scalars: Array, ahead: bool = False
+) -> Rates | None:
+    """How unknowns and scalars change with the parameter up to a state, or ahead; None at a singular tangent."""
+    sought, border = constraint.sought, Border(constraint, tangent)
+    nudge = -NUDGE if ahead else NUDGE
+    moved, earlier = _before(constraint, at, parameter, scalars, nudge)
+    if earlier is None:
+        return None
+    try:
+        border.factor(at, None, np.zeros(int(sought.system.held.sum())))
+        right = np.where(sought.system.held, moved, (earlier.residual - at.residual) / nudge)
+        conditions = constraint.target.conditions(at.unknowns, parameter, scalars)
+        shifted = constraint.target.conditions(at.unknowns, parameter - nudge, scalars)
+        unknowns, change = border.update(right, conditions, (conditions.errors - shifted.errors) / nudge)
+    except (SingularTangentError, np.linalg.LinAlgError):
+        return None
+    return Rates(unknowns, change, sought.unstable(tangent.unstable_modes(), border.stiffness(conditions)))
+
+
+def _before(
+    constraint: Constraint, at: Evaluation, parameter: float, scalars: Array, nudge: float
+) -> tuple[Array, Evaluation | None]:
+    """Rates (size,) of the held unknowns, and the equations a nudge before a state with the supports moved back.
+
+    The difference of two residuals is taken, not the tangent, which leaves out what the pressure on a rim does when
+    supports move it.
+    """
+    system, clock, before = constraint.sought.system, constraint.clock, parameter - nudge
+    factor, factor_before = (constraint.sought.load_factor(p, scalars) for p in (parameter, before))
+    moved = np.zeros(system.size)
+    moved[system.held] = (system.prescribed(factor) - system.prescribed(factor_before)) / nudge
+    timed = clock.duration is not None
+    if timed:  # rubber that relaxes does so on the way, too
+        clock.begin(system, before)
+    earlier = system.evaluate(at.unknowns - nudge * moved, factor_before, at.sought)
+    if timed:
+        clock.begin(system, parameter)
+    return moved, earlier

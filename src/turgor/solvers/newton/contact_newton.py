@@ -1,0 +1,62 @@
+"""Newton's method where things touch: friction and the contact stiffness are renewed until nothing changes."""
+
+from dataclasses import replace
+
+from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.contact.part import Look
+from turgor.engine.system import Evaluation
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.newton.convergence import relative_residual
+from turgor.solvers.newton.inertia_correction import inertia_corrected
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.solvers.newton.thresholds import CONTACT_PASSES, CONTACT_PATIENCE, SEARCHED_ANEW, WEDGED
+from turgor.solvers.reasons import Cause, Reason
+
+
+def newton_with_contact(
+    constraint: Constraint, tangent: Tangent, start: Start, parameter: float, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Find equilibrium at a parameter with all that touches; iterations of all passes count.
+
+    After each pass what touches is searched for anew and friction and contact stiffness are renewed, until nothing
+    changes. The parameters are those of `newton`.
+    """
+
+    def find(start: Start) -> NewtonResult:
+        result = newton(constraint, tangent, start, parameter, settings, report)
+        if result.converged or tangent.plain or len(start.scalars):  # a border has no potential to go down in
+            return result
+        found = inertia_corrected(constraint, tangent, start.unknowns, parameter, settings, report)
+        iterations = result.iterations + found.iterations
+        return replace(found if found.converged else result, iterations=iterations)
+
+    contact, result = constraint.sought.system.contact, find(start)
+    if not contact.parts:
+        return result
+    before, iterations, hardest = contact.friction_history, result.iterations, result.iterations
+    for number in range(CONTACT_PASSES):
+        at = _searched_anew(constraint, result, parameter)
+        if at is None:
+            break
+        renewed, stiffened = contact.settle(at.contacts), contact.stiffen(at.contacts)
+        residual = relative_residual(constraint.sought.system, at)
+        if not stiffened and residual <= SEARCHED_ANEW * settings.tolerance:
+            return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
+        if not (stiffened or renewed) and number >= CONTACT_PATIENCE and residual <= WEDGED:
+            return replace(result, iterations=iterations, hardest=hardest)
+        found = find(Start(at.unknowns, constraint.sought.system.stresses(at), result.scalars))
+        result = replace(found, reason=result.reason) if found.converged and found.reason is None else found
+        iterations += result.iterations
+        hardest = max(hardest, result.iterations)
+    if result.converged:
+        result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, CONTACT_PASSES))
+    contact.friction_history = before
+    return replace(result, iterations=iterations)
+
+
+def _searched_anew(constraint: Constraint, result: NewtonResult, parameter: float) -> Evaluation | None:
+    """Evaluate a state that was found with a whole search for what touches; None where none was found."""
+    last = result.evaluation
+    if not result.converged or last is None:
+        return None
+    return constraint.sought.evaluate(last.unknowns, parameter, result.scalars, last.contacts, Look.ANEW)

@@ -1,0 +1,84 @@
+"""Line search: shorten an update of Newton's method until it is allowed.
+
+An update is too long where it turns a cell inside out, presses walls too deep into each other, or, with friction, where
+the force along it turns around.
+"""
+
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.contact.part import Look
+from turgor.engine.contact.terms import Contacts
+from turgor.engine.system import Evaluation, System
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.newton.thresholds import OVERSHOT, SHORTEST_STEP, SHORTEST_TOUCHING_STEP
+
+Array = NDArray[np.float64]
+
+
+def evaluate(
+    constraint: Constraint,
+    tangent: Tangent,
+    place: tuple[Array, Array],
+    parameter: float,
+    kept: Contacts | None = None,
+) -> Evaluation | None:
+    """Evaluate the residual at unknowns and scalars on the clock; ``kept`` are partners of contact that stay."""
+    start = perf_counter()
+    how = Look.FOLLOW if kept is None else Look.KEEP
+    out = constraint.sought.evaluate(place[0], parameter, place[1], kept, how)
+    tangent.clock.residual += perf_counter() - start
+    return out
+
+
+def line_search(
+    constraint: Constraint,
+    tangent: Tangent,
+    step: tuple[Evaluation, Array, Array, Array],
+    parameter: float,
+    kept: Contacts | None,
+) -> tuple[Evaluation | None, float]:
+    """Shorten an update until it is allowed.
+
+    Parameters
+    ----------
+    constraint : Constraint
+    tangent : Tangent
+        Whose clock runs.
+    step : (Evaluation, (size,) array, (k,) array, (k,) array)
+        Where it begins, the update, the scalars there and their update.
+    parameter : float
+    kept : Contacts or None
+        Partners of contact that stay.
+
+    Returns
+    -------
+    (Evaluation or None, float)
+        The end of the shortened update and its length; None where even the shortest turns a cell inside out.
+    """
+    at, update, scalars, change = step
+    system, length, found, shortest = constraint.sought.system, 1.0, None, SHORTEST_STEP
+    while length >= shortest:
+        place = at.unknowns + length * update, scalars + length * change
+        new = evaluate(constraint, tangent, place, parameter, kept)
+        share = 0.5 if new is None else length_allowed(system, at, new, update)
+        if share == 1:
+            return new, length
+        if new is not None:
+            found, shortest = (new, length), SHORTEST_TOUCHING_STEP
+        length *= share
+    return found or (None, 0.0)
+
+
+def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
+    """Share of an update to be taken: less than 1 where walls are pressed too deep, or friction turns around."""
+    share = system.contact.shortening(at.contacts, new.contacts)
+    if share < 1 or not system.contact.rubs:
+        return share
+    free = ~system.held[: 3 * system.node_count]
+    along = update[: len(free)][free]
+    before, after = float(at.residual[: len(free)][free] @ along), float(new.residual[: len(free)][free] @ along)
+    return 0.5 if after * before < 0 and abs(after) > OVERSHOT * abs(before) else 1.0

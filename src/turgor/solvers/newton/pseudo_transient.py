@@ -1,0 +1,124 @@
+"""Pseudo-transient continuation: reach an equilibrium that Newton's method does not find, against viscous forces.
+
+The residual drives a motion against viscous forces in proportion to the mass, by implicit steps that get longer while
+the motion fades (Kelley and Keyes 1998, doi 10.1137/S0036142996304796). At rest no viscous force is left: the
+equilibrium is that of the model, and it is stable.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.algebra.additions import Linear
+from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.mass import mass_data
+from turgor.engine.system import Evaluation, System
+from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.newton.contact_newton import newton_with_contact
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
+from turgor.solvers.newton.thresholds import (
+    FADED_VISCOSITY,
+    PSEUDO_TRANSIENT_FAILURES,
+    PSEUDO_TRANSIENT_ITERATIONS,
+    QUICK_ITERATIONS,
+    ROUGH_RESIDUAL,
+    VISCOSITY_AFTER_FAILURE,
+    VISCOSITY_AFTER_QUICK,
+    VISCOSITY_AFTER_STEP,
+    VISCOUS_FIRST_MOVE,
+)
+from turgor.solvers.reasons import Cause, Reason
+
+Array = NDArray[np.float64]
+
+
+@dataclass(slots=True, eq=False)
+class _Motion:
+    """How far the motion has come."""
+
+    at: Evaluation
+    viscosity: float
+    iterations: int = 0
+
+
+def pseudo_transient(
+    constraint: Constraint,
+    tangent: Tangent,
+    unknowns: Array,
+    load_factor: float,
+    settings: NewtonSettings,
+    report: Report,
+) -> NewtonResult:
+    """Find the equilibrium at a load factor to which a body moves from where it is.
+
+    Parameters
+    ----------
+    constraint : Constraint
+        That of load control.
+    tangent : Tangent
+    unknowns : (size,) array
+        From where it starts, such as the last equilibrium.
+    load_factor : float
+    settings : NewtonSettings
+        Of the equilibrium; viscous steps are solved roughly.
+    report : callable
+        Called after every iteration.
+    """
+    system = constraint.sought.system
+    at = system.evaluate(unknowns, load_factor)
+    if at is None:
+        return _restless(0)
+    mass = mass_data(system, np.full(len(system.cells), system.stress_scale / system.length**2))
+    motion = _Motion(at, _first_viscosity(system, at, mass))
+    smallest, failures = FADED_VISCOSITY * motion.viscosity, 0
+    rough = replace(settings, tolerance=max(ROUGH_RESIDUAL, settings.tolerance), mixed_points=False)
+    try:
+        while motion.iterations < PSEUDO_TRANSIENT_ITERATIONS and failures <= PSEUDO_TRANSIENT_FAILURES:
+            system.addition = _drag(system, mass, motion)
+            start = Start(motion.at.unknowns, system.stresses(motion.at))
+            result = newton(constraint, tangent, start, load_factor, rough, report)
+            motion.iterations += result.iterations
+            if not result.converged or result.evaluation is None:
+                failures += 1
+                motion.viscosity *= VISCOSITY_AFTER_FAILURE
+                continue
+            failures, motion.at = 0, result.evaluation
+            motion.viscosity *= VISCOSITY_AFTER_QUICK if result.iterations <= QUICK_ITERATIONS else VISCOSITY_AFTER_STEP
+            if motion.viscosity > smallest:
+                continue
+            system.addition = None
+            last = _without(constraint, tangent, motion, settings, report)
+            if last.converged and not last.unstable_modes:
+                return replace(last, iterations=motion.iterations)
+    finally:
+        system.addition = None
+    return _restless(motion.iterations)
+
+
+def _without(
+    constraint: Constraint, tangent: Tangent, motion: _Motion, settings: NewtonSettings, report: Report
+) -> NewtonResult:
+    """Try to find the equilibrium itself."""
+    start = Start(motion.at.unknowns, constraint.sought.system.stresses(motion.at))
+    result = newton_with_contact(constraint, tangent, start, motion.at.load_factor, settings, report)
+    motion.iterations += result.iterations
+    return result
+
+
+def _restless(iterations: int) -> NewtonResult:
+    reason = Reason(Cause.PSEUDO_TRANSIENT_FAILED)
+    return NewtonResult(evaluation=None, iterations=iterations, residual=np.inf, converged=False, reason=reason)
+
+
+def _first_viscosity(system: System, at: Evaluation, mass: Array) -> float:
+    """The viscosity against which the residual moves the fastest node by the first move."""
+    lumped = system.layout.base.product(mass, np.ones(system.size))[: 3 * system.node_count]
+    force = np.where(system.held, 0.0, at.residual)[: 3 * system.node_count]
+    fastest = float(np.abs(force / np.maximum(np.abs(lumped), 1e-3 * np.abs(lumped).max())).max())
+    return max(fastest / VISCOUS_FIRST_MOVE, 1e-9)
+
+
+def _drag(system: System, mass: Array, motion: _Motion) -> Linear:
+    drag = motion.viscosity * mass
+    return Linear(system.layout.base, drag, -system.layout.base.product(drag, motion.at.unknowns))

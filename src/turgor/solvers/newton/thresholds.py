@@ -1,0 +1,91 @@
+"""Thresholds of Newton's method: every number that was chosen, with its reason."""
+
+# --- contact newton
+
+#: Times that friction and stiffness are renewed at most.
+CONTACT_PASSES = 20
+
+#: A state holds if the residual is at most this many times the tolerance when what touches is searched for anew.
+SEARCHED_ANEW = 10.0
+
+#: From this pass on a state holds too if the residual is at most this much then: in the wedge of a kink between two
+#: sides a point changes its partner with every search, by a gap that is next to nothing.
+CONTACT_PATIENCE, WEDGED = 3, 1e-3
+
+# --- convergence
+
+#: Forces are compared with this share of the full load at least: where all pressures have fallen back to zero, nothing
+#: but round-off would be left to compare with.
+SMALL_FORCE = 1e-5
+
+#: Scaled force on a node with which forces are compared at least, as where a body is moved that nothing loads.
+UNLOADED = 3e-8
+
+#: The partners of contact are looked for anew in so many updates, then kept: at a wedge they may change forever.
+KEEP_PARTNERS_AFTER = 8
+
+#: They are kept earlier where the residual is this small and falls no more.
+STAGNATING_BELOW = 0.05
+
+# --- inertia correction
+
+#: Updates before it gives up, and how far a node may come from the start, in mean edge lengths: what lies farther is no
+#: matter of a few points that let go.
+INERTIA_UPDATES, INERTIA_REACH = 40, 0.5
+
+#: The first shift of the diagonal, in scaled units, in which a cube of rubber has a stiffness of about 3; the factor
+#: from one to the next, and the largest.
+FIRST_SHIFT, SHIFT_FACTOR, LARGEST_SHIFT = 0.016, 4.0, 100.0
+
+#: No shift is tried first once the residual is this small.
+UNSHIFTED_BELOW = 1e-3
+
+#: An update is too long where the force along it turns around, to more than this share of before.
+INERTIA_OVERSHOT = 0.5
+
+#: Shortest share of an update that is tried, and the smallest factor from one to the next.
+INERTIA_SHORTEST, INERTIA_LEAST_SHARE = 0.005, 0.1
+
+#: The partners of contact are kept from this update on: at a wedge they may change forever.
+INERTIA_KEEP_PARTNERS_AFTER = 20
+
+# --- line search
+
+#: Shortest update that the line search tries; and where walls are pressed into each other.
+SHORTEST_STEP = 1.0 / 64
+SHORTEST_TOUCHING_STEP = 1.0 / 32
+
+#: With friction, an update is too long where the force along it turns around, to more than this share of before.
+OVERSHOT = 0.9
+
+# --- newton
+
+#: Old factors are kept once the residual is this small and while each update reduces it below a tenth. Earlier they do
+#: harm: while a stiff membrane is still being straightened out, a falling residual does not tell that they are good.
+KEEP_FACTORS_BELOW = 1e-3
+KEEP_FACTORS_CONTRACTION = 0.1
+
+#: Where a body has moved by more than this share of its largest displacement since the tangent was last factored, its
+#: factors do not count the unstable modes of where it is.
+STALE_FACTORS = 0.05
+
+#: It gives up where so many updates in a row are cut to the shortest because they press walls too deep.
+CUT_SHORT = 3
+
+# --- pseudo transient
+
+#: The first viscous step moves no node by more than about this many edge lengths.
+VISCOUS_FIRST_MOVE = 0.1
+
+#: After a step of few iterations the viscosity falls by the first factor, after others by the second; where a step
+#: fails it rises by the third.
+QUICK_ITERATIONS, VISCOSITY_AFTER_QUICK, VISCOSITY_AFTER_STEP, VISCOSITY_AFTER_FAILURE = 4, 0.1, 0.3, 8.0
+
+#: Iterations at most, and failures in a row.
+PSEUDO_TRANSIENT_ITERATIONS, PSEUDO_TRANSIENT_FAILURES = 150, 6
+
+#: Without viscosity it is tried once the viscosity has fallen to this share of the first one.
+FADED_VISCOSITY = 1e-3
+
+#: Relative residual of a viscous step: it is on the way only.
+ROUGH_RESIDUAL = 1e-3

@@ -1,0 +1,165 @@
+"""Outcomes: every way in which a run ends, with its message and advice."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from turgor.model.drive import drive_text, kinks, pressures_at
+from turgor.model.model import Model
+from turgor.solvers.checks.distortion import distortion_text
+from turgor.solvers.continuation.branch_jump import first_branch_jump, move_ratio_to
+from turgor.solvers.continuation.extrema import extremum_ahead
+from turgor.solvers.pressures import pressure_text, pressures_of
+from turgor.solvers.procedures.step_options import StepOptions
+from turgor.solvers.reasons import Cause
+from turgor.solvers.solution import State, Status, Step
+
+#: A maximum of the load this near ahead of the last state, relative to it, is where the path ended, whatever the
+#: factors say; one this near is worth saying where they have told.
+NEAR, SAID = 1e-3, 1e-2
+
+#: On the way to a limit point a body moves this many times as much for the load as before at least.
+SOFTENING = 1.5
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A status with one sentence of what happened and one of what to do."""
+
+    status: Status
+    message: str
+    advice: str = ""
+
+
+def _load(model: Model, load_factor: float, digits: int = 4) -> str:
+    """The load at a load factor, in words: the pressures where any drive."""
+    acts = any(pressures_at(model, load_factor).values())
+    return _with_factor(drive_text(model, load_factor, digits), acts, load_factor, digits)
+
+
+def _at(state: State) -> str:
+    """The load of a state, in words."""
+    return _with_factor(pressure_text(state), any(pressures_of(state).values()), state.load_factor)
+
+
+def _with_factor(pressures: str, acts: bool, load_factor: float, digits: int = 4) -> str:
+    """Pressures with their load factor; the load factor alone where no pressure acts."""
+    factor = f"load factor {load_factor:.{digits}g}"
+    return f"{pressures} ({factor})" if pressures and (acts or not load_factor) else factor
+
+
+def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> Outcome:
+    """The full load was reached."""
+    iterations = sum(step.iterations for step in steps)
+    cut = sum(not step.accepted for step in steps)
+    message = f"Reached {_load(model, 1.0)} in {len(states) - 1} steps and {iterations} iterations"
+    message += f", {cut} steps cut back." if cut else "."
+    message += _falls(model, steps)
+    unstable = next((state for state in states if state.unstable_modes), None)
+    jumped = first_branch_jump(states) if not kinks(model) else None
+    if unstable is None and jumped is not None:
+        return Outcome(
+            Status.CONVERGED,
+            f"{message} Between {_at(states[jumped - 1])} and {_at(states[jumped])} it moved "
+            f"{move_ratio_to(states, jumped):.3g} times as much for the load as in the step before: it may have "
+            "jumped past a limit point.",
+            "Look at what lies between with the procedure auto, or with a smaller max_step.",
+        )
+    if unstable is None:
+        return Outcome(Status.CONVERGED, message)
+    return Outcome(
+        Status.CONVERGED,
+        f"{message} From {_at(unstable)} on the equilibrium is unstable "
+        f"({unstable.unstable_modes} negative modes): a real actuator would leave it.",
+        "Treat what follows with care: the actuator may buckle or jump.",
+    )
+
+
+def _falls(model: Model, steps: Sequence[Step]) -> str:
+    """Where what touched let go, and the body fell."""
+    falls = [step.load_factor for step in steps if step.accepted and step.cause is Cause.INERTIA_CORRECTED]
+    if not falls:
+        return ""
+    more = f", first of {len(falls)} times" if len(falls) > 1 else ""
+    return f" On the way to {_load(model, falls[0])}{more} it slipped or snapped to another equilibrium close by."
+
+
+def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_stability: bool) -> Outcome:
+    """The step fell below the smallest allowed."""
+    last = states[-1]
+    top = extremum_ahead(
+        [state.load_factor for state in states], [float(np.linalg.norm(state.displacement)) for state in states]
+    )
+    ahead, distorted = np.inf if top is None else top - last.load_factor, distortion_text(last)
+    if last.unstable_modes or (
+        not distorted
+        and ((lost_stability and softens(states)) or ahead <= max(10 * steps[-1].increment, NEAR * last.load_factor))
+    ):
+        estimate = ""
+        if top is not None and ahead <= SAID * last.load_factor:
+            estimate = f" The path up to there points to a maximum of {_load(model, top, 5)}."
+        driven = any(pressures_of(last).values())
+        return Outcome(
+            Status.LIMIT_POINT,
+            f"The load could not rise past {_at(last)}: the tangent lost positive definiteness there, "
+            f"which is a limit point (ballooning, snap-through) or buckling.{estimate}{_lost_before(states)}",
+            "Ask for less than this load; the path up to it is complete. To go past it, "
+            f"{'let the volume of the cavities drive (VolumeControl), ' if driven else ''}"
+            "follow the path by its length (ArcLength), or choose the procedure auto.",
+        )
+    return Outcome(
+        Status.STEP_TOO_SMALL,
+        f"No equilibrium was found beyond {_at(last)}: {steps[-1].reason}, "
+        f"down to steps of {steps[-1].increment:.2g} of the load.{distorted}",
+        "Look at the last state for a badly distorted cell or walls that met; refine the mesh there.",
+    )
+
+
+def _lost_before(states: Sequence[State]) -> str:
+    """Where stability was lost already before the last state: the path from there on is not that of a real body."""
+    first = next((n for n, state in enumerate(states) if state.unstable_modes), len(states))
+    if first >= len(states) - 1:
+        return ""
+    return (
+        f" Stability was lost before, between {_at(states[first - 1])} and {_at(states[first])}: a real actuator "
+        "leaves the path there."
+    )
+
+
+def softens(states: Sequence[State]) -> bool:
+    """Whether a body moved more for the load in the last step than in some step before, as towards a limit point.
+
+    Negative pivots of iterates that failed say nothing by themselves: those of a thin sheet have them on the way to a
+    state that is stable.
+    """
+    rates = [
+        float(np.linalg.norm(b.displacement - a.displacement)) / abs(b.load_factor - a.load_factor)
+        for a, b in pairwise(states)
+        if b.load_factor != a.load_factor
+    ]
+    return len(rates) > 1 and rates[-1] > SOFTENING * min(rates[:-1])
+
+
+def too_many_steps(model: Model, state: State, procedure: StepOptions) -> Outcome:
+    """The allowed number of steps was used up."""
+    return Outcome(
+        Status.STEP_LIMIT,
+        f"Stopped at {_at(state)} after {procedure.max_steps} steps.",
+        "Raise procedure.max_steps to go on.",
+    )
+
+
+def stopped_by(model: Model, state: State, reason: str) -> Outcome:
+    """The caller's stop condition was met."""
+    return Outcome(Status.STOPPED, f"Stopped at {_at(state)}: {reason}.")
+
+
+def interrupted(model: Model, state: State) -> Outcome:
+    """The user pressed Ctrl-C."""
+    return Outcome(
+        Status.INTERRUPTED,
+        f"Interrupted at {_at(state)}; the path so far is kept.",
+        "Run again to reach the full load.",
+    )

@@ -1,0 +1,177 @@
+"""Stages: procedures one after the other, each of which begins where the last one ended."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from turgor.errors import TurgorError
+from turgor.model.loads import Load
+from turgor.model.obstacles import Vector
+from turgor.model.supports import Displacement
+from turgor.solvers.procedures.arc_length import ArcLength
+from turgor.solvers.procedures.auto import Auto
+from turgor.solvers.procedures.dynamic import Dynamic
+from turgor.solvers.procedures.gas_mass import GasMass
+from turgor.solvers.procedures.stabilized import Stabilized
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.step_options import check_steps
+from turgor.solvers.procedures.volume_control import VolumeControl
+
+#: Procedures that ask a question of their own, and how a sequence asks it.
+INSTEAD: Mapping[str, str] = {
+    "BlockedForce": "it puts a plate before the tip at rest; add the plate as an obstacle, let a stage move it to the "
+    "tip, and read its force, such as plate_force",
+    "Grasp": "it is a sequence itself; close the fingers in one stage with a pressure, and pull the object in the next "
+    "one with moves, with a plane as obstacle where the fingers meet",
+}
+
+OneProcedure = Static | VolumeControl | GasMass | ArcLength | Auto | Dynamic | Stabilized
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sealed(VolumeControl):
+    """Keep the liquid in cavities while other loads change: their volumes stay, the pressures are the answer.
+
+    As the first procedure, or the only one, it keeps the volumes at rest. Its steps and tolerance are those of
+    `VolumeControl`; it takes no volume.
+
+    Parameters
+    ----------
+    cavities : str or tuple of str
+        Which are sealed; the only cavity if left out.
+
+    Examples
+    --------
+    >>> Sealed(cavities="cavity_1").cavities
+    ('cavity_1',)
+    """
+
+    cavities: str | tuple[str, ...] = field(default=(), metadata={"dimension": "names"})
+    volume: float | Mapping[str, float] = field(init=False, default=0.0)
+
+    def __post_init__(self) -> None:
+        if isinstance(self.cavities, str):
+            object.__setattr__(self, "cavities", (self.cavities,))
+        object.__setattr__(self, "volume", dict.fromkeys(self.cavities, 0.0) or 0.0)
+        check_steps(self)
+
+    @property
+    def asked_by(self) -> str:
+        """The field that names the cavities."""
+        return "cavities"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stage:
+    """One procedure of a sequence, and what it changes.
+
+    All that acted at the end of the former stage stays unless it is stated here, pressures that were found included.
+    What is stated goes from what it was to its new value. Its history is the share of this way over the load factor of
+    this stage, which runs from 0 to 1; without one it goes in proportion to it.
+
+    Parameters
+    ----------
+    name : str
+        What messages and states call it.
+    procedure : Static, VolumeControl, Sealed, GasMass, ArcLength, Auto, Stabilized or Dynamic
+        How it is followed. `VolumeControl` injects in addition to what is there; `GasMass` seals what is there, at its
+        pressure; `ArcLength` and `Auto` let the loads of the stage go from what they were towards their new values.
+    loads : sequence of Load
+        Loads that change: pressures by their face, tractions by their face, gravity. A pressure of 0 opens a cavity.
+    displacements : sequence of Displacement
+        Faces that are moved, from where they are; each takes the place of a `Displacement` or a `Fixed` of the model
+        with the same face and directions.
+    moves : mapping of str to (3,) floats [m]
+        Obstacles that are moved: how far each is in the end from where it was at first.
+
+    Raises
+    ------
+    TurgorError
+        If the name is empty.
+
+    Examples
+    --------
+    >>> from turgor.model.loads import Gravity
+    >>> Stage("weight", loads=[Gravity((0, 0, -1))]).procedure.first_step
+    0.05
+    """
+
+    name: str = field(kw_only=False)
+    procedure: OneProcedure = field(default_factory=Static, kw_only=False)
+    loads: tuple[Load, ...] = ()
+    displacements: tuple[Displacement, ...] = ()
+    moves: Mapping[str, Vector] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not self.name.strip():
+            raise TurgorError("a stage has no name; a word is needed, such as 'fill'.")
+        object.__setattr__(self, "loads", tuple(self.loads))
+        object.__setattr__(self, "displacements", tuple(self.displacements))
+
+
+@dataclass(frozen=True, slots=True)
+class Stages:
+    """Procedures in turn: the weight first, then the pressure; fill, seal, press.
+
+    The loads of the model itself act in the first stage. Contact, friction and what the rubber remembers go on from
+    stage to stage, and so does the time, where stages know one.
+
+    Parameters
+    ----------
+    stages : sequence of Stage
+        At least one; each name once.
+
+    Raises
+    ------
+    TurgorError
+        If there is none, a name is there twice, or a procedure cannot continue another one.
+
+    Examples
+    --------
+    >>> from turgor.units import mL
+    >>> press = Stage("press", Sealed(), moves={"plate": (0, 0, -2e-3)})
+    >>> [stage.name for stage in Stages([Stage("fill", VolumeControl(volume=5 * mL)), press]).stages]
+    ['fill', 'press']
+    """
+
+    stages: tuple[Stage, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "stages", tuple(self.stages))
+        if not self.stages:
+            raise TurgorError("there are no stages; at least one is needed.")
+        names = [stage.name for stage in self.stages]
+        for name in names:
+            if names.count(name) > 1:
+                raise TurgorError(f"{names.count(name)} stages are called '{name}'; give each a name of its own.")
+        for number, stage in enumerate(self.stages):
+            check_stage(stage, number)
+
+
+def check_stage(stage: Stage, number: int) -> None:
+    """Refuse a procedure that cannot be a stage, or not at its place.
+
+    Parameters
+    ----------
+    stage : Stage
+    number : int
+        Its place in the sequence, from 0.
+
+    Raises
+    ------
+    TurgorError
+        If it cannot; the message says what to write instead.
+    """
+    procedure, said = stage.procedure, f"stage '{stage.name}'"
+    instead = INSTEAD.get(type(procedure).__name__)
+    if instead:
+        raise TurgorError(f"{said}: {type(procedure).__name__} cannot be a stage, because {instead}.")
+    if not isinstance(procedure, OneProcedure) or (isinstance(procedure, Static) and type(procedure) is not Static):
+        raise TurgorError(
+            f"{said}: {type(procedure).__name__} cannot be a stage; "
+            "take Static, VolumeControl, Sealed, GasMass, ArcLength, Auto, Stabilized or Dynamic."
+        )
+    if number and isinstance(procedure, GasMass) and procedure.pressure:
+        raise TurgorError(
+            f"{said}: procedure.pressure is {procedure.pressure:g} Pa, and the gas is sealed at the pressure that the "
+            "former stage left; leave it out."
+        )

@@ -1,0 +1,98 @@
+"""Step options: what every procedure of equilibria says about its steps and its iterations."""
+
+from dataclasses import Field, dataclass, fields
+from math import inf
+from typing import Any
+
+from turgor.errors import TurgorError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StepOptions:
+    """Steps along a path and the iterations in each; procedures extend it and change the defaults.
+
+    Parameters
+    ----------
+    first_step, max_step, min_step : float [-]
+        First, largest and smallest increment of the load factor, in (0, 1].
+    at : tuple of float [-]
+        Load factors that must be hit exactly besides 1, each in (0, 1].
+    tolerance : float [-]
+        Largest residual force relative to the applied and reaction forces.
+    max_iterations : int
+        Newton iterations before a step is cut back.
+    max_steps : int
+        Attempted steps before the solve stops.
+    """
+
+    first_step: float = 0.05
+    max_step: float = 0.25
+    min_step: float = 1e-4
+    at: tuple[float, ...] = ()
+    tolerance: float = 1e-6
+    max_iterations: int = 15
+    max_steps: int = 1000
+
+    def __post_init__(self) -> None:
+        check_steps(self)
+
+
+def check_steps(steps: StepOptions, longest: float = 1.0) -> None:
+    """Refuse steps, tolerances, numbers of iterations and a duration that make no sense.
+
+    Raises
+    ------
+    TurgorError
+        Naming the field, its value and what is allowed; ``longest`` is the largest step allowed.
+    """
+    duration = getattr(steps, "duration", None)
+    if duration is not None and not 0 < duration < inf:
+        raise TurgorError(f"procedure.duration is {duration:g} s; it must be more than 0.")
+    for name, upper in (("first_step", 1.0), ("max_step", longest), ("min_step", 1.0)):
+        value = getattr(steps, name)
+        if not 0 < value <= upper:
+            raise TurgorError(f"procedure.{name} is {value:g}; allowed is more than 0 up to {upper:g}.")
+    if steps.min_step > steps.first_step:
+        raise TurgorError(
+            f"procedure.min_step is {steps.min_step:g}; it must not exceed first_step, {steps.first_step:g}."
+        )
+    if not 1e-12 <= steps.tolerance <= 1e-2:
+        raise TurgorError(f"procedure.tolerance is {steps.tolerance:g}; allowed is 1e-12 to 0.01.")
+    for name in ("max_iterations", "max_steps"):
+        if getattr(steps, name) < 1:
+            raise TurgorError(f"procedure.{name} is {getattr(steps, name)}; allowed is 1 or more.")
+    for factor in steps.at:
+        if not 0 < factor <= 1:
+            raise TurgorError(f"procedure.at holds {factor:g}; a load factor lies in (0, 1].")
+
+
+def fields_in_order(kind: type) -> tuple[Field[Any], ...]:
+    """Return the fields of a procedure for people to read: what it asks, its steps, its duration, what extends it.
+
+    Parameters
+    ----------
+    kind : type
+        The class of a procedure.
+
+    Returns
+    -------
+    tuple of Field
+
+    Examples
+    --------
+    >>> from turgor.solvers.procedures.auto import Auto
+    >>> [each.name for each in fields_in_order(Auto)][:3]
+    ['past', 'max_stretch', 'first_step']
+    """
+    steps = {each.name for each in fields(StepOptions)}
+    direct = next((each for each in kind.__mro__ if StepOptions in each.__bases__), None)
+    if direct is None:
+        return fields(kind)
+    asked = {each.name for each in fields(direct)} - steps - {"duration"}
+
+    def place(each: Field[Any]) -> int:
+        if each.name in asked:
+            return 0
+        return 1 if each.name in steps else 2 if each.name == "duration" else 3
+
+    return tuple(sorted(fields(kind), key=place))

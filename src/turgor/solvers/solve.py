@@ -1,0 +1,133 @@
+"""solve: follow the equilibrium path of a model."""
+
+from collections.abc import Callable
+from functools import partial
+from math import inf
+from time import perf_counter
+
+from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.contact.build import may_touch
+from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
+from turgor.engine.system import System
+from turgor.model.model import DISPLACEMENT, Model
+from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
+from turgor.solvers.checks.supports import check_supports
+from turgor.solvers.checks.time_steps import too_long_steps
+from turgor.solvers.listeners import Listeners
+from turgor.solvers.methods import method_of, question_of
+from turgor.solvers.path_outcomes import limit_point_findings
+from turgor.solvers.problem import Problem
+from turgor.solvers.procedures.stages import OneProcedure, Stages
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.restart import Restart
+from turgor.solvers.solution import Iteration, Procedure, Solution, SolveError, State, Timing
+from turgor.solvers.stage_sequence import solve_stages
+
+#: Below this size threads wait for each other longer than they work.
+FEW_UNKNOWNS = 10_000
+
+Progress = Callable[[Iteration, State | None], None]
+Stop = Callable[[State], str | None]
+
+
+def solve(
+    model: Model,
+    procedure: Procedure | None = None,
+    *,
+    progress: Progress | None = None,
+    stop: Stop | None = None,
+    options: EngineOptions | None = None,
+    throw: bool = True,
+) -> Solution:
+    """Follow the equilibrium path of a model from the undeformed state to the full load.
+
+    Parameters
+    ----------
+    model : Model
+        The question.
+    procedure : Static, BlockedForce, Grasp, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
+        How the path is followed; `Static` if it is not given. `BlockedForce` and `Grasp` add to the question what
+        stops the tip or moves the object; ``solution.model`` is the model with it. `Stages` follows several in turn.
+    progress : callable
+        ``progress(iteration, state)``, called after every Newton update (state None) and after every accepted step.
+    stop : callable
+        ``stop(state)`` ends the run early by returning the reason, a few words.
+    options : EngineOptions
+        Linear solver, threads, where notices go, Newton's method.
+    throw : bool
+        Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
+
+    Returns
+    -------
+    Solution
+        The path with its status, message and advice.
+
+    Raises
+    ------
+    TurgorError
+        If the supports leave a rigid motion free, or prescribe the whole surface of an incompressible body.
+    SolveError
+        If the full load was not reached and ``throw`` is set.
+    """
+    procedure, listeners = procedure or Static(), Listeners(progress, stop)
+    one = partial(_solved, options or EngineOptions())
+    if isinstance(procedure, Stages):
+        solution = solve_stages(model, procedure, listeners, one)
+    else:
+        solution, _ = one(question_of(model, procedure), procedure, listeners, None)
+    if throw and not solution.complete:
+        raise SolveError(solution)
+    return solution
+
+
+def _solved(
+    options: EngineOptions, model: Model, procedure: OneProcedure, listeners: Listeners, restart: Restart | None
+) -> tuple[Solution, Restart]:
+    """Follow one procedure from rest, or from what a former stage left; return what it leaves itself, too."""
+    method = method_of(procedure)
+    start = perf_counter()
+    check_supports(model, inertia=method.may_be_free(model))
+    threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
+    with use_threads(threads):
+        cell, mixed = model.mesh.cell_type, model.formulation != DISPLACEMENT
+        compiling = compile_kernels(options.notify, cell.nodes, mixed, cell.side.nodes if may_touch(model) else 0)
+        setup = perf_counter()
+        system = System(model, method.controlled(model, procedure))
+        system.materials.begin_step(inf)  # slow enough to relax, unless the procedure knows its time
+        tangent = Tangent(system, options.linear_solver, threads, options.iteration)
+        setup = perf_counter() - setup
+        problem = Problem(system=system, tangent=tangent, listeners=listeners, restart=restart)
+        if restart is not None:
+            restart.restore(system)
+        outcome = method.follow(problem, procedure)
+    clock = tangent.clock
+    timing = Timing(
+        compile=compiling,
+        setup=setup,
+        assembly=clock.assembly,
+        residual=clock.residual,
+        factorization=clock.factorization,
+        solve=clock.solve,
+        total=perf_counter() - start,
+        factorizations=clock.factorizations,
+        linear_solver=tangent.name,
+    )
+    solution = Solution(
+        model=model,
+        procedure=procedure,
+        states=tuple(problem.states),
+        status=outcome.status,
+        message=outcome.message,
+        advice=outcome.advice,
+        steps=tuple(problem.steps),
+        findings=(
+            *meeting_walls(model, problem.states),
+            *deep_penetrations(problem.states),
+            *limit_point_findings(problem.limits, method.limit_points),
+            *method.findings(problem.states),
+            *too_long_steps(model, procedure, problem.states),
+        ),
+        timing=timing,
+        limit_points=tuple(problem.limits),
+    )
+    return solution, Restart.of(system, problem.states[-1])
