@@ -14,7 +14,7 @@ from turgor.model.loads import Pressure
 from turgor.model.model import Model
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.listeners import silent
-from turgor.solvers.methods import METHODS, method_of, question_of
+from turgor.solvers.methods import METHODS, method_of
 from turgor.solvers.newton.newton import NewtonSettings, Start, newton
 from turgor.solvers.procedures.gas_mass import GasMass
 from turgor.solvers.procedures.stages import OneProcedure, Sealed
@@ -37,7 +37,6 @@ def test_a_class_that_is_not_listed_is_solved_as_the_one_that_it_extends():
 
     assert method_of(Slow()) is METHODS[Static]
     assert method_of(Sealed()) is METHODS[VolumeControl]
-    assert question_of(model(), Slow()).loads == model().loads
 
 
 def test_what_is_no_procedure_is_refused():

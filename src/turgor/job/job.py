@@ -43,6 +43,7 @@ from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
 from turgor.model.supports import Fixed, Radial
+from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.procedures.static import Static
 
@@ -170,8 +171,10 @@ class Job:
         What may touch what.
     rigid_files : mapping of str to RigidFile
         The files of those obstacles that come from STL files, for the lock file.
-    procedure : Static, BlockedForce, Grasp, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
-        How the path is followed.
+    setup : BlockedForce, Grasp or None
+        What is added to the model before it is solved.
+    procedure : Static, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
+        How the path is followed; `Static` where there is a setup.
     output : Output
         What to write.
     threads : int or None
@@ -190,6 +193,7 @@ class Job:
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
     contact: Contact = field(default_factory=Contact)
     rigid_files: Mapping[str, RigidFile] = field(default_factory=dict)
+    setup: Setup | None = None
     procedure: OneProcedure | Stages = field(default_factory=Static)
     output: Output = field(default_factory=Output)
     threads: int | None = None

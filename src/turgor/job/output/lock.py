@@ -16,6 +16,7 @@ from turgor.job.tables.loads import loads_table
 from turgor.job.tables.mesh_files import mesh_file_table
 from turgor.job.tables.obstacles import obstacles_tables
 from turgor.job.tables.procedures import written_procedure
+from turgor.job.tables.setups import written_setup
 from turgor.job.tables.stages import STAGES, stages_tables
 from turgor.job.tables.supports import held_text
 from turgor.materials.library.record_history import history_tables
@@ -24,6 +25,7 @@ from turgor.materials.material import Material
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.model import Membrane
 from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.procedures.static import Static
 from turgor.units import format_quantity
 
 #: Units in which a lock file states the dimensions of a value.
@@ -67,6 +69,8 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     }
     if isinstance(job.procedure, Stages):
         content[STAGES] = stages_tables(job.procedure)
+    elif job.setup is not None and isinstance(job.procedure, Static):
+        content["procedure"] = written_setup(job.setup, job.procedure, job.loads)
     else:
         content["procedure"] = written_procedure(job.procedure, job.loads)
     return _HEADER + tomlkit.dumps({key: content[key] for key in _ORDER if key in content})

@@ -3,7 +3,7 @@
 The keys of an actuator and a law are the fields of its dataclass, so that a new one needs no code here.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, fields
 from functools import cache, partial
 from math import inf
@@ -211,9 +211,14 @@ def dataclass_table(value: type) -> type[Table]:
     A float is a length unless its field says otherwise: ``field(metadata={"dimension": "angle"})``; the dimension
     ``"number"`` takes no unit.
     """
-    keys: dict[str, Any] = {"type": (str, ...)}
-    keys |= {item.name: (_type_of(item), default_of(item)) for item in fields(value)}
-    return create_model(f"{value.__name__}Table", __base__=Table, **keys)
+    return made_table(
+        f"{value.__name__}Table", {item.name: (_type_of(item), default_of(item)) for item in fields(value)}
+    )
+
+
+def made_table(name: str, keys: Mapping[str, Any]) -> type[Table]:
+    """Make a table of keys, each with its type and default, and of a ``type``."""
+    return create_model(name, __base__=Table, **{"type": (str, ...), **keys})
 
 
 @cache
@@ -248,17 +253,19 @@ def read_table(table: type[Table], values: object, key: Key, problems: Problems)
         return None
 
 
-def chosen_kind(kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems) -> Any | None:
-    """The kind that the key ``type`` of a table names."""
+def chosen_kind(
+    kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems, others: Iterable[str] = ()
+) -> Any | None:
+    """The kind that the key ``type`` of a table names; ``others`` are names that are read elsewhere."""
     if not isinstance(values, Mapping):
         problems.add(key, f"{shown(values)} is not a table; write {problems.head(key)} and its keys below it.")
         return None
     if "type" not in values:
-        problems.add((*key, "type"), f"'type' is missing; allowed: {', '.join(kinds)}.")
+        problems.add((*key, "type"), f"'type' is missing; allowed: {', '.join((*kinds, *others))}.")
         return None
     name = str(values["type"])
     if name not in kinds:
-        problems.add((*key, "type"), str(unknown(what, name, kinds)))
+        problems.add((*key, "type"), str(unknown(what, name, (*kinds, *others))))
         return None
     return kinds[name]
 

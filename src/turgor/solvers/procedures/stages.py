@@ -16,14 +16,6 @@ from turgor.solvers.procedures.static import Static
 from turgor.solvers.procedures.step_options import check_steps
 from turgor.solvers.procedures.volume_control import VolumeControl
 
-#: Procedures that ask a question of their own, and how a sequence asks it.
-INSTEAD: Mapping[str, str] = {
-    "BlockedForce": "it puts a plate before the tip at rest; add the plate as an obstacle, let a stage move it to the "
-    "tip, and read its force, such as plate_force",
-    "Grasp": "it is a sequence itself; close the fingers in one stage with a pressure, and pull the object in the next "
-    "one with moves, with a plane as obstacle where the fingers meet",
-}
-
 OneProcedure = Static | VolumeControl | GasMass | ArcLength | Auto | Dynamic | Stabilized
 
 
@@ -162,9 +154,6 @@ def check_stage(stage: Stage, number: int) -> None:
         If it cannot; the message says what to write instead.
     """
     procedure, said = stage.procedure, f"stage '{stage.name}'"
-    instead = INSTEAD.get(type(procedure).__name__)
-    if instead:
-        raise TurgorError(f"{said}: {type(procedure).__name__} cannot be a stage, because {instead}.")
     if not isinstance(procedure, OneProcedure) or (isinstance(procedure, Static) and type(procedure) is not Static):
         raise TurgorError(
             f"{said}: {type(procedure).__name__} cannot be a stage; "
