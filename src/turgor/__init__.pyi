@@ -56,8 +56,8 @@ from turgor.solvers.procedures.arc_length import ArcLength as ArcLength
 from turgor.solvers.procedures.auto import Auto as Auto
 from turgor.solvers.procedures.dynamic import Dynamic as Dynamic
 from turgor.solvers.procedures.gas_mass import GasMass as GasMass
+from turgor.solvers.procedures.sealed import Sealed as Sealed
 from turgor.solvers.procedures.stabilized import Stabilized as Stabilized
-from turgor.solvers.procedures.stages import Sealed as Sealed
 from turgor.solvers.procedures.stages import Stage as Stage
 from turgor.solvers.procedures.stages import Stages as Stages
 from turgor.solvers.procedures.static import Static as Static

@@ -29,7 +29,8 @@ from turgor.results.drive import stage_column
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.response_plots import response_figure
 from turgor.solvers.procedures.dynamic import Dynamic
-from turgor.solvers.procedures.stages import Sealed, Stage, Stages
+from turgor.solvers.procedures.sealed import Sealed
+from turgor.solvers.procedures.stages import Stage, Stages
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.solution import Iteration

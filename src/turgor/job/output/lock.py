@@ -7,6 +7,7 @@ from typing import Any
 
 import tomlkit
 
+from turgor.errors import TurgorError
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.job.job import Job, actuator_type
 from turgor.job.tables.cad import cad_file_table
@@ -19,11 +20,13 @@ from turgor.job.tables.procedures import written_procedure
 from turgor.job.tables.setups import written_setup
 from turgor.job.tables.stages import STAGES, stages_tables
 from turgor.job.tables.supports import held_text
+from turgor.materials.laws.conventions import is_dimensionless
+from turgor.materials.laws.laws import LAWS
 from turgor.materials.library.record_history import history_tables
-from turgor.materials.library.records import DIMENSIONLESS, LAWS
 from turgor.materials.material import Material
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.model import Membrane
+from turgor.registry import name_in
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.procedures.static import Static
 from turgor.units import format_quantity
@@ -116,12 +119,14 @@ def _target(job: Job) -> dict[str, Any]:
 
 def _material(entry: Material | Membrane) -> dict[str, Any]:
     material = entry.material if isinstance(entry, Membrane) else entry
-    law = next(name for name, kind in LAWS.items() if type(material.law) is kind)
+    law = name_in(LAWS, material.law)
+    if law is None:
+        raise TurgorError(f"job files have no name for the law {type(material.law).__name__} of '{material.name}'.")
     unit = "GPa" if law == "hooke" else "MPa"
     values: dict[str, Any] = {"name": material.name, "law": law}
     for item in fields(material.law):  # type: ignore[arg-type]
         value = getattr(material.law, item.name)
-        values[item.name] = _constants(value, None if item.name in DIMENSIONLESS else unit)
+        values[item.name] = _constants(value, None if is_dimensionless(item) else unit)
     if law != "hooke":
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")

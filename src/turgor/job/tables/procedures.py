@@ -7,33 +7,21 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator
 
-from turgor.errors import TurgorError
+from turgor.errors import TurgorError, unknown
 from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, chosen_kind, default_of, fields_of_table, made_table, read_table, shown
 from turgor.model.loads import Gravity, Load, Pressure
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
-from turgor.solvers.procedures.dynamic import Dynamic
-from turgor.solvers.procedures.gas_mass import GasMass
-from turgor.solvers.procedures.stabilized import Stabilized
-from turgor.solvers.procedures.stages import OneProcedure, Sealed
-from turgor.solvers.procedures.static import Static
-from turgor.solvers.procedures.step_options import fields_in_order
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.registry import Registry, class_of_file, name_in
+from turgor.solvers.procedures.stages import OneProcedure
+from turgor.solvers.procedures.step_options import StepOptions, fields_in_order
 from turgor.units import format_quantity, kPa, parse_quantity
 
-#: Procedures by the name that job files use. A new one is one line here; its keys are its fields.
-PROCEDURES: Mapping[str, type[Any]] = {
-    "static": Static,
-    "volume_control": VolumeControl,
-    "sealed": Sealed,
-    "gas_mass": GasMass,
-    "arc_length": ArcLength,
-    "auto": Auto,
-    "stabilized": Stabilized,
-    "dynamic": Dynamic,
-}
+#: Procedures by the name that job files use: the classes in their folder; the keys of one are its fields.
+PROCEDURES: Registry[type[Any]] = Registry(
+    "turgor.solvers.procedures",
+    class_of_file(lambda kind: issubclass(kind, OneProcedure) and kind is not StepOptions),
+)
 
 #: Procedures that drive the actuator without any load.
 DRIVING = ("volume_control", "gas_mass")
@@ -116,7 +104,9 @@ def written_procedure(procedure: OneProcedure, loads: tuple[Load, ...] = ()) -> 
     loads : tuple of Load
         Loads whose only pressure says which states are requested; in a stage there are none.
     """
-    name = next(name for name, kind in PROCEDURES.items() if type(procedure) is kind)
+    name = name_in(PROCEDURES, procedure)
+    if name is None:
+        raise unknown("procedure", type(procedure).__name__, PROCEDURES)
     values = stated_fields(procedure, procedure_fields(type(procedure)))
     return {"type": name} | values | {"at": requested(procedure.at, only_pressure(loads))}
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, fields
 from functools import cache, partial
 from math import inf
-from typing import Annotated, Any, get_args
+from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import AfterValidator, AllowInfNan, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
 
@@ -15,9 +15,9 @@ from turgor.errors import TurgorError, near_match, unknown
 from turgor.geometry.directions import DIRECTIONS
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
+from turgor.materials.laws.conventions import is_dimensionless
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
-from turgor.materials.library.records import DIMENSIONLESS
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.sizes import check_target
 from turgor.model.loads import STANDARD_GRAVITY
@@ -233,10 +233,11 @@ def law_table(law: type) -> type[Table]:
 
 def _constant_type(item: Field[Any]) -> Any:
     """One constant, a list with one for each term, or a table of coefficients by name."""
-    one = float if item.name in DIMENSIONLESS else Pressure
+    one = float if is_dimensionless(item) else Pressure
     if item.type is float:
         return one
-    return dict[str, one] if item.name == "coefficients" else list[one]  # type: ignore[valid-type]
+    of_terms = get_origin(get_args(item.type)[0]) is tuple  # (i, j, coefficient): stated by names
+    return dict[str, one] if of_terms else list[one]  # type: ignore[valid-type]
 
 
 def read_table(table: type[Table], values: object, key: Key, problems: Problems) -> Any | None:

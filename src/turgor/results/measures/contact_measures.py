@@ -195,11 +195,5 @@ pull_distance = Measure(
     name="pull_distance", unit="mm", function=_pull_distance, definition="how far the object has been pulled",
 )  # fmt: skip
 
-#: Ready-made measures of contact.
-CONTACT_MEASURES: tuple[Measure, ...] = (
-    blocked_force, blocked_force_x, blocked_force_y, blocked_force_z,
-    contact_area, maximum_contact_pressure, deepest_penetration,
-    grip_force, holding_force, pull_distance,
-)  # fmt: skip
-
-_NAMES = tuple(each.name for each in CONTACT_MEASURES)
+#: Names of the measures above, for messages.
+_NAMES = tuple(each.name for each in list(globals().values()) if isinstance(each, Measure))
