@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from turgor import Geometry, TurgorError
-from turgor.job.job import ACTUATORS
+from turgor.jobs import ACTUATORS
 from turgor.units import deg, mm
 
 DOCS = Path(__file__).parent
@@ -51,7 +51,7 @@ def page(name: str, family: Any) -> str:
             "",
             "## Dimensions",
             "",
-            f'In a job file: `[actuator]` with `type = "{name}"`; in Python: `turgor.{family.__name__}`.',
+            f'In a job file: `[actuator]` with `type = "{name}"`; in Python: `tg.actuators.{family.__name__}`.',
             "",
             "| key | default | meaning |",
             "|---|---|---|",
@@ -148,8 +148,7 @@ def draw(name: str, family: Any) -> None:
     from PIL import Image
 
     from turgor import mesh, solve
-    from turgor.job.run import prepare
-    from turgor.jobs import read_job
+    from turgor.jobs import prepare, read_job
     from turgor.pictures import shared_view, write_mesh_picture, write_picture
 
     made = mesh(_cut(family).build())

@@ -109,7 +109,9 @@ def limit_at(pressure: float, below: float = 0.003, above: float = 0.001) -> Che
     return check
 
 
-def at_end(what: str, got: Callable[[tg.State], float], expected: float, tolerance: float, unit: str = "") -> Check:
+def at_end(
+    what: str, got: Callable[[tg.solutions.State], float], expected: float, tolerance: float, unit: str = ""
+) -> Check:
     """A number of the last state against a known one."""
     return lambda solution: value(what, got(solution.states[-1]), expected, tolerance, unit)
 

@@ -41,7 +41,7 @@ def beam(force: tuple[float, float, float], bow: float = 0.0, cells: int = 30) -
     return model
 
 
-def sag(state: tg.State) -> float:
+def sag(state: tg.solutions.State) -> float:
     """Deflection of the tip over the length."""
     return float(abs(state.displacement[state.model.mesh.face_nodes("x1"), 2].mean()) / LENGTH)
 
@@ -133,7 +133,7 @@ def pushed_through() -> tuple[np.ndarray, np.ndarray]:
     return down, np.array([-float(problems.reaction(state, "crown")[2]) for state in states])
 
 
-def crown(state: tg.State) -> float:
+def crown(state: tg.solutions.State) -> float:
     """How far the crown has moved down [m]."""
     return float(-state.displacement[meshes.node_at(state.model.mesh, CROWN), 2])
 

@@ -60,7 +60,7 @@ def stretch_at(law: Any, stretch: float, name: str, hard: str, **more: Any) -> C
     """A sphere asked, in one step, for the exact pressure of a stretch that it must come to."""
     pressure = exact.sphere_pressure(law, stretch, INNER, more.get("outer", OUTER))
 
-    def got(state: tg.State) -> float:
+    def got(state: tg.solutions.State) -> float:
         return problems.mean_radius(state, "cavity", (0, 1, 2)) / INNER
 
     check = checks.at_end("inner stretch", got, stretch, 3e-3)
@@ -110,7 +110,7 @@ def tube(law: Any, stretch: float, outer: float, name: str, hard: str) -> Case:
         mesh = meshes.tube_sector(5 * MM, outer, 1 * MM, (2, 4, 1), kind=HEXAHEDRON)
         return one(mesh, law, [tg.Pressure("cavity", pressure)], problems.PLANE_STRAIN)
 
-    def got(state: tg.State) -> float:
+    def got(state: tg.solutions.State) -> float:
         return problems.mean_radius(state, "cavity", (0, 1)) / (5 * MM)
 
     check = checks.at_end("inner stretch", got, stretch, 5e-3)

@@ -55,7 +55,7 @@ def ball(depth: float) -> Callable[[], tg.Model]:
         contact = tg.Contact(
             self_contact=False, obstacles=[tg.obstacles.Obstacle(name="plate", shape=shape, path=down(depth))]
         )
-        return one(mesh, RUBBER, [], [tg.Symmetry("middle")], contact=contact)
+        return one(mesh, RUBBER, [], [tg.supports.Symmetry("middle")], contact=contact)
 
     return model
 

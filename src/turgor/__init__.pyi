@@ -11,17 +11,17 @@ from turgor import experiments as experiments
 from turgor import files as files
 from turgor import jobs as jobs
 from turgor import laws as laws
+from turgor import loads as loads
 from turgor import measures as measures
 from turgor import obstacles as obstacles
 from turgor import pictures as pictures
 from turgor import setups as setups
 from turgor import solutions as solutions
+from turgor import supports as supports
 from turgor.adaptivity.measure import measure as measure
 from turgor.adaptivity.mesh_to import mesh_to as mesh_to
 from turgor.engine.runtime import EngineOptions as EngineOptions
 from turgor.errors import TurgorError as TurgorError
-from turgor.finding import Finding as Finding
-from turgor.finding import Severity as Severity
 from turgor.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet
 from turgor.geometry.geometry import Geometry as Geometry
 from turgor.materials.experiments.read_tests import read_test as read_test
@@ -35,7 +35,6 @@ from turgor.model.contact import Contact as Contact
 from turgor.model.fibers import Fibers as Fibers
 from turgor.model.fibers import Winding as Winding
 from turgor.model.history import over_time as over_time
-from turgor.model.loads import BodyForce as BodyForce
 from turgor.model.loads import Gravity as Gravity
 from turgor.model.loads import Pressure as Pressure
 from turgor.model.loads import Traction as Traction
@@ -43,11 +42,7 @@ from turgor.model.model import Membrane as Membrane
 from turgor.model.model import Model as Model
 from turgor.model.supports import Displacement as Displacement
 from turgor.model.supports import Fixed as Fixed
-from turgor.model.supports import Radial as Radial
-from turgor.model.supports import Shift as Shift
-from turgor.model.supports import Symmetry as Symmetry
 from turgor.response import Response as Response
-from turgor.response import read_response as read_response
 from turgor.results.measures.measures import bending_angle as bending_angle
 from turgor.results.measures.measures import cavity_volume as cavity_volume
 from turgor.results.measures.measures import tip_displacement as tip_displacement
@@ -63,10 +58,7 @@ from turgor.solvers.procedures.stages import Stages as Stages
 from turgor.solvers.procedures.static import Static as Static
 from turgor.solvers.procedures.volume_control import VolumeControl as VolumeControl
 from turgor.solvers.solution import Solution as Solution
-from turgor.solvers.solution import SolveError as SolveError
-from turgor.solvers.solution import State as State
 from turgor.solvers.solution import Status as Status
 from turgor.solvers.solve import solve as solve
-from turgor.source import Source as Source
 
 __version__: str

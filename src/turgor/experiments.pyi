@@ -1,18 +1,18 @@
 """Experiments on materials: tests read and prepared, laws fitted to them and ranked."""
 
+from turgor.materials.experiments.cycles import select_cycle as select_cycle
 from turgor.materials.experiments.handling import average as average
 from turgor.materials.experiments.handling import crop as crop
 from turgor.materials.experiments.handling import remove_slack as remove_slack
 from turgor.materials.experiments.handling import remove_tail as remove_tail
 from turgor.materials.experiments.handling import rest_below as rest_below
-from turgor.materials.experiments.handling import select_cycle as select_cycle
 from turgor.materials.experiments.handling import set_zero_length as set_zero_length
 from turgor.materials.experiments.handling import thin as thin
 from turgor.materials.experiments.material_test import Edit as Edit
 from turgor.materials.experiments.material_test import MaterialTest as MaterialTest
-from turgor.materials.experiments.read_tests import Specimen as Specimen
 from turgor.materials.experiments.read_tests import read_test as read_test
 from turgor.materials.experiments.read_tests import read_tests as read_tests
+from turgor.materials.experiments.specimen import Specimen as Specimen
 from turgor.materials.fitting.checks import check_modes as check_modes
 from turgor.materials.fitting.checks import check_order as check_order
 from turgor.materials.fitting.checks import check_stretch_range as check_stretch_range

@@ -2,8 +2,10 @@
 
 from turgor.job.convergence import convergence as convergence
 from turgor.job.export import export_job as export_job
+from turgor.job.job import ACTUATORS as ACTUATORS
 from turgor.job.job import Job as Job
 from turgor.job.read import read_job as read_job
+from turgor.job.run import prepare as prepare
 from turgor.job.run import run_job as run_job
 from turgor.meshing.settings import MeshSettings as MeshSettings
 from turgor.meshing.sizing.sizes import default_size as default_size

@@ -19,3 +19,4 @@ from turgor.materials.laws.stability import first_instability as first_instabili
 from turgor.materials.library.doubts import doubts_of as doubts_of
 from turgor.materials.library.records import library as library
 from turgor.materials.library.records import records as records
+from turgor.source import Source as Source

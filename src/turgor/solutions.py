@@ -1,4 +1,4 @@
-"""What a solution holds: limit points, first touches, energies and modes.
+"""What a solution holds: states, limit points, first touches, energies, modes and findings.
 
 The names stand in ``solutions.pyi``; each is imported on first use.
 """

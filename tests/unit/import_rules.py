@@ -25,10 +25,12 @@ PUBLIC = (
     "files",
     "jobs",
     "laws",
+    "loads",
     "measures",
     "obstacles",
     "pictures",
     "solutions",
+    "supports",
 )
 
 #: The modules of the command line, which is a client of the public names.

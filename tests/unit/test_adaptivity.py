@@ -19,7 +19,7 @@ from turgor.units import kPa, mL, mm
 
 SOFT = tg.Material(name="soft", law=tg.Yeoh(C10=0.11e6, C20=0.02e6), density=1000.0)
 STIFF = tg.Material(name="stiff", law=tg.laws.NeoHooke(C10=2.2e6), density=1000.0)
-G01 = tg.Finding(code="G01", severity=Severity.WARNING, message="One cell.", advice="Look.")
+G01 = tg.solutions.Finding(code="G01", severity=Severity.WARNING, message="One cell.", advice="Look.")
 
 
 @pytest.fixture(scope="module", params=["tetrahedra", "hexahedra"])
@@ -80,7 +80,7 @@ def test_the_estimate_can_be_switched_off(bent):
 def test_mesh_errors_come_back_from_a_file(bent, tmp_path):
     response = tg.measure(bent, tg.bending_angle)
     response.to_csv(tmp_path / "response.csv")
-    again = tg.read_response(tmp_path / "response.csv")
+    again = tg.files.read_response(tmp_path / "response.csv")
     assert again.mesh_error("bending_angle") == pytest.approx(response.mesh_error("bending_angle"))
     assert "bending_angle_mesh_error_deg" in (tmp_path / "response.csv").read_text().splitlines()[0]
 
@@ -132,7 +132,7 @@ def test_values_show_as_many_digits_as_their_error_allows(value, error, unit, te
 def _response(error):
     angle = Column("bending_angle", "deg", [0.0, 1.0])
     errors = Column("bending_angle_mesh_error", "deg", [0.0, error])
-    return Response(columns=(angle, errors), source=tg.Source(text="cells"))
+    return Response(columns=(angle, errors), source=tg.laws.Source(text="cells"))
 
 
 def test_a_wall_of_one_cell_is_reported_only_where_the_error_is_large():

@@ -40,7 +40,7 @@ def at_rest(mesh):
     """The undeformed state of a model of a mesh."""
     rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1e6))
     materials = dict.fromkeys(mesh.regions, rubber)
-    return tg.State(
+    return tg.solutions.State(
         model=tg.Model(mesh, materials=materials, supports=[tg.Fixed("fixed")], loads=[tg.Pressure("cavity", 1.0)]),
         load_factor=0.0,
         displacement=np.zeros_like(mesh.points),

@@ -5,7 +5,8 @@ import pytest
 
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.experiments.read_tests import Specimen, read_test, read_tests
+from turgor.materials.experiments.read_tests import read_test, read_tests
+from turgor.materials.experiments.specimen import Specimen
 from turgor.materials.laws.laws import MooneyRivlin, NeoHooke
 from turgor.units import mm
 

@@ -4,13 +4,12 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
+from turgor.materials.experiments.cycles import half_cycles, select_cycle
 from turgor.materials.experiments.handling import (
     average,
     crop,
-    half_cycles,
     remove_slack,
     remove_tail,
-    select_cycle,
     set_zero_length,
     thin,
 )

@@ -101,7 +101,8 @@ def test_an_unknown_name_is_refused():
 
 def test_documents_and_examples_import_public_names_only():
     allowed = {"turgor", "turgor.units", *(module.__name__ for module in NAMESPACES)}
-    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.py")]
+    folders = (ROOT / "docs", ROOT / "examples")
+    pages = [ROOT / "README.md", *(page for each in folders for page in (*each.rglob("*.md"), *each.rglob("*.py")))]
     imported = {
         (page.name, module)
         for page in pages
@@ -113,7 +114,7 @@ def test_documents_and_examples_import_public_names_only():
 def test_every_line_of_the_stub_is_a_public_name():
     lines = [node for node in ast.parse(read("src/turgor/__init__.pyi")).body if isinstance(node, ast.ImportFrom)]
     assert sorted(alias.asname or alias.name for line in lines for alias in line.names) == turgor.__all__
-    assert len(turgor.__all__) < 70
+    assert len(turgor.__all__) - len(NAMESPACES) <= 46, "those that most scripts need; others stand in namespaces"
 
 
 def test_dependencies_are_those_that_are_imported():

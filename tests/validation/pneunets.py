@@ -95,7 +95,7 @@ def bend(model: tg.Model, *, until: float = 360.0, procedure: tg.Static | None =
     """Raise the pressure until the tip has turned so far [°], or the pressure is reached, or it goes no further."""
     turned = [0.0]
 
-    def stop(state: tg.State) -> str | None:
+    def stop(state: tg.solutions.State) -> str | None:
         mesh = state.model.mesh
         area = vector_area(mesh.points + state.displacement, mesh.face("tip"))
         turned.append(float(np.unwrap([turned[-1], np.arctan2(-area[2], area[0])])[1]))

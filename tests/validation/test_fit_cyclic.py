@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 from fit_data import DATA
 
-from turgor.materials.experiments.handling import rest_below, select_cycle, thin
-from turgor.materials.experiments.read_tests import Specimen, read_test
+from turgor.materials.experiments.cycles import select_cycle
+from turgor.materials.experiments.handling import rest_below, thin
+from turgor.materials.experiments.read_tests import read_test
+from turgor.materials.experiments.specimen import Specimen
 from turgor.materials.fitting.fit_history import fit_history
 from turgor.materials.fitting.fit_laws import fit
 from turgor.materials.fitting.history_fit import quality_of

@@ -51,46 +51,46 @@ def pinned(mesh: tg.Mesh) -> tuple[tg.Mesh, list[tg.Fixed]]:
     return meshes.with_faces(mesh, **pins), supports
 
 
-def state_at(solution: tg.Solution, load_factor: float) -> tg.State:
+def state_at(solution: tg.Solution, load_factor: float) -> tg.solutions.State:
     """The state of the path at a load factor that was asked for."""
     state = min(solution.states, key=lambda s: abs(s.load_factor - load_factor))
     assert abs(state.load_factor - load_factor) < 1e-12, f"the path has no state at load factor {load_factor}"
     return state
 
 
-def reaction(state: tg.State, face: str) -> np.ndarray:
+def reaction(state: tg.solutions.State, face: str) -> np.ndarray:
     """Sum of the support forces on a face, (3,) [N]."""
     return state.nodal_force[state.model.mesh.face_nodes(face)].sum(axis=0)
 
 
-def current(state: tg.State) -> np.ndarray:
+def current(state: tg.solutions.State) -> np.ndarray:
     """Current positions of all nodes [m]."""
     return state.model.mesh.points + state.displacement
 
 
-def mean_radius(state: tg.State, face: str, axes: Sequence[int]) -> float:
+def mean_radius(state: tg.solutions.State, face: str, axes: Sequence[int]) -> float:
     """Mean distance of the nodes of a face from the axis or the center [m]."""
     positions = current(state)[state.model.mesh.face_nodes(face)]
     return float(np.linalg.norm(positions[:, list(axes)], axis=1).mean())
 
 
-def fields(state: tg.State) -> CellFields:
+def fields(state: tg.solutions.State) -> CellFields:
     """Stresses and stretches of a state at the quadrature points."""
     return cell_fields(state.model, state.displacement, state.mean_stress, state.memory)
 
 
-def energy(state: tg.State) -> float:
+def energy(state: tg.solutions.State) -> float:
     """Stored energy of the modeled part [J]."""
     return strain_energy(state.model, state.displacement, state.mean_stress, state.memory)
 
 
-def at_quadrature_points(state: tg.State, nodal: np.ndarray) -> np.ndarray:
+def at_quadrature_points(state: tg.solutions.State, nodal: np.ndarray) -> np.ndarray:
     """A quadratic nodal field (n, 3) at the quadrature points of the cells, (c, q, 3)."""
     table = reference_cell(10, CELL_QUADRATURE_DEGREE).N
     return np.einsum("qa,cai->cqi", table, nodal[state.model.mesh.cells])
 
 
-def polar_stress(state: tg.State, axes: Sequence[int], shift: Sequence[float] = 0.0):
+def polar_stress(state: tg.solutions.State, axes: Sequence[int], shift: Sequence[float] = 0.0):
     """Current radius, radial and hoop Cauchy stress at the quadrature points, about the axis or center at the origin.
 
     ``axes`` are the coordinates in which the radius lies: (0, 1) around z, (0, 1, 2) around the center, where the

@@ -53,7 +53,7 @@ def actuator(layers) -> tg.Mesh:
     return replace(mesh, points=points)
 
 
-def turn_between(state: tg.State, low: float, high: float) -> float:
+def turn_between(state: tg.solutions.State, low: float, high: float) -> float:
     """Rotation for each reference length [1/m] between the sections nearest to two shares of the length."""
     points, x = state.model.mesh.points, problems.current(state)
     planes = np.unique(np.round(points[:, 0], 8))

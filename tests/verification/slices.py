@@ -56,7 +56,7 @@ def follow(model: tg.Model, path: Sequence[tuple[float, float]], **steps) -> lis
     return [_slice(state, p, s) for state, (p, s) in zip(states, path, strict=True)]
 
 
-def states_at(model: tg.Model, path: Sequence[tuple[float, float]], **steps) -> list[tg.State]:
+def states_at(model: tg.Model, path: Sequence[tuple[float, float]], **steps) -> list[tg.solutions.State]:
     """Take a slice through points (pressure [Pa], stretch along the axis) and return its state at each."""
     factors = np.arange(len(path) + 1) / len(path)
     pressure, stretch = np.array([(0.0, 1.0), *path]).T
@@ -90,7 +90,7 @@ def wound(mesh: tg.Mesh, law, fibers: Sequence[Fibers] = (), supports: Sequence 
     return tg.Model(mesh, {"body": problems.rubber(law)}, supports, [], reinforcements=fibers)
 
 
-def _slice(state: tg.State, pressure: float, stretch: float) -> Slice:
+def _slice(state: tg.solutions.State, pressure: float, stretch: float) -> Slice:
     mesh = state.model.mesh
     inner, outer = (problems.mean_radius(state, face, (0, 1)) for face in ("cavity", "outside"))
     force = mesh.symmetry_factor * float(problems.reaction(state, "z1")[2])

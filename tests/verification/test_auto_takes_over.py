@@ -182,7 +182,7 @@ def test_a_squeezed_cell_is_named_with_its_place():
     moved = state.displacement.copy()
     corner = mesh.cells[cell][0]
     moved[corner] += 0.4 * (middle - mesh.points[corner])
-    squeezed = tg.State(
+    squeezed = tg.solutions.State(
         model=model, load_factor=1.0, displacement=moved, mean_stress=state.mean_stress, nodal_force=0 * moved
     )
     ratio, place = worst_volume(squeezed)
@@ -197,7 +197,7 @@ def sponge(state):
     """The same state of a material that may change its volume."""
     foam = tg.Material(name="foam", law=tg.laws.NeoHooke(C10=0.12e6), bulk_modulus=0.5e6)
     model = tg.Model(state.model.mesh, {"body": foam}, [], state.model.loads)
-    return tg.State(
+    return tg.solutions.State(
         model=model, load_factor=1.0, displacement=state.displacement, mean_stress=state.mean_stress,
         nodal_force=state.nodal_force,
     )  # fmt: skip

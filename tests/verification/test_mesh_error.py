@@ -27,7 +27,7 @@ def _pneunet(size):
 
 def _cylinder(size):
     mesh = tg.mesh(tg.actuators.FiberReinforcedCylinder(length=40 * mm, skin=1 * mm).build(), size=size)
-    supports = [tg.Fixed("fixed", "x"), tg.Radial("winding")]
+    supports = [tg.Fixed("fixed", "x"), tg.supports.Radial("winding")]
     loads = [tg.Pressure("cavity", 13.7201 * kPa)]
     return tg.Model(mesh, dict.fromkeys(mesh.regions, RUBBER), supports, loads, contact=ALONE)
 

@@ -39,7 +39,9 @@ def test_rotation_turns_forces_and_keeps_energy(name, law, record_verification):
         residual = system.residual(unknowns, 1.0)
         forces.append(residual[: 3 * len(X)].reshape(-1, 3))
         volumes.append(residual[3 * len(X) :])
-        state = tg.State(model=model, load_factor=1.0, displacement=displacement, mean_stress=p, nodal_force=0 * u)
+        state = tg.solutions.State(
+            model=model, load_factor=1.0, displacement=displacement, mean_stress=p, nodal_force=0 * u
+        )
         energies.append(problems.energy(state))
 
     scale = np.abs(forces[0]).max()

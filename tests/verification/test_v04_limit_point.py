@@ -31,7 +31,7 @@ CASES = [  # name, law, limit pressure [Pa], inner stretch there, pressure asked
 def test_pressure_control_stops_at_the_limit_point(name, law, limit, limit_stretch, asked, record_verification):
     mesh = meshes.sphere_octant(INNER, OUTER, 2, 3)
     model = problems.one_material(mesh, law, loads=[tg.Pressure("cavity", asked)])
-    with pytest.raises(tg.SolveError) as caught:
+    with pytest.raises(tg.solutions.SolveError) as caught:
         problems.solve(model, tg.Static(first_step=0.1, tolerance=1e-8))
     solution = caught.value.solution
     last = solution.states[-1]

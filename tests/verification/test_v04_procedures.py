@@ -121,7 +121,7 @@ def test_stop_progress_and_limit_of_steps():
     assert f"{solution.states[-1].pressures['cavity'] / kPa:.4g} kPa" in solution.message
     assert [state for _, state in seen if state is not None] == list(solution.states[1:])
     assert sum(step.iterations for step in solution.steps) == sum(state is None for _, state in seen)
-    with pytest.raises(tg.SolveError, match="step_limit"):
+    with pytest.raises(tg.solutions.SolveError, match="step_limit"):
         solve(sphere(), VolumeControl(volume=20 * mL, max_step=0.02, max_steps=3))
 
 
@@ -232,7 +232,7 @@ def test_walls_that_meet_where_the_load_falls_are_found():
         squeezed = np.clip((mesh.points[:, 2:] - 2e-3) / 2e-3, 0.0, 1.0)  # cavity_1 lies between 2 and 4 mm
         down = squeezed * [0.0, 0.0, -shift]
         states.append(
-            tg.State(
+            tg.solutions.State(
                 model=model,
                 load_factor=factor,
                 displacement=down,

@@ -66,7 +66,7 @@ def test_a_leg_stops_at_its_image(record_verification):
     mesh = _fork()
     loads = [tg.Pressure("pressed", 12e3)]
     rubber = {name: problems.rubber(problems.NEO_HOOKE) for name in mesh.regions}
-    model = tg.Model(mesh, rubber, [tg.Fixed("fixed"), tg.Symmetry("symmetry_y")], loads)
+    model = tg.Model(mesh, rubber, [tg.Fixed("fixed"), tg.supports.Symmetry("symmetry_y")], loads)
     solution = tg.solve(model)
     lowest = [float((mesh.points + state.displacement)[:, 1].min()) for state in solution.states]
     record_verification(

@@ -56,7 +56,7 @@ def manufactured(count, kind=TETRAHEDRON):
     supports = [tg.Displacement(side, moved, "xy") for side in ("x0", "y0", "y1")]
     supports += [tg.Displacement("x1", moved, "y"), *problems.PLANE_STRAIN]
     model = problems.one_material(
-        mesh, tg.laws.NeoHooke(C10=MU / 2), supports=supports, loads=[tg.BodyForce(_body_force)]
+        mesh, tg.laws.NeoHooke(C10=MU / 2), supports=supports, loads=[tg.loads.BodyForce(_body_force)]
     )
     return problems.solve(model, tg.Static(first_step=0.25, tolerance=1e-10)).states[-1]
 

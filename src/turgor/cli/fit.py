@@ -14,7 +14,7 @@ from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
     from turgor.materials.experiments.material_test import MaterialTest
-    from turgor.materials.experiments.read_tests import Specimen
+    from turgor.materials.experiments.specimen import Specimen
     from turgor.materials.fitting.ranking import Ranking
 
 #: Laws that are fitted when none is named: from stiff and simple to free.
@@ -134,7 +134,8 @@ def _read(chosen: FitOptions, file: Path, mode: str | None, cyclic: bool) -> "Ma
 
 
 def _handled(test: "MaterialTest", chosen: FitOptions) -> "MaterialTest":
-    from turgor.materials.experiments.handling import remove_slack, remove_tail, select_cycle
+    from turgor.materials.experiments.cycles import select_cycle
+    from turgor.materials.experiments.handling import remove_slack, remove_tail
 
     cycle, preload = chosen.cycle, _preload(chosen.preload)
     if cycle is not None:
@@ -194,7 +195,7 @@ def _modes(text: str, count: int) -> list[str | None]:
 
 
 def _specimen(text: str) -> "Specimen | None":
-    from turgor.materials.experiments.read_tests import Specimen
+    from turgor.materials.experiments.specimen import Specimen
     from turgor.units import parse_quantity
 
     if not text:

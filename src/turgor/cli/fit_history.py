@@ -75,7 +75,8 @@ def _first_loading(test: "MaterialTest") -> "MaterialTest":
     """The way to the first largest stretch: what is held afterwards has begun to relax."""
     import numpy as np
 
-    from turgor.materials.experiments.handling import select_cycle, thin
+    from turgor.materials.experiments.cycles import select_cycle
+    from turgor.materials.experiments.handling import thin
 
     low, high = test.range
     if test.stretch[0] > low + 0.5 * (high - low) or high == low:

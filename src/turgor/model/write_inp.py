@@ -129,15 +129,7 @@ def compressible(model: Model, poisson: float) -> Model:
         if material.incompressible and not isinstance(law, Hooke):
             bulk = law.shear_modulus * 2 * (1 + poisson) / (3 * (1 - 2 * poisson))
             materials[name] = replace(material, bulk_modulus=bulk)
-    return Model(
-        model.mesh,
-        materials,
-        model.supports,
-        model.loads,
-        model.formulation,
-        model.reinforcements,
-        model.contact,
-    )
+    return replace(model, materials=materials)
 
 
 def _check_factors(at: Sequence[float]) -> None:
@@ -244,9 +236,7 @@ def _support_lines(model: Model) -> list[str]:
         elif isinstance(support, Symmetry):
             lines.append(f"{_plain(support.face)}, {_normal_axis(model.mesh, support.face) + 1}")
         elif isinstance(support, Radial):
-            raise TurgorError(
-                f"'{support.face}' is held radially, which this .inp file cannot say; hold other directions."
-            )
+            raise TurgorError(f"'{support.face}' is held radially, which .inp files cannot say; hold other directions.")
         else:
             raise TurgorError(f"the displacement of '{support.face}' is a function, which has no form in .inp files.")
     return lines

@@ -10,6 +10,7 @@ from pydantic import AfterValidator
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
 from turgor.geometry.directions import AXES
+from turgor.job.tables.material_tables import SourceTable
 from turgor.job.tables.materials import read_library
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
@@ -19,7 +20,6 @@ from turgor.job.text.quantities import (
     Density,
     Length,
     Pressure,
-    SourceTable,
     Table,
     read_table,
     shown,

@@ -8,9 +8,10 @@ from typing import Any
 
 from turgor.errors import unknown
 from turgor.geometry import Geometry
+from turgor.job.tables.material_tables import LibraryTable, StatedTable, law_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import LibraryTable, MeshTable, StatedTable, law_table, read_table, shown
+from turgor.job.text.quantities import MeshTable, read_table, shown
 from turgor.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke
 from turgor.materials.library.records import from_library, library
 from turgor.materials.material import Material

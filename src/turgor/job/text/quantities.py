@@ -1,23 +1,19 @@
 """Tables of a job file: which keys each has, and what their values must be.
 
-The keys of an actuator and a law are the fields of its dataclass, so that a new one needs no code here.
+The keys of an actuator are the fields of its dataclass, so that a new one needs no code here.
 """
 
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, fields
 from functools import cache, partial
-from math import inf
-from typing import Annotated, Any, get_args, get_origin
+from typing import Annotated, Any, get_args
 
-from pydantic import AfterValidator, AllowInfNan, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
 
 from turgor.errors import TurgorError, near_match, unknown
 from turgor.geometry.directions import DIRECTIONS
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.materials.laws.conventions import is_dimensionless
-from turgor.materials.laws.laws import Hooke
-from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.sizes import check_target
 from turgor.model.loads import STANDARD_GRAVITY
@@ -31,8 +27,6 @@ Angle = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="angl
 Pressure = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="pressure"))]
 Density = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="density"))]
 Acceleration = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="acceleration"))]
-Viscoelasticity = Annotated[Any, BeforeValidator(read_viscoelasticity)]
-Softening = Annotated[Any, BeforeValidator(read_stress_softening)]
 
 #: Type of a float field by the dimension that its dataclass states.
 QUANTITIES: Mapping[str, Any] = {
@@ -42,10 +36,6 @@ QUANTITIES: Mapping[str, Any] = {
     "density": Density,
     "number": float,
 }
-
-
-def _bulk_modulus(text: object) -> float:
-    return inf if text == "incompressible" else parse_quantity(text, "pressure")
 
 
 def coordinate(value: object) -> float:
@@ -114,38 +104,6 @@ class MeshTable(Table):
             wall_cells=self.wall_cells,
             cells=self.cells,
         )
-
-
-class LibraryTable(Table):
-    """A material of the library."""
-
-    library: str
-    record: str | None = None
-    thickness: Length | None = None
-    form: str | None = None
-    density: Density | None = None
-    viscoelasticity: Viscoelasticity | None = None
-    stress_softening: Softening | None = None
-
-
-class SourceTable(Table):
-    """Where the constants of a material came from."""
-
-    text: str
-    detail: str = ""
-    doubts: list[str] = []
-
-
-class StatedTable(Table):
-    """A material stated by its law; the coefficients of the law are added by `law_table`."""
-
-    law: str
-    name: str | None = None
-    thickness: Length | None = None
-    form: str | None = None
-    density: Density | None = None
-    stretch_range: list[float] | None = None
-    source: SourceTable | None = None
 
 
 def _history(value: object) -> object:
@@ -219,25 +177,6 @@ def dataclass_table(value: type) -> type[Table]:
 def made_table(name: str, keys: Mapping[str, Any]) -> type[Table]:
     """Make a table of keys, each with its type and default, and of a ``type``."""
     return create_model(name, __base__=Table, **{"type": (str, ...), **keys})
-
-
-@cache
-def law_table(law: type) -> type[Table]:
-    """Make the table of a material stated by its law: the coefficients are the fields of the law."""
-    keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}
-    if law is not Hooke:
-        keys["bulk_modulus"] = (Annotated[float, AllowInfNan(True), BeforeValidator(_bulk_modulus)], inf)
-        keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
-    return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
-
-
-def _constant_type(item: Field[Any]) -> Any:
-    """One constant, a list with one for each term, or a table of coefficients by name."""
-    one = float if is_dimensionless(item) else Pressure
-    if item.type is float:
-        return one
-    of_terms = get_origin(get_args(item.type)[0]) is tuple  # (i, j, coefficient): stated by names
-    return dict[str, one] if of_terms else list[one]  # type: ignore[valid-type]
 
 
 def read_table(table: type[Table], values: object, key: Key, problems: Problems) -> Any | None:

@@ -1,77 +1,12 @@
 """Handling of tests: each step is a function that returns a new test and says what it did; none happens unasked."""
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 
-from turgor.errors import TurgorError, unknown
+from turgor.errors import TurgorError
+from turgor.materials.experiments.cycles import half_cycles
 from turgor.materials.experiments.material_test import Array, Edit, MaterialTest
-
-#: A half cycle counts when it covers this share of the whole range of stretch.
-HALF_CYCLE = 0.2
-
-
-def half_cycles(test: MaterialTest) -> tuple[slice, ...]:
-    """Split a test where the stretch turns round: loading, unloading, loading and so on.
-
-    Parameters
-    ----------
-    test : MaterialTest
-        Points in the order of time.
-
-    Examples
-    --------
-    >>> stretch = [1.0, 1.5, 2.0, 1.5, 1.0, 1.6, 2.2]
-    >>> half_cycles(MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stretch, name="cycles"))
-    (slice(0, 3, None), slice(3, 5, None), slice(5, 7, None))
-    """
-    stretch = test.stretch
-    least = HALF_CYCLE * float(np.ptp(stretch))
-    turns, extreme, rising = [], 0, 0
-    for i in range(1, len(stretch)):
-        if rising == 0:
-            if abs(stretch[i] - stretch[0]) >= least:
-                rising, extreme = (1 if stretch[i] > stretch[0] else -1), i
-        elif rising * (stretch[i] - stretch[extreme]) >= 0:
-            extreme = i
-        elif rising * (stretch[extreme] - stretch[i]) >= least:
-            turns.append(extreme)
-            rising, extreme = -rising, i
-    edges = [0, *(turn + 1 for turn in turns), len(stretch)]
-    return tuple(slice(a, b) for a, b in pairwise(edges))
-
-
-def select_cycle(test: MaterialTest, number: int = -1, *, part: str = "loading") -> MaterialTest:
-    """Keep one loading (or unloading) curve of a cyclic test.
-
-    Rubber softens in its first cycles (Mullins). The last cycle is the preconditioned rubber of an actuator that has
-    moved before; the first is the virgin rubber of the tables.
-
-    Parameters
-    ----------
-    test : MaterialTest
-        Points in the order of time.
-    number : int
-        Which of the curves, from 0; negative numbers count from the last.
-    part : str
-        ``"loading"`` or ``"unloading"``.
-    """
-    if part not in ("loading", "unloading"):
-        raise unknown("part of a cycle", part, ("loading", "unloading"))
-    parts = half_cycles(test)
-    loading = [s for s in parts if test.stretch[s][-1] >= test.stretch[s][0]]
-    chosen = loading if part == "loading" else [s for s in parts if s not in loading]
-    if not -len(chosen) <= number < len(chosen):
-        raise TurgorError(f"test '{test.name}' has {len(chosen)} {part} curves; there is no number {number}.")
-    wanted = chosen[number]
-    stretch = test.stretch[wanted]
-    keep = np.zeros(len(test.stretch), dtype=bool)
-    # only points that go on: small steps back are noise of the crosshead
-    onward = stretch if part == "loading" else -stretch
-    keep[wanted] = onward >= np.maximum.accumulate(onward)
-    place = number % len(chosen) + 1
-    return test.keeping(keep, f"All but the {part} curve of cycle {place} of {len(chosen)}")
 
 
 def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> MaterialTest:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from turgor.errors import TurgorError, unknown
 from turgor.materials.experiments.columns import Column, find_columns
 from turgor.materials.experiments.material_test import MODES, Array, Edit, MaterialTest
+from turgor.materials.experiments.specimen import Specimen
 from turgor.materials.experiments.table_text import Table, read_table
 from turgor.source import Source
 
@@ -24,49 +25,6 @@ _MODE_WORDS = (
     ("uniaxial", "uniaxial"),
 )
 _MEASURES = ("nominal", "cauchy")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Specimen:
-    """Dimensions of a specimen before the test, which turn length and force into stretch and nominal stress.
-
-    Parameters
-    ----------
-    length : float [m]
-        Initial length between the marks or the grips.
-    area : float or None [m²]
-        Initial cross-section; or give width and thickness.
-    width, thickness : float or None [m]
-        Initial width and thickness of the cross-section.
-
-    Examples
-    --------
-    >>> from turgor.units import mm
-    >>> round(Specimen(length=33 * mm, width=6 * mm, thickness=3 * mm).section * 1e6, 6)
-    18.0
-    """
-
-    length: float
-    area: float | None = None
-    width: float | None = None
-    thickness: float | None = None
-
-    def __post_init__(self) -> None:
-        for key in ("length", "area", "width", "thickness"):
-            value = getattr(self, key)
-            if value is not None and not (0 < value < np.inf):
-                unit = "m²" if key == "area" else "m"
-                raise TurgorError(f"specimen: {key} is {value:g} {unit}; it must be more than 0.")
-        if (self.area is None) == (self.width is None or self.thickness is None):
-            raise TurgorError("specimen: give either its area, or its width and its thickness.")
-
-    @property
-    def section(self) -> float:
-        """Initial cross-section [m²]."""
-        if self.area is not None:
-            return self.area
-        assert self.width is not None and self.thickness is not None
-        return self.width * self.thickness
 
 
 def read_test(

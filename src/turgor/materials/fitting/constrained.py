@@ -63,3 +63,41 @@ def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, ND
     rest = (E / reach) @ weights - target
     z = -rest[:-1] / rest[-1]
     return (back @ (z + away)) / scale, weights > 0
+
+
+def standard_errors(jacobian: Array, residual: Array, limits: Array) -> tuple[Array, Array]:
+    """Return standard errors and correlations of parameters from the Jacobian of a fit.
+
+    Parameters
+    ----------
+    jacobian : (m, n) array
+        Of the residual by the parameters.
+    residual : (m,) array
+    limits : (k, n) array
+        Directions that constraints hold, a row each.
+
+    Returns
+    -------
+    (n,) array
+        Standard errors, zero where a constraint holds a parameter.
+    (n, n) array
+        Correlations.
+    """
+    count = jacobian.shape[1]
+    scale = np.linalg.norm(jacobian, axis=0)
+    scale[scale == 0] = 1.0
+    free = np.eye(count)
+    if len(limits):
+        rows = limits / scale
+        _, size, directions = np.linalg.svd(rows / np.linalg.norm(rows, axis=1)[:, None])
+        free = directions[int((size > 1e-10).sum()) :].T
+    if free.shape[1] == 0:
+        return np.zeros(count), np.eye(count)
+    reduced = jacobian / scale @ free
+    variance = residual @ residual / max(len(residual) - free.shape[1], 1)
+    covariance = free @ np.linalg.pinv(reduced.T @ reduced, rcond=1e-14) @ free.T * variance
+    deviation = np.sqrt(np.clip(np.diag(covariance), 0.0, None))
+    safe = np.where(deviation > 0, deviation, np.inf)
+    correlation = covariance / np.outer(safe, safe)
+    np.fill_diagonal(correlation, 1.0)
+    return deviation / scale, correlation

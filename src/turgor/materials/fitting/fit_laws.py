@@ -10,7 +10,7 @@ from scipy.optimize import least_squares
 from turgor.errors import TurgorError, unknown
 from turgor.materials.experiments.material_test import Array, MaterialTest
 from turgor.materials.fitting.checks import covered_range, fit_findings
-from turgor.materials.fitting.constrained import solve_constrained
+from turgor.materials.fitting.constrained import solve_constrained, standard_errors
 from turgor.materials.fitting.law_specs import LawSpec, law_spec, shape_bounds
 from turgor.materials.fitting.points import FitPoints, ModeRanges, modulus_row, off_zero, stability_rows, within
 from turgor.materials.fitting.result import Fit, FitResidual
@@ -219,7 +219,7 @@ class _Search:
             idle = self.spec.sign != "slope" and coefficients[k] == 0
             if at_bound or idle:
                 limits.append(np.eye(jacobian.shape[1])[len(coefficients) + k])
-        return _errors(
+        return standard_errors(
             jacobian, self.residual(coefficients, shapes), np.array(limits).reshape(len(limits), jacobian.shape[1])
         )
 
@@ -236,27 +236,6 @@ class _Search:
         elif len(held):
             hit.append("stability over the range holds the coefficients back")
         return tuple(hit)
-
-
-def _errors(jacobian: Array, residual: Array, limits: Array) -> tuple[Array, Array]:
-    count = jacobian.shape[1]
-    scale = np.linalg.norm(jacobian, axis=0)
-    scale[scale == 0] = 1.0
-    free = np.eye(count)
-    if len(limits):
-        rows = limits / scale
-        _, size, directions = np.linalg.svd(rows / np.linalg.norm(rows, axis=1)[:, None])
-        free = directions[int((size > 1e-10).sum()) :].T
-    if free.shape[1] == 0:
-        return np.zeros(count), np.eye(count)
-    reduced = jacobian / scale @ free
-    variance = residual @ residual / max(len(residual) - free.shape[1], 1)
-    covariance = free @ np.linalg.pinv(reduced.T @ reduced, rcond=1e-14) @ free.T * variance
-    deviation = np.sqrt(np.clip(np.diag(covariance), 0.0, None))
-    safe = np.where(deviation > 0, deviation, np.inf)
-    correlation = covariance / np.outer(safe, safe)
-    np.fill_diagonal(correlation, 1.0)
-    return deviation / scale, correlation
 
 
 def _aic(residual: Array, parameters: int) -> float:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 from turgor.errors import TurgorError
-from turgor.materials.experiments.handling import half_cycles
+from turgor.materials.experiments.cycles import half_cycles
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.history.softening import Mullins, softening
 from turgor.materials.history.stress_history import HISTORY_MODES, energy_of, pull_of, softened_stress

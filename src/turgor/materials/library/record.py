@@ -11,6 +11,7 @@ from turgor.materials.history.viscoelastic import Prony
 from turgor.materials.laws.conventions import DIMENSIONLESS, describe, law_from_printed
 from turgor.materials.laws.laws import Hooke, Law
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
+from turgor.materials.library.supplier import Supplier
 from turgor.materials.library.table_keys import table
 from turgor.units import parse_quantity
 
@@ -28,28 +29,6 @@ RECORD_KEYS = (
     *("viscoelasticity", "stress_softening"),
     *("density", "diameter", "software", "source", "cited_by", "references", "quoted_in", "printed_name", "doubts"),
 )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Supplier:
-    """What the maker of a material states about it, to compare records with.
-
-    Parameters
-    ----------
-    source : str
-        Where it is stated.
-    stress_at_stretch_2 : float or None [Pa]
-        Nominal stress in uniaxial tension at stretch 2, called 100 % modulus by the trade.
-    modulus : float or None [Pa]
-        Young's modulus of a stiff part.
-    doubts : tuple of str
-        What is questionable about these numbers.
-    """
-
-    source: str
-    stress_at_stretch_2: float | None = None
-    modulus: float | None = None
-    doubts: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,0 +1,25 @@
+"""Supplier: what the maker of a material states about it."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Supplier:
+    """What the maker of a material states about it, to compare records with.
+
+    Parameters
+    ----------
+    source : str
+        Where it is stated.
+    stress_at_stretch_2 : float or None [Pa]
+        Nominal stress in uniaxial tension at stretch 2, called 100 % modulus by the trade.
+    modulus : float or None [Pa]
+        Young's modulus of a stiff part.
+    doubts : tuple of str
+        What is questionable about these numbers.
+    """
+
+    source: str
+    stress_at_stretch_2: float | None = None
+    modulus: float | None = None
+    doubts: tuple[str, ...] = ()
