@@ -42,7 +42,7 @@ def test_the_same_strip_in_many_tables(file, text):
     test = read_test(file(text), specimen=STRIP)
     assert test.stretch == pytest.approx([1.0, 1.5, 2.0])
     assert test.nominal_stress == pytest.approx([0.0, 0.1e6, 0.2e6])
-    assert "3 rows" in test.steps[0].text
+    assert "3 rows" in test.edits[0].text
 
 
 @pytest.mark.parametrize(

@@ -30,7 +30,7 @@ def saw(peaks):
 
 
 def count(test):
-    return len(test.stretch) + sum(len(step.stretch) for step in test.steps)
+    return len(test.stretch) + sum(len(step.stretch) for step in test.edits)
 
 
 def test_cycles_are_found_and_chosen():
@@ -44,7 +44,7 @@ def test_cycles_are_found_and_chosen():
     assert (np.diff(down.stretch) < 0).all()
     assert count(last) == len(test.stretch)
     assert last.raw is test
-    assert "loading curve of cycle 3 of 3" in last.steps[-1].text
+    assert "loading curve of cycle 3 of 3" in last.edits[-1].text
     with pytest.raises(TurgorError, match="has 3 loading curves; there is no number 3"):
         select_cycle(test, 3)
     with pytest.raises(TurgorError, match="did you mean 'loading'"):
@@ -65,7 +65,7 @@ def test_slack_is_removed_and_length_counted_anew():
     assert taut.nominal_stress[0] == pytest.approx(1000.0)
     assert remove_slack(test, 500.0, shift=True).nominal_stress[0] == 0.0
     assert count(taut) == len(stretch)
-    assert "Slack below a preload of 500 Pa: 11 points of 121 removed" in taut.steps[0].text
+    assert "Slack below a preload of 500 Pa: 11 points of 121 removed" in taut.edits[0].text
     with pytest.raises(TurgorError, match="never exceeds 1e\\+07 Pa"):
         remove_slack(test, 1e7)
 
@@ -80,7 +80,7 @@ def test_one_noisy_point_does_not_make_it_taut():
 
 
 def test_no_slack_is_said():
-    assert "No slack" in remove_slack(strip([1.0, 1.5, 2.0], [0.2, 0.5, 1.0]), 0.1).steps[-1].text
+    assert "No slack" in remove_slack(strip([1.0, 1.5, 2.0], [0.2, 0.5, 1.0]), 0.1).edits[-1].text
 
 
 def test_tail_after_a_break_goes_and_a_whole_curve_stays():
@@ -90,7 +90,7 @@ def test_tail_after_a_break_goes_and_a_whole_curve_stays():
     assert count(kept) == 5
     whole = strip([1, 2, 3, 4], [0.0, 1.0, 2.0, 1.9])
     assert len(remove_tail(whole).stretch) == 4
-    assert "No break" in remove_tail(whole).steps[-1].text
+    assert "No break" in remove_tail(whole).edits[-1].text
     with pytest.raises(TurgorError, match="drop is 2"):
         remove_tail(whole, drop=2)
 
@@ -102,8 +102,8 @@ def test_thinning_is_even_in_stretch():
     assert len(thinned.stretch) == 20
     assert np.diff(thinned.stretch) == pytest.approx(np.full(19, 0.1), abs=0.04)
     assert thinned.nominal_stress == pytest.approx(thinned.stretch - 1)
-    assert "1095 points averaged over 20" in thinned.steps[-1].text
-    assert "Not thinned" in thin(strip([1, 2, 3]), 20).steps[-1].text
+    assert "1095 points averaged over 20" in thinned.edits[-1].text
+    assert "Not thinned" in thin(strip([1, 2, 3]), 20).edits[-1].text
     with pytest.raises(TurgorError, match="points is 1"):
         thin(strip([1, 2]), 1)
 
@@ -117,8 +117,8 @@ def test_average_has_the_band_of_the_replicates():
     assert mean.range[1] == pytest.approx(stretch[39])
     assert mean.nominal_stress == pytest.approx(2 * (mean.stretch - 1))
     assert mean.spread == pytest.approx(mean.stretch - 1)
-    assert "3 replicates" in mean.steps[-1].text
-    assert "15 points outside removed" in mean.steps[-1].text
+    assert "3 replicates" in mean.edits[-1].text
+    assert "15 points outside removed" in mean.edits[-1].text
     with pytest.raises(TurgorError, match="one test has no mean"):
         average(replicates[:1])
     with pytest.raises(TurgorError, match="no stretch in common"):
@@ -130,7 +130,7 @@ def test_average_has_the_band_of_the_replicates():
 def test_crop_and_zero_length():
     test = strip([1, 2, 3, 4])
     assert list(crop(test, 1.5, 3.5).stretch) == [2, 3]
-    assert "Nothing to crop" in crop(test, 0.5, 5).steps[-1].text
+    assert "Nothing to crop" in crop(test, 0.5, 5).edits[-1].text
     with pytest.raises(TurgorError, match="would leave one point of 4"):
         crop(test, 3.5, 5)
     assert list(set_zero_length(test, 2.0).stretch) == [0.5, 1, 1.5, 2]

@@ -234,7 +234,7 @@ def test_biaxial_shear_and_tension_go_together():
     )
     first, second = np.split(blank.predicted(law), 2)
     field = blank.changed(
-        blank.keeping(stretch < 9, "x").steps[0], {"nominal_stress": first, "nominal_stress_2": second}
+        blank.keeping(stretch < 9, "x").edits[0], {"nominal_stress": first, "nominal_stress_2": second}
     )
     amount = np.linspace(-1.0, 1.0, 21)
     shear = MaterialTest(mode="simple_shear", stretch=amount, nominal_stress=2 * 0.23e6 * amount, name="shear")

@@ -212,7 +212,7 @@ TABLE = "Time (min),stretch,nominal stress (kPa)\n0.5,1.0,0\n1,1.5,80\n1.5,1.5,7
 def test_time_is_read_where_it_is_one(write, text, time, said):
     test = read_test(write(text, "uniaxial.csv"))
     assert (None if test.time is None else test.time.tolist()) == time
-    assert said in test.steps[0].text
+    assert said in test.edits[0].text
 
 
 def test_specimens_side_by_side_share_a_clock_or_have_their_own(write):

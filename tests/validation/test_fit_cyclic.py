@@ -40,7 +40,7 @@ def test_time_and_rest_are_read(tests):
     test = tests["4B"]
     assert test.time[-1] == pytest.approx(600.7, abs=0.1)
     assert test.range == (1.0, pytest.approx(1.9115, abs=1e-4))
-    assert "at rest below it, 745 of 3569 points" in test.steps[-1].text
+    assert "at rest below it, 745 of 3569 points" in test.edits[-1].text
 
 
 def test_softening_and_one_term_explain_the_cycles(tests, law):

@@ -45,8 +45,8 @@ def test_the_convention_of_the_review_fails(tests, published):
 
 def test_handling_says_what_it_did(tests):
     for test in tests:
-        text = " ".join(step.text for step in test.steps)
+        text = " ".join(step.text for step in test.edits)
         assert "cycle 10 of 10" in text
         assert "Slack below a preload of 666.667 Pa" in text
-        kept = len(test.stretch) + sum(len(step.stretch) for step in test.steps)
+        kept = len(test.stretch) + sum(len(step.stretch) for step in test.edits)
         assert kept == len(test.raw.stretch), "every point is used or shown as removed"

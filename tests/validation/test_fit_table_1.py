@@ -55,6 +55,6 @@ def test_ogdens_constants_read_as_cauchy_are_off_by_three_to_five():
 def test_a_law_fitted_here_returns_its_constant():
     stretch = np.linspace(1.05, 3.0, 40)
     test = treloar()[0].changed(
-        treloar()[0].steps[0], {"stretch": stretch, "nominal_stress": 0.24e6 * (stretch - stretch**-2)}
+        treloar()[0].edits[0], {"stretch": stretch, "nominal_stress": 0.24e6 * (stretch - stretch**-2)}
     )
     assert pytest.approx(0.12e6, rel=1e-12) == fit(NeoHooke, test).law.C10

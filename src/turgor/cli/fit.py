@@ -88,8 +88,8 @@ def _test(chosen: FitOptions, file: Path, mode: str | None) -> "MaterialTest":
 def _tell(file: Path, test: "MaterialTest") -> None:
     """Say what a file holds and what was done to it."""
     typer.echo(f"{file.name}: {test!r}")
-    for step in test.steps:
-        typer.echo(f"  {step.text}")
+    for edit in test.edits:
+        typer.echo(f"  {edit.text}")
 
 
 def _ranked(

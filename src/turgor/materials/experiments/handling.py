@@ -1,4 +1,4 @@
-"""Handling of tests: each step is a function that returns a new test and says what it did; none happens unasked."""
+"""Handling of tests: each edit is a function that returns a new test and says what it did; none happens unasked."""
 
 from collections.abc import Sequence
 
@@ -69,7 +69,7 @@ def rest_below(test: MaterialTest, stress: float) -> MaterialTest:
         raise TurgorError(f"test '{test.name}' does not stay above {stress:g} Pa; choose a smaller preload.")
     zero = float(test.stretch[last][start])
     slack = test.stretch <= zero
-    step = Edit(
+    edit = Edit(
         text=f"Stretch counted from the length at {zero:.5g}, where the last cycle exceeds {stress:g} Pa; at rest "
         f"below it, {int(slack.sum())} of {len(slack)} points.",
         stretch=test.stretch[slack],
@@ -79,7 +79,7 @@ def rest_below(test: MaterialTest, stress: float) -> MaterialTest:
         "stretch": np.where(slack, 1.0, test.stretch / zero),
         "nominal_stress": np.where(slack, 0.0, test.nominal_stress),
     }
-    return test.changed(step, values)
+    return test.changed(edit, values)
 
 
 def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
@@ -100,8 +100,8 @@ def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
     """
     if not stretch > 0:
         raise TurgorError(f"stretch is {stretch:g}; the new zero of length must be more than 0.")
-    step = Edit(text=f"Stretch counted from the length at {stretch:.5g}.")
-    return test.changed(step, {"stretch": test.stretch / stretch})
+    edit = Edit(text=f"Stretch counted from the length at {stretch:.5g}.")
+    return test.changed(edit, {"stretch": test.stretch / stretch})
 
 
 def remove_tail(test: MaterialTest, *, drop: float = 0.2) -> MaterialTest:
@@ -169,7 +169,7 @@ def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
     def mean(values: Array) -> Array:
         return np.bincount(bins, weights=values, minlength=points)[filled] / count[filled]
 
-    step = Edit(text=f"{len(test.stretch)} points averaged over {int(filled.sum())} equal intervals of stretch.")
+    edit = Edit(text=f"{len(test.stretch)} points averaged over {int(filled.sum())} equal intervals of stretch.")
     spread = None if test.spread is None else mean(test.spread)
     values = {
         "stretch": mean(test.stretch),
@@ -177,7 +177,7 @@ def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
         "spread": spread,
         "time": None,
     }
-    return test.changed(step, values)
+    return test.changed(edit, values)
 
 
 def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") -> MaterialTest:
@@ -211,7 +211,7 @@ def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") 
         order = np.argsort(test.stretch, kind="stable")
         curves.append(np.interp(grid, test.stretch[order], test.nominal_stress[order]))
     beyond = [(test.stretch < low) | (test.stretch > high) for test in tests]
-    step = Edit(
+    edit = Edit(
         text=f"Mean of {len(tests)} replicates from stretch {low:.4g} to {high:.4g}, where all of them have points; "
         f"{sum(int(each.sum()) for each in beyond)} points outside removed.",
         stretch=np.concatenate([t.stretch[each] for t, each in zip(tests, beyond, strict=True)]),
@@ -230,7 +230,7 @@ def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") 
             nominal_stress=np.concatenate([test.nominal_stress for test in tests]),
             name="all replicates",
         ),
-        steps=(*(each for test in tests for each in test.steps), step),
+        edits=(*(each for test in tests for each in test.edits), edit),
     )
 
 

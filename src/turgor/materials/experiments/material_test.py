@@ -30,7 +30,7 @@ class Edit:
     text : str
         What was done, with its numbers, as a sentence.
     stretch : (n,) array [-]
-        Stretch of the points taken away, as it was before the step.
+        Stretch of the points taken away, as it was before the edit.
     nominal_stress : (n,) array [Pa]
         Their nominal stress.
     """
@@ -67,7 +67,7 @@ class MaterialTest:
         Time of every point, none before the one ahead of it; needed for relaxation, hysteresis and softening.
     raw : MaterialTest, optional
         The test as it was read, before anything was done to it.
-    steps : tuple of Edit
+    edits : tuple of Edit
         What was done since, in order.
 
     Examples
@@ -87,7 +87,7 @@ class MaterialTest:
     spread: Array | None = None
     time: Array | None = None
     raw: "MaterialTest | None" = None
-    steps: tuple[Edit, ...] = ()
+    edits: tuple[Edit, ...] = ()
 
     def __post_init__(self) -> None:
         if self.mode not in MODES:
@@ -175,7 +175,7 @@ class MaterialTest:
         return int(np.argmax(back)) if back.any() else None
 
     def keeping(self, keep: NDArray[np.bool_], text: str) -> "MaterialTest":
-        """Return the test with some of its points, the others put into a step.
+        """Return the test with some of its points, the others put into an edit.
 
         Parameters
         ----------
@@ -187,7 +187,7 @@ class MaterialTest:
         gone = ~keep
         if keep.sum() < 2:
             raise TurgorError(f"test '{self.name}': {text} would leave {_points(int(keep.sum()))} of {len(keep)}.")
-        step = Edit(
+        edit = Edit(
             text=f"{text}: {_points(int(gone.sum()))} of {len(keep)} removed.",
             stretch=self.stretch[gone],
             nominal_stress=self.nominal_stress[gone],
@@ -195,19 +195,19 @@ class MaterialTest:
         optional = ("stretch_2", "nominal_stress_2", "spread", "time")
         kept = {key: None if getattr(self, key) is None else getattr(self, key)[keep] for key in optional}
         kept |= {"stretch": self.stretch[keep], "nominal_stress": self.nominal_stress[keep]}
-        return self.changed(step, kept)
+        return self.changed(edit, kept)
 
-    def changed(self, step: Edit, values: Mapping[str, Any]) -> "MaterialTest":
-        """Return the test with other values and one more step; the raw test stays with it.
+    def changed(self, edit: Edit, values: Mapping[str, Any]) -> "MaterialTest":
+        """Return the test with other values and one more edit; the raw test stays with it.
 
         Parameters
         ----------
-        step : Edit
+        edit : Edit
             What is done.
         values : mapping of str to array
             New values by the name of their field.
         """
-        return replace(self, raw=self.raw or self, steps=(*self.steps, step), **values)
+        return replace(self, raw=self.raw or self, edits=(*self.edits, edit), **values)
 
     def _checked(self, key: str, values: ArrayLike) -> Array:
         array = np.array(values, dtype=np.float64)

@@ -199,7 +199,7 @@ def _test(
         stretch_2=values.get("stretch_2") if mode == "biaxial" else None,
         nominal_stress_2=values.get("nominal_stress_2") if mode == "biaxial" else None,
         time=time,
-        steps=(Edit(text=f"Read {len(stretch)} rows; {how}; {also}{clock}."),),
+        edits=(Edit(text=f"Read {len(stretch)} rows; {how}; {also}{clock}."),),
     )
 
 

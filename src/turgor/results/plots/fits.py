@@ -45,17 +45,17 @@ def plot_test(axes: Axes, test: MaterialTest, *, color: str = INK) -> Axes:
     axes : matplotlib.axes.Axes
         Where to draw.
     test : MaterialTest
-        The test; what was done to it stands in its steps.
+        The test; what was done to it stands in its edits.
     color : str
         Color of the points that are used.
     """
     raw = test.raw or test
-    removed = [step for step in test.steps if len(step.stretch)]
+    removed = [edit for edit in test.edits if len(edit.stretch)]
     if test.raw is not None:
         axes.plot(raw.stretch, raw.nominal_stress / MPA, ".", color="#c3c9d1", ms=3, label="raw", zorder=1)
     if removed:
-        gone = np.concatenate([step.stretch for step in removed])
-        stress = np.concatenate([step.nominal_stress for step in removed])
+        gone = np.concatenate([edit.stretch for edit in removed])
+        stress = np.concatenate([edit.nominal_stress for edit in removed])
         every = -(-len(gone) // MOST_CROSSES)
         gone, stress = gone[::every], stress[::every] / MPA
         axes.plot(gone, stress, "x", color="#b3402a", ms=3.5, mew=0.7, alpha=0.7, label="removed", zorder=2)
