@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.geometry import FastPneuNet
+from turgor.geometry import FastPneuNet, HelicalPneuNet
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.meshing.sizing.sizes import DEFAULT_UNKNOWNS, UNKNOWNS_PER_SIZE_CUBED, default_size, size_range
+from turgor.meshing.sizing.default_size import DEFAULT_UNKNOWNS, default_size
+from turgor.meshing.sizing.sizes import UNKNOWNS_PER_SIZE_CUBED, size_range
 from turgor.units import mm
 
 SMALL = FastPneuNet(chambers=2, length=20 * mm)
@@ -39,9 +40,24 @@ def test_the_default_is_coarser_where_it_would_make_too_many_unknowns_and_finer_
 
 def test_no_size_means_the_default_size() -> None:
     geometry = SMALL.build()
-    made, same = mesh(geometry), mesh(geometry, size=2 * mm)
+    made, same = mesh(geometry, cells="tetrahedra"), mesh(geometry, size=2 * mm)
     assert np.array_equal(made.points, same.points)
     assert np.array_equal(made.cells, same.cells)
+
+
+def test_no_size_and_no_cells_mean_hexahedra_where_a_section_is_swept() -> None:
+    geometry = SMALL.build()
+    made, same = mesh(geometry), mesh(geometry, size=default_size(geometry, "hexahedra"), cells="hexahedra")
+    assert np.array_equal(made.points, same.points)
+    assert mesh(replace(geometry, _sweep=None)).cell_type.name == "ten-node tetrahedron"
+    assert mesh(geometry, face_sizes={"tip": 1 * mm}).cell_type.name == "ten-node tetrahedron"
+
+
+def test_default_hexahedra_get_longer_where_they_would_be_too_many() -> None:
+    geometry = HelicalPneuNet().build()
+    size = default_size(geometry, "hexahedra")
+    assert 3 * mm < size <= 4 * mm
+    assert mesh(geometry).unknown_count < DEFAULT_UNKNOWNS * 1.1
 
 
 def test_a_face_can_have_a_smaller_size_and_the_shape_forgets_it() -> None:
