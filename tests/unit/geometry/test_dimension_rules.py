@@ -1,11 +1,13 @@
 """Dimensions that cannot be are refused with the field, the value in mm and what is allowed."""
 
+from contextlib import nullcontext
+
 import pytest
 
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
 from turgor.geometry.geometry import check_volume
-from turgor.geometry.rules import check_count, check_length
+from turgor.geometry.rules import as_length, check_count, check_length
 from turgor.units import mm
 
 
@@ -48,17 +50,27 @@ def test_an_impossible_dimension_is_refused_before_anything_is_built(wrong: dict
         FastPneuNet(**wrong)
 
 
+LIMITS = {"gap": 0.01, "wall": 4.54, "channel_wall": 8.495}  # mm
+
+
 def test_the_limit_that_an_error_names_is_itself_allowed() -> None:
-    FastPneuNet(gap=0.01 * mm)
-    FastPneuNet(wall=4.54 * mm)
-    FastPneuNet(channel_wall=8.495 * mm)
+    volumes = [FastPneuNet(**{name: limit * mm}).cavity_volume / mm**3 for name, limit in LIMITS.items()]
+    cavities = [  # chambers of 16 x 10 mm and channels of 3 x 2 mm, half of each
+        (110 - 4 - 0.1 - 20) * 80 + 20.1 * 3,
+        (110 - 4 - 10 - 90.8) * 80 + 100.8 * 3,
+        (110 - 4 - 10 - 20) * 80 + 30 * 3,
+    ]
+    assert volumes == pytest.approx(cavities)
     with pytest.raises(TurgorError):
         FastPneuNet(wall=4.5405 * mm)
 
 
-def test_an_integer_length_of_zero_decimals_is_a_length() -> None:
+def test_a_whole_number_is_a_length_too_and_both_limits_of_a_count_are_allowed() -> None:
     check_length("length", 1, high=2.0)
-    check_count("chambers", 3, low=1, high=3)
+    assert as_length("length", 1) == 1.0
+    for count, allowed in ((0, False), (1, True), (3, True), (4, False)):
+        with nullcontext() if allowed else pytest.raises(TurgorError, match="a whole number from 1 to 3"):
+            check_count("chambers", count, low=1, high=3)
 
 
 def test_a_cad_volume_that_differs_from_the_dimensions_is_refused() -> None:

@@ -74,4 +74,6 @@ def test_an_impossible_dimension_is_refused(wrong, message):
 
 @pytest.mark.parametrize("free_height", [0.5 * mm, 8.49 * mm])
 def test_limits_that_errors_name_are_themselves_allowed(free_height):
-    FreeBottomPneuNet(chambers=2, length=20 * mm, free_height=free_height).build()
+    geometry = FreeBottomPneuNet(chambers=2, length=20 * mm, free_height=free_height).build()
+    cavity = (20 - 1 - 4 - 2) * 16 * 10 + 3 * 3 * 2  # chambers and channel, wherever the channel lies
+    assert geometry.cavity_volumes["cavity"] == pytest.approx(cavity / 2 * mm**3)

@@ -70,4 +70,7 @@ def test_an_impossible_dimension_is_refused(wrong, message):
 
 
 def test_the_largest_angle_is_built():
-    HelicalPneuNet(chamber_angle=35.243 * deg).build()
+    geometry = HelicalPneuNet(chamber_angle=35.243 * deg).build()
+    along = 1 / cos(35.243 * deg)
+    cavity = (110 - 30 * along - 4) * 16 * 10 + 30 * along * 3 * 2
+    assert geometry.cavity_volumes["cavity"] == pytest.approx(cavity * mm**3)

@@ -80,8 +80,13 @@ def test_an_impossible_dimension_is_refused(wrong, message):
 
 
 @pytest.mark.parametrize(
-    "dimensions",
-    [{"wall": 10.987 * mm, "end_wall": 0.01 * mm}, {"side_wall": 9.995 * mm, "chambers": 1}, {"end_wall": 39.945 * mm}],
+    ("dimensions", "cavity"),
+    [
+        ({"wall": 10.987 * mm, "end_wall": 0.01 * mm}, 0.11 * 16 * 10 + 109.87 * 3 * 2),
+        ({"side_wall": 9.995 * mm, "chambers": 1}, 106 * 0.01 * 10),
+        ({"end_wall": 39.945 * mm}, 0.11 * 16 * 10 + 30 * 3 * 2),
+    ],
 )
-def test_limits_that_errors_name_are_themselves_allowed(dimensions):
-    SlowPneuNet(**dimensions).build()
+def test_limits_that_errors_name_are_themselves_allowed(dimensions, cavity):
+    geometry = SlowPneuNet(**dimensions).build()
+    assert geometry.cavity_volumes["cavity"] == pytest.approx(cavity / 2 * mm**3)

@@ -97,5 +97,9 @@ def test_an_impossible_dimension_is_refused(wrong, message):
 
 
 def test_flanks_as_steep_as_allowed_are_built():
-    TrapezoidalPneuNet(flank_angle=36.029 * deg, top_wall=5 * mm).build()
-    TrapezoidalPneuNet(flank_angle=35 * deg, top_wall=2.286 * mm).build()
+    for lean, top_wall in ((36.029, 5), (35, 2.286)):
+        geometry = TrapezoidalPneuNet(flank_angle=lean * deg, top_wall=top_wall * mm).build()
+        a, height = lean * deg, 10 - top_wall  # of the air in a bellows
+        low = (110 - 4 - 7) / 8 + 2 * 1.5 * tan(a) - 2 * 1.5 / cos(a)
+        cavity = ((110 - 4) * 2 + 8 * height * (low - height * tan(a))) * 16
+        assert geometry.cavity_volumes["cavity"] == pytest.approx(cavity / 2 * mm**3)
