@@ -112,6 +112,12 @@ def test_no_folder_holds_too_many_files():
     assert all(sum(each.startswith(f"{folder}.") for each in modules) > LARGEST_FOLDER for folder in LARGE_FOLDERS)
 
 
+def test_no_folder_of_tests_holds_too_many_files():
+    paths = [path.relative_to(ROOT).with_suffix("") for path in (ROOT / "tests").rglob("*.py")]
+    assert len(paths) > 200
+    assert large_folders(".".join(path.parts) for path in paths) == {}
+
+
 def test_a_large_folder_is_noticed():
     modules = [f"turgor.model.load_{n}" for n in range(LARGEST_FOLDER)]
     assert large_folders(modules) == {}
