@@ -22,7 +22,7 @@ TITLE = """\
 # Validation
 
 What the literature on soft fluidic actuators says about reinforcement and chambers, asked of turgor. Written by
-`pytest tests/validation/targets -m "slow or not slow" --write-validation` from the rows that the targets record, and
+`pytest tests/validation -k targets -m "slow or not slow" --write-validation` from the rows that the targets record, and
 only when all of them pass; to repeat one, run `pytest tests/validation/<file> -m "slow or not slow"`. Claims are those
 of the review by Xavier, Fleming and Yong (2021), sections 7.2 and 7.4; expected numbers of 7.2 were computed for this
 project by independent semi-analytic or converged solvers. Each file says what it models and why its tolerance is what
