@@ -164,7 +164,7 @@ CHANGES = [
     ("chambers = 2", "chambers = 0", "small.toml:3: actuator.chambers: 0; allowed is a whole number from 1 to 100."),
     ("chambers = 2", 'symmetric = "no"', "small.toml:3: actuator.symmetric: 'no' is not true or false."),
     ('"fast_pneunet"', '"fast_pneumat"', "small.toml:2: actuator.type: unknown actuator type 'fast_pneumat'; did you "),
-    ('type = "fast_pneunet"', "", "small.toml:1: actuator.type: 'type' is missing; allowed: fast_pneunet"),
+    ('type = "fast_pneunet"', "", "small.toml:1: actuator.type: 'type' is missing; allowed: bellows_of_revolution, "),
     ('size = "3 mm"', 'size = "0 mm"', "small.toml:8: mesh.size: 0 mm; allowed is 0."),
     ('size = "3 mm"', 'size = "-3 mm"', "small.toml:8: mesh.size: -3 mm; allowed is 0."),
     ('size = "3 mm"', 'size = "8 mm"', "small.toml:8: mesh.size: 8 mm, too coarse for the wall of 1 mm; allowed is 0."),

@@ -29,7 +29,8 @@ from turgor.results.drive import stage_column
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.response_plots import response_figure
 from turgor.solvers.procedures.dynamic import Dynamic
-from turgor.solvers.procedures.stages import Sealed, Stage, Stages
+from turgor.solvers.procedures.sealed import Sealed
+from turgor.solvers.procedures.stages import Stage, Stages
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.solvers.solution import Iteration
@@ -189,9 +190,9 @@ def test_histories_go_over_the_time_of_their_stage(tmp_path: Path) -> None:
         ("[[stages]]\nname = \"hang\"", "[procedure]\ntype = 'static'\n[[stages]]\nname = \"hang\"",
          "procedure: every stage has a procedure of its own"),
         ('type = "sealed"\ncavities = "cavity"', 'type = "blocked_force"',
-         "stages.press.procedure: stage 'press': BlockedForce cannot be a stage, because it puts a plate before"),
+         "stages.press.procedure: stage 'press': blocked_force cannot be a stage, because it puts a plate before"),
         ('type = "sealed"\ncavities = "cavity"', 'type = "grasp"\npull_distance = "1 mm"',
-         "Grasp cannot be a stage, because it is a sequence itself; close the fingers in one stage"),
+         "grasp cannot be a stage, because it is a sequence itself; close the fingers in one stage"),
     ],
 )  # fmt: skip
 def test_every_mistake_has_its_sentence(tmp_path: Path, old: str, new: str, message: str) -> None:

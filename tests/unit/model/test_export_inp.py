@@ -122,9 +122,9 @@ def test_laws_in_their_conventions():
     assert _line(tg.laws.MooneyRivlin(C10=1e5, C01=2e4)) == ["*HYPERELASTIC, MOONEY-RIVLIN", "0.1, 0.02, 0.5"]
     assert _line(Ogden(mu=(30200.0,), alpha=(5.0,))) == ["*HYPERELASTIC, OGDEN, N=1", "0.0755, 5, 0.5"]
     assert _line(YeohN(coefficients=(1e5, 1e3))) == ["*HYPERELASTIC, REDUCED POLYNOMIAL, N=2", "0.1, 0.001, 0.5, 0"]
-    rivlin = GeneralizedRivlin.of(C10=1e5, C11=3e3)
+    rivlin = GeneralizedRivlin.from_names({"C10": 1e5, "C11": 3e3})
     assert _line(rivlin) == ["*HYPERELASTIC, POLYNOMIAL, N=2", "0.1, 0, 0, 0.003, 0, 0.5, 0"]
-    cubic = GeneralizedRivlin.of(C10=1e5, C03=1e3)
+    cubic = GeneralizedRivlin.from_names({"C10": 1e5, "C03": 1e3})
     assert _line(cubic)[1:] == ["0.1, 0, 0, 0, 0, 0, 0, 0", "0.001, 0.5, 0, 0"]
     assert _line(ArrudaBoyce(mu=8e4, locking_stretch=4.0)) == ["*HYPERELASTIC, ARRUDA-BOYCE", "0.08, 4, 0.5"]
 

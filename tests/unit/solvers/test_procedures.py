@@ -1,4 +1,4 @@
-"""Procedures that add to the question: what stops the tip, how an object is pulled, and what cannot be asked."""
+"""Setups: what stops the tip, how an object is pulled, and what cannot be asked."""
 
 from dataclasses import replace
 
@@ -12,12 +12,10 @@ from turgor.model.loads import Gravity, Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Sphere
 from turgor.model.supports import Fixed
-from turgor.solvers.methods import question_of
-from turgor.solvers.procedures.blocked_force import HOLDS, BlockedForce
-from turgor.solvers.procedures.grasp import Grasp
-from turgor.solvers.procedures.static import Static
-from turgor.solvers.setups.blocked_tip import NEAR_TIP, HeldTip, first_direction
-from turgor.solvers.setups.grasped_object import Grasped
+from turgor.setups.added import with_setup
+from turgor.setups.blocked_tip import NEAR_TIP, HeldTip, Plate, blocked_force, first_direction
+from turgor.setups.grasped_object import Grasped, grasp
+from turgor.setups.values import HOLDS, BlockedForce, Grasp
 from turgor.units import kPa, mm
 
 BAR = Cylinder(center=(30 * mm, 0, -12 * mm), axis=(0, 1, 0), radius=6 * mm)
@@ -39,16 +37,25 @@ def only(obstacles: tuple[Obstacle, ...], name: str) -> Obstacle:
     return found
 
 
-def test_static_asks_the_question_as_it_is():
+def test_without_a_setup_the_model_is_what_it_was():
     question = model()
-    assert question_of(question, Static()) is question
+    assert with_setup(question, None) is question
+
+
+def test_a_setup_of_a_job_is_the_function():
+    question = model(bar())
+    assert with_setup(question, BlockedForce(direction="-z")).contact == blocked_force(question, direction="-z").contact
+    made = with_setup(question, Grasp(pull_distance=8 * mm))
+    assert made.contact == grasp(question, pull_distance=8 * mm).contact
+    assert made.loads == grasp(question, pull_distance=8 * mm).loads
 
 
 @pytest.mark.parametrize("half", [False, True])
 def test_the_plate_stands_below_the_tip(half):
     question = model(half=half)
-    amended = question_of(question, BlockedForce(direction="-z", distance=2 * mm, friction=0.3))
+    amended = blocked_force(question, direction="-z", distance=2 * mm, friction=0.3)
     plate = only(amended.contact.obstacles, "plate")
+    assert isinstance(plate, Plate)
     assert plate.shape == Plane(point=(0, 0, -2 * mm), normal=(0, 0, 1))
     assert (plate.friction, plate.face) == (0.3, NEAR_TIP)
     assert amended.contact.automatic, "self-contact stays as it was"
@@ -56,7 +63,7 @@ def test_the_plate_stands_below_the_tip(half):
 
 
 def test_only_the_surface_near_the_tip_touches_the_plate():
-    mesh = question_of(model(half=True), BlockedForce(direction="-z")).mesh
+    mesh = blocked_force(model(half=True), direction="-z").mesh
     sides = mesh.face(NEAR_TIP)
     middles = mesh.points[sides[:, :3]].mean(axis=1)
     assert middles[:, 0].min() > 0.7 * cases.LENGTH
@@ -70,13 +77,13 @@ def test_only_the_surface_near_the_tip_touches_the_plate():
 
 
 def test_a_plate_before_the_tip_stops_what_extends():
-    plate = only(question_of(model(), BlockedForce(direction="+x")).contact.obstacles, "plate")
+    plate = only(blocked_force(model(), direction="+x").contact.obstacles, "plate")
     assert plate.shape == Plane(point=(cases.LENGTH, 0, 0), normal=(-1, 0, 0))
 
 
 def test_a_held_tip_needs_no_contact():
     question = model()
-    amended = question_of(question, BlockedForce(hold="xz", direction="-z"))
+    amended = blocked_force(question, hold="xz", direction="-z")
     assert amended.contact.obstacles == ()
     assert amended.mesh is question.mesh
     assert amended.supports[-1] == HeldTip("tip", "xz", (0.0, 0.0, -1.0))
@@ -97,7 +104,7 @@ def test_the_directions_of_a_hold_have_one_order():
 
 def test_the_free_direction_needs_a_load():
     with pytest.raises(TurgorError, match=r"'free', but the face 'tip' does not set out along x or y or z"):
-        question_of(model(loads=()), BlockedForce())
+        blocked_force(model(loads=()))
 
 
 @pytest.mark.parametrize(
@@ -106,12 +113,11 @@ def test_the_free_direction_needs_a_load():
         ({"hold": "plat"}, "unknown hold 'plat'; did you mean 'plate'?"),
         ({"hold": "xx"}, "unknown hold 'xx'"),
         ({"direction": "z"}, "unknown direction 'z'"),
-        ({"distance": -1 * mm}, "procedure.distance is -1 mm; the plate stands 0 mm or more before the tip"),
-        ({"hold": "z", "distance": 1 * mm}, "procedure.distance belongs to the plate; hold is 'z'"),
-        ({"hold": "z", "friction": 0.1}, "procedure.friction belongs to the plate; hold is 'z'"),
-        ({"hold": "z", "direction": "+x"}, "procedure.direction is '\\+x', but the tip is held along z only"),
-        ({"friction": 3.0}, "procedure: friction is 3"),
-        ({"first_step": 0.0}, "procedure.first_step is 0"),
+        ({"distance": -1 * mm}, "blocked_force: distance is -1 mm; the plate stands 0 mm or more before the tip"),
+        ({"hold": "z", "distance": 1 * mm}, "blocked_force: distance belongs to the plate; hold is 'z'"),
+        ({"hold": "z", "friction": 0.1}, "blocked_force: friction belongs to the plate; hold is 'z'"),
+        ({"hold": "z", "direction": "+x"}, "blocked_force: direction is '\\+x', but the tip is held along z only"),
+        ({"friction": 3.0}, "blocked_force: friction is 3"),
     ],
 )
 def test_what_cannot_block_is_refused(changes, message):
@@ -124,19 +130,19 @@ def test_what_cannot_block_is_refused(changes, message):
     [
         ({"face": "tipp"}, False, "unknown face 'tipp'; did you mean 'tip'?"),
         ({"direction": "-x"}, False, "the plate would stand behind the tip.*hold = 'x'"),
-        ({"direction": "+y"}, True, "procedure.direction is '\\+y', across the mirror plane of a half model"),
+        ({"direction": "+y"}, True, "blocked_force: direction is '\\+y', across the mirror plane of a half model"),
         ({"face": "cavity", "direction": "-z"}, False, "the face 'cavity' looks nowhere"),
     ],
 )
 def test_what_cannot_be_blocked_is_refused(changes, half, message):
     with pytest.raises(TurgorError, match=message):
-        question_of(model(half=half), BlockedForce(**changes))
+        blocked_force(model(half=half), **changes)
 
 
 def test_a_model_with_a_plate_of_its_own_is_refused():
     own = Obstacle(name="plate", shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))
-    with pytest.raises(TurgorError, match="procedure 'blocked_force' adds an obstacle 'plate', but the model has one"):
-        question_of(model(own), BlockedForce(direction="-z"))
+    with pytest.raises(TurgorError, match="blocked_force adds an obstacle 'plate', but the model has one"):
+        blocked_force(model(own), direction="-z")
 
 
 def test_the_holds_are_the_plate_and_every_choice_of_axes():
@@ -145,7 +151,7 @@ def test_the_holds_are_the_plate_and_every_choice_of_axes():
 
 def test_a_grasp_closes_then_pulls():
     floor = Obstacle(name="floor", shape=Plane(point=(0, 0, -1), normal=(0, 0, 1)))
-    amended = question_of(model(floor, bar(), half=True), Grasp(pull_distance=8 * mm, closing=0.4))
+    amended = grasp(model(floor, bar(), half=True), pull_distance=8 * mm, closing=0.4)
     (load,) = amended.pressures
     assert [load.at(factor) for factor in (0.2, 0.4, 0.7, 1.0)] == [10 * kPa, 20 * kPa, 20 * kPa, 20 * kPa]
     grasped = only(amended.contact.obstacles, "object")
@@ -164,7 +170,7 @@ def test_a_grasp_closes_then_pulls():
 def test_three_fingers_stand_a_third_of_a_turn_apart(half):
     """The planes between a finger and the next ones are 60 degrees from its own plane; a half meets one of them."""
     ball = bar(shape=Sphere(center=(30 * mm, 0, -40 * mm), radius=6 * mm))
-    amended = question_of(model(ball, half=half), Grasp(pull_distance=8 * mm, fingers=3))
+    amended = grasp(model(ball, half=half), pull_distance=8 * mm, fingers=3)
     normals = [each.shape.normal for each in amended.contact.obstacles if each.name.startswith("between_fingers")]
     expected = [(0, -0.5, 3**0.5 / 2), (0, 0.5, 3**0.5 / 2)][: 1 if half else 2]
     assert np.array(normals) == pytest.approx(np.array(expected))
@@ -173,13 +179,12 @@ def test_three_fingers_stand_a_third_of_a_turn_apart(half):
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"pull_distance": 0.0}, "procedure.pull_distance is 0 mm; allowed is more than 0"),
-        ({"pull": "+z"}, "procedure.pull is '\\+z', towards a finger"),
+        ({"pull_distance": 0.0}, "grasp: pull_distance is 0 mm; allowed is more than 0"),
+        ({"pull": "+z"}, "grasp: pull is '\\+z', towards a finger"),
         ({"pull": "x"}, "unknown pull 'x'"),
-        ({"fingers": 1}, "procedure.fingers is 1; allowed is 2 to 12"),
+        ({"fingers": 1}, "grasp: fingers is 1; allowed is 2 to 12"),
         ({"fingers": 3, "pull": "+y"}, "3 fingers stand around the line along x and would not be pulled alike"),
-        ({"closing": 1.0}, "procedure.closing is 1; it lies between 0 and 1"),
-        ({"max_step": 2.0}, "procedure.max_step is 2"),
+        ({"closing": 1.0}, "grasp: closing is 1; it lies between 0 and 1"),
     ],
 )
 def test_what_cannot_grasp_is_refused(changes, message):
@@ -203,14 +208,14 @@ LYING = RigidSurface(points=np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0.2]]), trian
         (model(bar(shape=replace(BAR, axis=(1, 0, 1)))), {}, "the cylinder is inclined to the mid-plane"),
         (model(bar(), loads=()), {}, "a grasp needs a pressure that closes the finger"),
         (model(bar(), loads=(RISEN,)), {}, "pressure on 'cavity' has a history of its own"),
-        (model(bar(), half=True), {"pull": "+y"}, "procedure.pull is '\\+y', across the mirror plane"),
+        (model(bar(), half=True), {"pull": "+y"}, "grasp: pull is '\\+y', across the mirror plane"),
         (model(bar(shape=LYING)), {}, "the finger reaches 100 mm across the mirror plane"),
         (model(bar(shape=Box(center=(0, 0, 4 * mm), size=(1, 1, 1)))), {}, "the finger reaches 4 mm across the mirror"),
     ],
 )
 def test_what_cannot_be_grasped_is_refused(question, changes, message):
     with pytest.raises(TurgorError, match=message):
-        question_of(question, Grasp(**{"pull_distance": 8 * mm} | changes))
+        grasp(question, **{"pull_distance": 8 * mm} | changes)
 
 
 def test_weight_does_not_stop_growing_and_is_refused():
@@ -220,4 +225,4 @@ def test_weight_does_not_stop_growing_and_is_refused():
     loads = [Pressure("cavity", 1e3), Gravity()]
     question = Model(cases.body(), materials, [Fixed("fixed")], loads, contact=contact)
     with pytest.raises(TurgorError, match="a grasp cannot hold Gravity, which grows with the load factor"):
-        question_of(question, Grasp(pull_distance=8 * mm))
+        grasp(question, pull_distance=8 * mm)

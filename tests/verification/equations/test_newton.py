@@ -37,7 +37,9 @@ LAWS = {
     "Mooney-Rivlin": tg.laws.MooneyRivlin(C10=1e4, C01=1.4e4),
     "Yeoh": problems.YEOH,
     "Yeoh, 4 terms": YeohN(coefficients=(1e5, 1e4, -5e2, 2e1)),
-    "generalized Rivlin": GeneralizedRivlin.of(C10=-7.48e3, C01=19.6e3, C20=-198.0, C02=-539.0, C11=3.21e3),
+    "generalized Rivlin": GeneralizedRivlin.from_names(
+        {"C10": -7.48e3, "C01": 19.6e3, "C20": -198.0, "C02": -539.0, "C11": 3.21e3}
+    ),
     "Ogden": problems.OGDEN,
     "Gent": Gent(mu=8e4, Jm=30.0),
     "Arruda-Boyce": ArrudaBoyce(mu=8e4, locking_stretch=2.5),

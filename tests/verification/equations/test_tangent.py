@@ -29,7 +29,12 @@ CASES = {
     "Ogden, compressible": (OGDEN, 1e6, None, ()),
     "Gent, incompressible": (Gent(mu=2e5, Jm=30.0), np.inf, None, ()),
     "Arruda-Boyce, incompressible": (ArrudaBoyce(mu=2e5, locking_stretch=2.5), np.inf, None, ()),
-    "generalized Rivlin, compressible": (GeneralizedRivlin.of(C10=5e4, C01=2e4, C11=3e3, C02=-1e2), 1e6, None, ()),
+    "generalized Rivlin, compressible": (
+        GeneralizedRivlin.from_names({"C10": 5e4, "C01": 2e4, "C11": 3e3, "C02": -1e2}),
+        1e6,
+        None,
+        (),
+    ),
     "pressure on an open face": (problems.YEOH, np.inf, None, (OPEN,)),
     "pressure on all faces": (problems.YEOH, np.inf, None, tuple(tg.Pressure(s, 4e4) for s in meshes.SIDES)),
     "membrane": (problems.YEOH, np.inf, SHEET, ()),

@@ -22,8 +22,8 @@ from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogd
 
 A, B = problems.NEO_HOOKE, problems.YEOH
 C = tg.laws.MooneyRivlin(C10=1.190e3, C01=23.028e3)
-E = GeneralizedRivlin.of(C10=279.3e3, C01=10.5e3, C20=59.1e3)
-F = GeneralizedRivlin.of(C10=-7.48e3, C01=19.6e3, C20=-198.0, C02=-539.0, C11=3.21e3)
+E = GeneralizedRivlin.from_names({"C10": 279.3e3, "C01": 10.5e3, "C20": 59.1e3})
+F = GeneralizedRivlin.from_names({"C10": -7.48e3, "C01": 19.6e3, "C20": -198.0, "C02": -539.0, "C11": 3.21e3})
 PRINTED = {"mu": (24361.0, 66.703, 453.81), "alpha": (1.7138, 7.0679, -3.3659)}
 G_ABAQUS, G_CANONICAL = Ogden.from_abaqus(**PRINTED), Ogden(**PRINTED)
 UNLISTED = [Gent(mu=8e4, Jm=30.0), ArrudaBoyce(mu=8e4, locking_stretch=2.5)]

@@ -85,6 +85,17 @@ def test_the_order_of_loads_does_not_matter(record_verification):
     assert first.message.startswith("weight: Reached load factor 1 in") and "pressure: Reached 20 kPa" in first.message
 
 
+def test_a_blocked_tip_stays_blocked_from_stage_to_stage():
+    held = {"hold": "xz", "direction": "+x", "face": "x1"}
+    together = problems.solve(tg.setups.blocked_force(box([WEIGHT, AIR]), **held), STATIC).states[-1]
+    stages = tg.Stage("weight", STATIC), tg.Stage("pressure", STATIC, loads=[AIR])
+    staged = in_turn(tg.setups.blocked_force(box([WEIGHT]), **held), *stages).states[-1]
+    assert contact_cases.apart(staged.displacement, together.displacement) < 1e-6
+    expected = tg.measures.blocked_force(together)
+    assert expected > 0
+    assert tg.measures.blocked_force(staged) == pytest.approx(expected, rel=1e-6)
+
+
 @pytest.mark.parametrize("history", [((0, 0), (0.5, 1), (1, 0.5)), "s**2"])
 def test_histories_are_shares_of_the_way(history):
     heavy, turned = tg.Gravity((0, 0, -1), 50.0), tg.Gravity((1, 0, 0), 30.0, history)
@@ -356,8 +367,6 @@ MOVE = tg.Displacement("x1", lambda points, s: np.zeros(3))
         (lambda: tg.Stages([]), "there are no stages; at least one is needed"),
         (lambda: tg.Stages([tg.Stage("a"), tg.Stage("a")]), "2 stages are called 'a'"),
         (lambda: tg.Stage(" "), "a stage has no name"),
-        (lambda: tg.Stages([tg.Stage("a", tg.BlockedForce())]), "BlockedForce cannot be a stage, because it puts"),
-        (lambda: tg.Stages([tg.Stage("a", tg.Grasp(pull_distance=1e-3))]), "Grasp cannot be a stage, because it is"),
         (lambda: in_turn(box([AIR]), tg.Stage("a"), tg.Stage("b", tg.ArcLength())), "stage 'b': .* here none does"),
         (
             lambda: in_turn(box(), tg.Stage("a", tg.ArcLength(), loads=[tg.Pressure("cavity", 1e3, "s**2")])),

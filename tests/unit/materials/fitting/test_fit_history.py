@@ -131,7 +131,11 @@ def test_rest_is_not_held_against_a_fit():
 
 @pytest.mark.parametrize(
     "law",
-    [Ogden(mu=(2e4, 1e3), alpha=(1.5, 4.0)), Gent(mu=4e4, Jm=20.0), GeneralizedRivlin.of(C10=2e4, C01=1e3, C20=-100.0)],
+    [
+        Ogden(mu=(2e4, 1e3), alpha=(1.5, 4.0)),
+        Gent(mu=4e4, Jm=20.0),
+        GeneralizedRivlin.from_names({"C10": 2e4, "C01": 1e3, "C20": -100.0}),
+    ],
     ids=lambda law: type(law).__name__,
 )
 def test_a_scaled_law_has_a_scaled_stress(law):

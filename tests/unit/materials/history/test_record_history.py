@@ -91,7 +91,7 @@ def test_mistakes_in_a_record_are_named(write, old, new, message):
         tg.laws.NeoHooke(C10=1.2e5),
         tg.laws.MooneyRivlin(C10=1e4, C01=2e3 / 3),
         Ogden(mu=(2e4, -1e3), alpha=(1.5, -4.0)),
-        GeneralizedRivlin.of(C10=2e4, C01=1e3, C11=-7.0),
+        GeneralizedRivlin.from_names({"C10": 2e4, "C01": 1e3, "C11": -7.0}),
         Gent(mu=4e4, Jm=20.0),
         ArrudaBoyce(mu=4e4, locking_stretch=3.0),
     ],

@@ -13,8 +13,8 @@ A = NeoHooke(C10=0.12e6)
 B = Yeoh(C10=0.11e6, C20=0.02e6)
 C = MooneyRivlin(C10=1.190e3, C01=23.028e3)
 D = Yeoh(C10=12.7e3, C20=423.0, C30=-1.46)
-E = GeneralizedRivlin.of(C10=279.3e3, C01=10.5e3, C20=59.1e3)
-F = GeneralizedRivlin.of(C10=-7.48e3, C01=19.6e3, C20=-198.0, C02=-539.0, C11=3.21e3)
+E = GeneralizedRivlin.from_names({"C10": 279.3e3, "C01": 10.5e3, "C20": 59.1e3})
+F = GeneralizedRivlin.from_names({"C10": -7.48e3, "C01": 19.6e3, "C20": -198.0, "C02": -539.0, "C11": 3.21e3})
 PRINTED = {"mu": (24361.0, 66.703, 453.81), "alpha": (1.7138, 7.0679, -3.3659)}
 G_ABAQUS, G_CANONICAL = Ogden.from_abaqus(**PRINTED), Ogden(**PRINTED)
 MODULI = [

@@ -43,7 +43,7 @@ ROWS = {
     ("dragon-skin-30", "ogden-nuthi-2018"): (164, ((1180.6e3, 874.3e3, -1939.6e3), (1.0698, -1.2370, 0.1347))),
     ("ecoflex-00-10", "generalized-rivlin-kulkarni-2015"): (
         168,
-        GeneralizedRivlin.of(C10=-7.48e3, C01=19.6e3, C20=-198.0, C02=-539.0, C11=3210.0),
+        GeneralizedRivlin.from_names({"C10": -7.48e3, "C01": 19.6e3, "C20": -198.0, "C02": -539.0, "C11": 3210.0}),
     ),
     ("ecoflex-00-30", "yeoh-kulkarni-2015"): (168, Yeoh(C10=12.7e3, C20=423.0, C30=-1.46)),
     ("ecoflex-00-30", "yeoh-elsayed-2014"): (80, Yeoh(C10=5072.0, C20=-331.0, C30=-15.0)),
@@ -62,7 +62,7 @@ ROWS = {
     ("smooth-sil-950", "neo-hooke-connolly-2017"): (102, NeoHooke(C10=340e3)),  # printed as mu = 0.68 MPa
     ("smooth-sil-950", "generalized-rivlin-ellis-2019"): (
         177,
-        GeneralizedRivlin.of(C10=279.3e3, C01=10.5e3, C20=59.1e3),
+        GeneralizedRivlin.from_names({"C10": 279.3e3, "C01": 10.5e3, "C20": 59.1e3}),
     ),
     ("kevlar-fiber", "hooke-connolly-2015"): (127, Hooke(E=31.067e9, nu=0.36)),
     ("fiber-yarn", "hooke-wang-2016"): (144, Hooke(E=103e9, nu=0.34)),
@@ -282,4 +282,4 @@ def test_describe_leaves_out_zero_coefficients() -> None:
     assert describe(Hooke(E=6.5e9, nu=0.2)) == "E = 6.5 GPa, nu = 0.2"
     assert describe(Hooke(E=120e3, nu=0.499)) == "E = 0.12 MPa, nu = 0.499"
     assert describe(Ogden(mu=(1e3,), alpha=(2.0,))) == "mu_1 = 0.001 MPa, alpha_1 = 2"
-    assert describe(GeneralizedRivlin.of(C10=1e6, C11=2e3)) == "C10 = 1 MPa, C11 = 0.002 MPa"
+    assert describe(GeneralizedRivlin.from_names({"C10": 1e6, "C11": 2e3})) == "C10 = 1 MPa, C11 = 0.002 MPa"

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.materials.laws.laws import Ogden, Yeoh
+from turgor.materials.laws.laws import LAWS, Ogden, Yeoh
 from turgor.materials.library.doubts import doubts_of
-from turgor.materials.library.records import LAWS, find_record, from_library, read_records
+from turgor.materials.library.records import find_record, from_library, read_records
 
 OURS = """\
 name = "Our silicone"

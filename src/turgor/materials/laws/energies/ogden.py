@@ -1,12 +1,11 @@
-"""Laws in the principal stretches: Ogden."""
+"""Ogden's law, in the principal stretches."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from turgor.errors import TurgorError
-from turgor.materials.laws.common import require_finite, require_positive_shear_modulus
-from turgor.materials.laws.polynomial import numbers
+from turgor.materials.laws.common import numbers, require_finite, require_positive_shear_modulus
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

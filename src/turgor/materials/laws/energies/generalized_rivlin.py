@@ -1,7 +1,7 @@
-"""Polynomial laws of any order: the generalized Rivlin law and the Yeoh law."""
+"""The generalized Rivlin law, a polynomial of any order."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,12 +18,12 @@ class GeneralizedRivlin:
     Parameters
     ----------
     coefficients : tuple of (int, int, float [Pa])
-        Exponents i and j and the coefficient Cij of each term, kept in order; `of` and `from_names` take names.
+        Exponents i and j and the coefficient Cij of each term, kept in order; `from_names` takes names.
         μ = 2 (C10 + C01).
 
     Examples
     --------
-    >>> law = GeneralizedRivlin.of(C10=279.3e3, C01=10.5e3, C20=59.1e3)
+    >>> law = GeneralizedRivlin.from_names({"C10": 279.3e3, "C01": 10.5e3, "C20": 59.1e3})
     >>> law.shear_modulus, law.coefficients[0]
     (579600.0, (1, 0, 279300.0))
     """
@@ -40,25 +40,6 @@ class GeneralizedRivlin:
         object.__setattr__(self, "coefficients", tuple(terms))
         require_positive_shear_modulus(self)
         require_finite(self, ((f"C{i}{j}", value) for i, j, value in terms))
-
-    @classmethod
-    def of(
-        cls,
-        *,
-        C10: float | None = None,
-        C01: float | None = None,
-        C20: float | None = None,
-        C11: float | None = None,
-        C02: float | None = None,
-        C30: float | None = None,
-        C21: float | None = None,
-        C12: float | None = None,
-        C03: float | None = None,
-    ) -> "GeneralizedRivlin":
-        """Make a law of first to third order from coefficients by name [Pa]; those that are not given are zero."""
-        names = ("C10", "C01", "C20", "C11", "C02", "C30", "C21", "C12", "C03")
-        values = (C10, C01, C20, C11, C02, C30, C21, C12, C03)
-        return cls.from_names({name: value for name, value in zip(names, values, strict=True) if value is not None})
 
     @classmethod
     def from_names(cls, coefficients: Mapping[str, float]) -> "GeneralizedRivlin":
@@ -79,52 +60,6 @@ class GeneralizedRivlin:
     def shear_modulus(self) -> float:
         """Initial shear modulus μ = 2 (C10 + C01) [Pa]."""
         return 2 * sum(C for i, j, C in self.coefficients if i + j == 1)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class YeohN:
-    """Yeoh law of any order W = Σ Cᵢ₀ (Ī₁ − 3)ⁱ; review Eq. 14 with any number of terms.
-
-    Parameters
-    ----------
-    coefficients : tuple of float [Pa]
-        C10, C20, C30 and so on; μ = 2 C10.
-
-    Examples
-    --------
-    >>> YeohN(coefficients=(12.7e3, 423.0, -1.46, 0.02)).shear_modulus
-    25400.0
-    """
-
-    coefficients: tuple[float, ...]
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "coefficients", numbers(self, "coefficients", self.coefficients))
-        require_positive_shear_modulus(self)
-        require_finite(self, ((f"C{i}0", value) for i, value in enumerate(self.coefficients, 1)))
-
-    def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa], review Eq. 14."""
-        x = I1 - 3
-        return sum(C * x**i for i, C in enumerate(self.coefficients, 1))
-
-    @property
-    def shear_modulus(self) -> float:
-        """Initial shear modulus μ = 2 C10 [Pa]."""
-        return 2 * self.coefficients[0]
-
-
-def numbers(law: object, name: str, values: Any) -> tuple[float, ...]:
-    """A non-empty tuple of floats, so that the law can be hashed and its terms counted."""
-    if isinstance(values, str) or (not isinstance(values, Sequence) and not hasattr(values, "__iter__")):
-        raise TurgorError(f"{type(law).__name__}: {name} is {values!r}; give a sequence with one number for each term.")
-    try:
-        found = tuple(float(value) for value in values)
-    except (TypeError, ValueError):
-        raise TurgorError(f"{type(law).__name__}: {name} is {values!r}; each entry must be a number.") from None
-    if not found:
-        raise TurgorError(f"{type(law).__name__}: {name} is empty; give at least one number.")
-    return found
 
 
 def _named(name: str, value: float) -> tuple[int, int, float]:
