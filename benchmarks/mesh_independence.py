@@ -83,8 +83,8 @@ by `python benchmarks/mesh_independence.py`.
 Angle and volume are integrals over the whole actuator. They converge slowly, because corners limit the rate. A value
 that hardly changes between two sizes need not be converged, and the estimate says how far it may be off. The stretch
 and the stress that 99 % of the volume stay below converge too, the stress more slowly. The largest values lie at
-re-entrant edges, where the exact solution is unbounded. They grow with refinement, so they have no mesh error here. *Unknowns* are
-degrees of freedom.
+re-entrant edges, where the exact solution is unbounded. They grow with refinement, so they have no mesh error here.
+*Unknowns* are degrees of freedom.
 
 ![Bending angle against pressure at three mesh sizes, with mesh errors](images/{FIGURE.name})
 """
