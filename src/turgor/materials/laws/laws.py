@@ -22,7 +22,7 @@ from turgor.materials.laws.stretch import Ogden as Ogden
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NeoHooke:
-    """Neo-Hookean law W = C10 (Ī₁ − 3), good to strains of about 50 %.
+    """Neo-Hookean law W = C10 (Ī₁ − 3), good to strains of about 50 %; review Eq. 15.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class NeoHooke:
         require_finite(self, (("C10", self.C10),))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 15."""
+        """Strain energy density [Pa], review Eq. 15."""
         return self.C10 * (I1 - 3)
 
     @property
@@ -53,7 +53,7 @@ class NeoHooke:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MooneyRivlin:
-    """Mooney–Rivlin law W = C10 (Ī₁ − 3) + C01 (Ī₂ − 3), good to strains of about 200 %.
+    """Mooney–Rivlin law W = C10 (Ī₁ − 3) + C01 (Ī₂ − 3), good to strains of about 200 %; review Eq. 12.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ class MooneyRivlin:
         require_finite(self, (("C10", self.C10), ("C01", self.C01)))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 12."""
+        """Strain energy density [Pa], review Eq. 12."""
         return self.C10 * (I1 - 3) + self.C01 * (I2 - 3)
 
     @property
@@ -85,7 +85,7 @@ class MooneyRivlin:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Yeoh:
-    """Yeoh law W = C10 (Ī₁ − 3) + C20 (Ī₁ − 3)² + C30 (Ī₁ − 3)³, good to strains of 400 % and more.
+    """Yeoh law W = C10 (Ī₁ − 3) + C20 (Ī₁ − 3)² + C30 (Ī₁ − 3)³, good to strains of 400 % and more; review Eq. 14.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class Yeoh:
         require_finite(self, (("C10", self.C10), ("C20", self.C20), ("C30", self.C30)))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 14."""
+        """Strain energy density [Pa], review Eq. 14."""
         x = I1 - 3
         return self.C10 * x + self.C20 * x**2 + self.C30 * x**3
 

@@ -13,7 +13,7 @@ _NAME = re.compile(r"C(\d)(\d)")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GeneralizedRivlin:
-    """Generalized Rivlin (polynomial) law W = Σ Cij (Ī₁ − 3)ⁱ (Ī₂ − 3)ʲ, of any order.
+    """Generalized Rivlin (polynomial) law W = Σ Cij (Ī₁ − 3)ⁱ (Ī₂ − 3)ʲ, any order; review Eq. 11.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ class GeneralizedRivlin:
         return cls(coefficients=tuple(_named(name, value) for name, value in coefficients.items()))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 11."""
+        """Strain energy density [Pa], review Eq. 11."""
         return sum(C * (I1 - 3) ** i * (I2 - 3) ** j for i, j, C in self.coefficients)
 
     @property
@@ -83,7 +83,7 @@ class GeneralizedRivlin:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class YeohN:
-    """Yeoh law W = Σ Cᵢ₀ (Ī₁ − 3)ⁱ, of any number of terms.
+    """Yeoh law of any order W = Σ Cᵢ₀ (Ī₁ − 3)ⁱ; review Eq. 14 with any number of terms.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ class YeohN:
         require_finite(self, ((f"C{i}0", value) for i, value in enumerate(self.coefficients, 1)))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 14."""
+        """Strain energy density [Pa], review Eq. 14."""
         x = I1 - 3
         return sum(C * x**i for i, C in enumerate(self.coefficients, 1))
 
