@@ -132,7 +132,7 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
         try:
             result = _fitting_walls(geometry, sizes)
         except TurgorError as error:
-            try:  # most failures come from arcs that too few cells follow
+            try:  # most failures come from arcs with too few cells
                 finer = _fitting_walls(geometry, replace(sizes, curvature=2 * sizes.curvature))
             except TurgorError:
                 raise error from None
@@ -142,7 +142,7 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
 
 @dataclass(frozen=True, slots=True)
 class _Sizes:
-    """What the generator is told about sizes [m]: one for all, how fast cells grow, smaller ones at some points."""
+    """Sizes for the generator [m]: one for all, how fast cells grow, smaller ones at some points."""
 
     size: float
     grading: float
@@ -152,7 +152,7 @@ class _Sizes:
 
 
 def _fitting_walls(geometry: Geometry, sizes: _Sizes) -> Mesh:
-    """A sound mesh whose cells suit their walls: made again with smaller sizes at walls that were too thin for them."""
+    """A valid mesh whose cells suit their walls: made again with smaller sizes at walls that are too thin."""
     result = _sound(geometry, sizes)
     if sizes.size <= LARGEST_SIZE_PER_WALL * geometry.smallest_wall * (1 + 1e-9):
         return result  # the size suits every wall
@@ -169,7 +169,7 @@ def _fitting_walls(geometry: Geometry, sizes: _Sizes) -> Mesh:
 
 
 def _sound(geometry: Geometry, sizes: _Sizes) -> Mesh:
-    """A mesh that can be solved, or the reason why there is none."""
+    """A valid mesh, or the reason why there is none."""
     result = mended(assemble(_generate(geometry, sizes), geometry))
     _check_result(result, geometry)
     refuse_inverted(result)
@@ -188,7 +188,7 @@ def _meshed_finer(error: TurgorError) -> Finding:
 
 @contextmanager
 def _sizes_on_faces(geometry: Geometry, sizes: Mapping[int, float]) -> Iterator[None]:
-    """Hang sizes on the faces of the shape while it is meshed; the shape stays as it was."""
+    """Set sizes on the faces of the shape while it is meshed, and remove them afterwards."""
     faces = {place: face for place, face in enumerate(geometry._shape.faces) if place in sizes}
     before = {place: face.maxh for place, face in faces.items()}
     try:

@@ -92,3 +92,13 @@ def test_job_of_the_guide_on_contact_is_read(tmp_path):
         (row,) = re.findall(rf'(?m)^\| `"{shape}"` \| (.*) \|$', read(page))
         own = set(obstacle_table(shape).model_fields) - set(ObstacleTable.model_fields) - {"sha256"}
         assert set(re.findall(r"`(\w+)`", row)) == own
+
+
+def test_pictures_of_the_architecture_show_what_exists(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    pictures = import_module("architecture_pictures")
+    order = next(line for line in read("docs/architecture.md").splitlines() if line.startswith("    foundation → "))
+    assert ["foundation", *pictures.ROOMS] == order.strip().split(" → ")
+    for name in pictures.PARTS:
+        module, attribute = name.rsplit(".", 1)
+        assert hasattr(import_module(module), attribute), name

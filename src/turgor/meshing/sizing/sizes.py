@@ -1,4 +1,4 @@
-"""Mesh sizes: which ones a geometry allows, which one suits it, and what is wrong with those that were given."""
+"""Mesh sizes: the range that a geometry allows, its default size, and checks of given sizes."""
 
 from collections.abc import Mapping
 from math import ceil, floor, isfinite
@@ -10,8 +10,8 @@ from turgor.geometry.geometry import Geometry
 from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
 
-#: Cells up to this many times longer than the thinnest wall is thick are accepted: one quadratic cell through a
-#: wall, four times as long as thick, still bends well; beyond that bulging walls are lost.
+#: Cells up to this many times longer than the thinnest wall is thick are accepted: one quadratic cell through a wall,
+#: four times as long as thick, still bends well; longer cells miss the bulging of walls.
 LARGEST_SIZE_PER_WALL = 4.0
 
 #: Largest mesh that one machine can be expected to solve.
