@@ -80,10 +80,11 @@ by `python benchmarks/mesh_independence.py`.
 |---|---|{"---|" * len(MEASURES)}
 {chr(10).join(rows)}
 
-Angle and volume are integrals over the whole actuator. They settle, but slowly, because corners limit the rate: a value
-that stands still between two sizes is not yet converged, and the estimate says how far it may be off. The stretch and
-stress that 99 % of the volume stay below settle too, the stress more slowly. Largest values sit at re-entrant edges,
-where the exact solution has no finite one: they grow with refinement, so they have no error here and are no headline.
+Angle and volume are integrals over the whole actuator. They converge slowly, because corners limit the rate. A value
+that hardly changes between two sizes need not be converged, and the estimate says how far it may be off. The stretch
+and the stress that 99 % of the volume stay below converge too, the stress more slowly. The largest values lie at
+re-entrant edges, where the exact solution is unbounded. They grow with refinement, so they have no mesh error here.
+*Unknowns* are degrees of freedom.
 
 ![Bending angle against pressure at three mesh sizes, with mesh errors](images/{FIGURE.name})
 """

@@ -18,41 +18,43 @@ LEAST_RATIO, MOST_RATIO = 0.5, 3.0
 AS_NEAR = 2.0
 HEAD = """# How far a mesh is from the truth
 
-Written by `make truth` (`python benchmarks/truth.py`). Fourteen loaded actuators have reference values that two
-different discretizations confirm. Everything else on this page is an error against these values.
+This page compares turgor's meshes with reference values. Fourteen loaded actuators have reference values that two
+different discretizations confirm; every error on this page is an error against these values. *Unknowns* are degrees
+of freedom. The page is written by `make truth` (`python benchmarks/truth.py`).
 
-*Third order* is a code of its own in NGSolve (`benchmarks/third_order.py`): displacements of third order, mean stresses
-of second order that jump between regions, on cells of its own that are curved to the same order and bisected where they
+*Third order* is an independent code in NGSolve (`benchmarks/third_order.py`). It has displacements of third order, mean
+stresses of second order that jump between regions, and cells that are curved to the same order and bisected where they
 carry most of the error. It shares dimensions, material parameters and definitions of measures with turgor, and nothing
-of the engine. *Refined* are turgor's meshes from the default one on, refined by `refine_to` toward an estimate of 0.1 %
-or up to 120,000 unknowns. Contact is not modeled by the code in NGSolve; where walls touch, refined tetrahedra and
-refined hexahedra are the two discretizations, and their mean is the reference. The tubes, the wound bender, the bellows
-and the contact case still have the values of cells of one size, with fine uniform cells as second discretization. Some
-third-order values were copied from printed output, to six digits: `origin` in `truth_runs.json` says so.
+of the engine. *Refined* means turgor's default mesh, refined by `refine_to` toward an estimate of 0.1 % or up to
+120,000 unknowns. The code in NGSolve has no contact. Where walls touch, refined tetrahedra and refined hexahedra are
+the two discretizations, and their mean is the reference. The tubes, the wound bender, the bellows and the contact case
+still have the values of cells of one size, with fine uniform cells as second discretization. Some third-order values
+were copied from printed output, to six digits: `origin` in `truth_runs.json` says so.
 
-Corners decide. On cells of one size, third order and second order agreed with each other and both stood 0.5 % to 1.3 %
-below these values (slow PneuNet, joint, round chambers): two uniform ladders of meshes share the same slow convergence.
+Corners decide the error. On cells of one size, third order and second order agreed with each other, but both were 0.5 %
+to 1.3 % below these values (slow PneuNet, joint, round chambers): two series of uniform meshes share the same slow
+convergence.
 
-Times are CPU seconds of one thread, meshing and solving included, compilation not. Other work ran on the machine:
-compare times within a row, and take more than 10 % for noise. Fibers are smeared. Volumes are volumes of the cavity,
+Times are CPU seconds of one thread, with meshing and solving, without compilation. Other work ran on the machine:
+compare times within a row, and expect noise of more than 10 %. Fibers are smeared. Volumes are volumes of the cavity,
 so their errors are small by nature; angles, displacements and twists are changes from rest. Not every run of the plan
 is stored: `python benchmarks/truth.py --missing` makes the others, which takes some hours of one core.
 """
 TRUTH = """## Reference values
 
-The difference is that of the second discretization from the first one. It bounds the error of the reference loosely:
-the third order converges faster. A star marks a difference above 0.3 %: that reference is less certain than asked, and
-errors near that difference mean little."""
-SUMMARY = """## Errors of the mesh that comes by default
+The last column is the difference of the second discretization from the first one. It is a loose bound on the error of
+the reference, because the third order converges faster. A star marks a difference above 0.3 %: that reference is less
+certain than asked, and errors near that difference mean little."""
+SUMMARY = """## Errors of the default mesh
 
-Asked are 2 % at the default size and 1 % at 60,000 unknowns, for angles, extensions, twists and volumes: shown is the
-largest error among these of a case. *Target* is the default mesh refined until the estimate of the headline is 2 %, as
-`[mesh] target = "2 %"` does it. The last column takes the stored run with tetrahedra whose
+The aim is 2 % at the default size and 1 % at 60,000 unknowns, for angles, extensions, twists and volumes. The table
+shows the largest error among these for each case. *Target* is the default mesh refined until the estimate of the
+headline is 2 %, as `[mesh] target = "2 %"` does it. The last column takes the stored run with tetrahedra whose
 unknowns, in brackets, are nearest to 60,000, if it has 30,000 to 120,000. **Bold** is a miss."""
 ESTIMATES = """## Estimated over true error
 
-Every run of the sizes double, default and half has an estimated mesh error. Counted are measures whose true error is
-above 0.3 %, the doubt about the reference; of smaller ones the ratio means little."""
+Every run of the sizes double, default and half has an estimated mesh error. The count includes measures whose true
+error is above 0.3 %, the uncertainty of the reference; for smaller ones the ratio means little."""
 CASES = """## Every mesh
 
 `before` is the element of the version before, `formulation="continuous"`. The default size of hexahedra is longer than

@@ -23,7 +23,7 @@ def near_match(word: str, known: Iterable[str]) -> str:
 
 
 def unknown(kind: str, word: str, known: Iterable[str]) -> TurgorError:
-    """Build the error for a name that is not there: the name, the near match, the known names.
+    """Build the error for an unknown name: the name, the near match, the known names.
 
     Examples
     --------

@@ -5,7 +5,7 @@ from enum import StrEnum
 
 
 class Severity(StrEnum):
-    """How much a finding matters: a note informs, a warning doubts, an error invalidates."""
+    """How much a finding matters: a note informs, a warning says that results may be wrong, an error that they are."""
 
     NOTE = "note"
     WARNING = "warning"

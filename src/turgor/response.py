@@ -190,7 +190,7 @@ class Response:
     def to_csv(self, path: str | Path) -> None:
         """Write the table as CSV: a header with units (``pressure_kPa``), then one line a row, in these units.
 
-        Every digit is kept: `read_response` gives the values back to the last bit or the one beside it.
+        Every digit is kept: `read_response` returns the same values, to the last bit but one.
         """
         with Path(path).open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")

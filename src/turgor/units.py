@@ -1,4 +1,4 @@
-"""Units: SI floats inside, constants multiply in and divide out; text with a unit is read at the door.
+"""Units: SI floats inside; multiply by a unit on the way in, divide on the way out; read text with a unit.
 
 >>> from turgor.units import mm, kPa, deg
 >>> 1.5 * mm

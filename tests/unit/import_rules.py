@@ -57,10 +57,10 @@ HOME = {
 
 LONGEST_FILE = 500
 
-#: Modules that a folder may hold.
+#: Modules that a folder of the package or of the tests may hold.
 LARGEST_FOLDER = 15
 
-#: Folders that may hold more: lists of like things, and a room that is being rebuilt.
+#: Folders that may hold more: lists of like things.
 LARGE_FOLDERS = ("turgor.geometry.actuators",)
 
 

@@ -1,4 +1,4 @@
-"""What the estimated mesh error says about a response, in words."""
+"""Findings from the estimated mesh errors of a response."""
 
 from collections.abc import Sequence
 from math import isfinite
@@ -7,34 +7,34 @@ from turgor.finding import Finding, Severity
 from turgor.response import Column, Response
 from turgor.results.report.error_text import last_with_error
 
-#: Relative mesh errors of the last state above which a measure is noted, and doubted.
+#: Relative mesh errors of the last state above which a measure gets a note, and a warning.
 NOTED, DOUBTED = 0.02, 0.05
 
 #: A value this small a share of the largest one of its column has no relative error.
 SMALL = 1e-6
 
-#: Measures without a limit, or whose value may be next to nothing.
+#: Measures that do not converge, or whose value may be nearly zero.
 LEFT_OUT = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area")
 
-#: Finding that speaks only where the mesh error is noted.
+#: Finding that is kept only where the mesh error is noted.
 ONLY_WITH_ERROR = "G01"
 
 
 def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Doubt measures with a large mesh error (N02), and choose what was noticed of the mesh before.
+    """Report measures with a large mesh error (N02), and keep the findings about the mesh that matter.
 
     Parameters
     ----------
     response : Response
         With mesh errors, as far as they are known.
     before : sequence of Finding
-        What was noticed of the mesh before the solve.
+        Findings about the mesh, before the solve.
 
     Returns
     -------
     tuple of Finding
-        ``before``, without a wall that one cell reaches through (G01) where the estimate says that it does not matter,
-        and N02 where a measure has an error of more than 2 %.
+        ``before``, without G01 (walls that are one cell thick) where the estimated errors are small, and N02 where a
+        measure has an error of more than 2 %.
     """
     errors = {column.name: _relative(response, column) for column in response.quantities}
     known = {name: error for name, error in errors.items() if error is not None}
@@ -55,8 +55,9 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
             code="N02",
             severity=Severity.WARNING if doubted else Severity.NOTE,
             message=f"The estimated mesh error at the last state is larger than {100 * NOTED:g} %: {listed}.",
-            advice='Use a smaller mesh size, or let the mesh be refined where the error comes from: target = "2 %" in '
-            "[mesh], or mesh_to in Python.",
+            advice='Use hexahedra where the family has them (cells = "hexahedra"; the default where no size is given), '
+            'or a smaller mesh size, or let the mesh be refined where the error comes from: target = "2 %" in [mesh], '
+            "or mesh_to in Python.",
         ),
     )
 

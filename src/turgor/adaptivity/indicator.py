@@ -1,4 +1,4 @@
-"""Indicator: which cells carry the error, from how far the stress is from a smoother one (Zienkiewicz and Zhu 1987).
+"""Indicator: the share of each cell in the error, by comparing the stress with a smoothed one (Zienkiewicz, Zhu 1987).
 
 The stress of quadratic cells jumps between them. Averaged at the vertices, and linear in between, it is nearer to the
 exact one (doi 10.1002/nme.1620240206). The energy of the difference shows where cells are too large; its size is no

@@ -28,7 +28,7 @@ def measure(
         What to read; `STANDARD_MEASURES` if none is given.
     mesh_error : bool
         Whether the mesh error is estimated. It takes up to half the time of the solve, once for a solution: a few
-        states are found again on a second, finer mesh.
+        states are solved for again on a second, finer mesh.
     options : EngineOptions, optional
         How the engine runs on the second mesh.
 
@@ -60,7 +60,7 @@ def mesh_error_of(
     options: EngineOptions | None = None,
     refined_before: bool = False,
 ) -> MeshError:
-    """Estimate the mesh error of all that `measure` reads, the pressures that a procedure found among it.
+    """Estimate the mesh error of all that `measure` reads, including the pressures that a procedure found.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """Mesh error: how far each measure of each state is from what finer cells would give.
 
-A few states of the path are found again on a second mesh, in which the cells that carry most of the error are cut in
-all directions. The difference of a measure between the two meshes, enlarged by what the second mesh leaves out, is the
-estimate. Between these states it is interpolated along the path, relative to the change of the measure.
+A few states of the path are solved for again on a second mesh, in which the cells with most of the error are cut in all
+directions. The estimate is the difference of a measure between the two meshes, scaled up by the error that the second
+mesh still has. Between these states it is interpolated along the path, relative to the change of the measure.
 """
 
 from collections.abc import Mapping, Sequence
@@ -29,14 +29,14 @@ from turgor.solvers.solution import Solution, State
 
 Array = NDArray[np.float64]
 
-#: Where on the path states are found again, as shares of its length: the last one first.
+#: Places of the states that are solved for again, as shares of the length of the path; the last one first.
 PLACES = (1.0, 0.5, 0.2)
 
 #: Work of the estimate over that of the solve.
 SHARE_OF_WORK = 0.5
 
-#: Growth of the number of cells from the first mesh to the second. From the first number on rather more states are
-#: found again than more cells are cut; the second one cuts them all. At least it is, by the nodes of a cell:
+#: Growth of the number of cells from the first mesh to the second. Beyond the first number more states are found again
+#: than more cells are cut; the second one cuts them all. At least it is, by the nodes of a cell:
 ENOUGH_GROWTH, FULL_GROWTH = 3.0, 8.0
 LEAST_GROWTH = {10: 2.0, 27: 2.5}
 
@@ -46,7 +46,7 @@ LEAST_GROWTH_REFINED = 3.0
 #: A factorization of n unknowns takes n to this power.
 COST_EXPONENT = 1.5
 
-#: Factorizations that a state needs to be found again, and one in which walls touch.
+#: Factorizations that a state needs on the second mesh, without and with contact.
 FACTORIZATIONS, FACTORIZATIONS_TOUCHING = 2.5, 15.0
 
 #: The estimate is the difference between the meshes times the first number, over the captured share of the error to the
@@ -85,7 +85,7 @@ class MeshError:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FoundAgain:
-    """States that were found again on a second mesh.
+    """States that were solved for on a second mesh.
 
     Parameters
     ----------
@@ -143,9 +143,9 @@ def estimate_mesh_error(
 
 @lru_cache(maxsize=1)
 def find_again(solution: Solution, options: EngineOptions, refined_before: bool = False) -> FoundAgain | None:
-    """Find a few states of a path again on a second mesh; on a coarser one where none is found, since sheets wrinkle.
+    """Solve for a few states of a path on a second mesh; on a coarser one where this fails because sheets wrinkle.
 
-    The last answer is kept, because a solution may be measured more than once.
+    The last result is kept, because a solution may be measured more than once.
     """
     began = perf_counter()
     count, growth = plan(solution, refined_before)
@@ -164,7 +164,7 @@ def find_again(solution: Solution, options: EngineOptions, refined_before: bool 
 def _on_second_mesh(
     solution: Solution, chosen: list[int], second: tuple[Refinement, float], options: EngineOptions
 ) -> FoundAgain:
-    """Find chosen states again on a refined mesh that captures a share of the error."""
+    """Solve for chosen states on a refined mesh that captures a share of the error."""
     refinement, captured = second
     transfer = Transfer(solution.model.mesh, refinement)
     mesh = SecondMesh(refinement, transfer, options)
@@ -183,7 +183,7 @@ def _on_second_mesh(
 
 
 def why_not(solution: Solution) -> str:
-    """Say why states of a path cannot be found again on another mesh; empty where they can."""
+    """Say why states of a path cannot be solved for on another mesh; empty where they can."""
     procedures = solution.procedure.stages if isinstance(solution.procedure, Stages) else ()
     moving = [solution.procedure, *(stage.procedure for stage in procedures)]
     if any(isinstance(each, Dynamic) for each in moving):
@@ -217,7 +217,7 @@ def procedure_of(solution: Solution, state: State) -> OneProcedure:
 
 
 def plan(solution: Solution, refined_before: bool) -> tuple[int, float]:
-    """How many states are found again, and by how much the cells grow in number, for half the work of the solve.
+    """How many states are solved for again, and by how much the number of cells grows, for half the work of the solve.
 
     Work is counted in factorizations, so that the estimate does not depend on how busy the machine is.
     """

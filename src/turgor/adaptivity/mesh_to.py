@@ -1,4 +1,4 @@
-"""mesh_to: solve, refine where the error comes from, and solve on, until a measure is as exact as was asked."""
+"""mesh_to: solve, refine where the error comes from, and solve again, until a measure is as exact as asked."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -36,7 +36,7 @@ EXPONENT = 1.0
 #: Growth of the mesh from one round to the next, at least and at most.
 LEAST_GROWTH, MOST_GROWTH = 1.6, 4.0
 
-#: Where the error comes from is told for the cells that carry this share of it.
+#: The message about where the error comes from is about the cells with this share of it.
 MOST_OF_IT = 0.5
 
 
@@ -119,7 +119,7 @@ def mesh_to(
     Returns
     -------
     Refined
-        The path on the last mesh, and how it came about. ``reached`` says whether the target is met.
+        The path on the last mesh, and the rounds of refinement. ``reached`` says whether the target is met.
 
     Raises
     ------
@@ -200,7 +200,7 @@ def _refined(solution: Solution, growth: float, most_unknowns: int) -> Refinemen
 
 
 def _solved_on(solution: Solution, refinement: Refinement, options: EngineOptions) -> Solution:
-    """Follow the path on a refined mesh: every state from the one before it, or anew where that does not succeed."""
+    """Follow the path on a refined mesh: each state from that on the coarser mesh, or the whole path again."""
     model = replace(solution.model, mesh=refinement.mesh)
     touching = any(touch.area > 0 for state in solution.states for touch in state.touches.values())
     if touching or any(state.memory is not None or state.stage for state in solution.states):
@@ -224,7 +224,7 @@ def _solved_anew(model: Model, solution: Solution, options: EngineOptions) -> So
 
 
 def _where(mesh: Mesh, shares: Array) -> str:
-    """Say in which cells most of the error stands."""
+    """Say in which cells most of the error is."""
     by_cell = shares.sum(axis=1)
     order = np.argsort(-by_cell)
     count = int(np.searchsorted(np.cumsum(by_cell[order]), MOST_OF_IT)) + 1

@@ -1,4 +1,4 @@
-"""Second mesh: states of a path found again on a refined mesh, each from its interpolated start."""
+"""Second mesh: solve for states of a path on a refined mesh, each from its interpolated start."""
 
 from dataclasses import dataclass, field, replace
 from math import inf
@@ -32,10 +32,10 @@ from turgor.solvers.states import acting_pressures, touches
 
 Array = NDArray[np.float64]
 
-#: How closely equilibrium is met on the second mesh where pressures are sought.
+#: Relative residual on the second mesh where pressures are unknown.
 SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
 
-#: The same where walls touch, or simple updates go astray.
+#: The same with contact, or where simple updates diverge.
 CONTACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
 
 #: Relative residual of a state that takes the place of the first one, as `Static` has it.
@@ -67,9 +67,9 @@ class SecondMesh:
     _known: list[tuple[Model, tuple[str, ...], System, Tangent]] = field(default_factory=list)
 
     def found_again(self, state: State, procedure: OneProcedure, exact: bool = False) -> State | None:
-        """Find a state on the refined mesh, driven as its procedure does; None where Newton's method does not.
+        """Find a state on the refined mesh under the constraint of its procedure; None where Newton's method fails.
 
-        ``exact`` asks for equilibrium as a solve has it, not only for a good estimate of the mesh error.
+        ``exact`` asks for the tolerance of a solve, not only for a good estimate of the mesh error.
         """
         controlled = _controlled(state, procedure)
         system, tangent = self._equations(state.model, controlled)
@@ -84,7 +84,7 @@ class SecondMesh:
             return None
 
     def at_rest(self, state: State) -> State:
-        """Carry the undeformed state to the refined mesh."""
+        """Transfer the undeformed state to the refined mesh."""
         return replace(
             state,
             model=replace(state.model, mesh=self.refinement.mesh),
@@ -118,14 +118,14 @@ class SecondMesh:
 
 
 def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
-    """Cavities whose pressure the procedure sought."""
+    """Cavities whose pressure the procedure found."""
     if not isinstance(procedure, VolumeControl | GasMass):
         return ()
     return asked_cavities(state.model, procedure)
 
 
 def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, exact: bool) -> State | None:
-    """Equilibrium at the load factor of the state, or as near to it as the correction is to be known."""
+    """Equilibrium at the load factor of the state, with the accuracy that the estimate needs."""
     at = system.evaluate(unknowns, state.load_factor)
     if at is None:
         return None
@@ -152,7 +152,7 @@ def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, ex
 
 
 def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -> State | None:
-    """Equilibrium by Newton's method with all its care: where walls touch, or where simple updates go astray."""
+    """Equilibrium by the Newton's method of a solve: with contact, or where simple updates diverge."""
     start = Start(at.unknowns, system.stresses(at), evaluation=at)
     result = newton_with_contact(load_control(system), tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
     if not result.converged or result.evaluation is None:
@@ -166,7 +166,7 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -
 def _at_volume(
     system: System, tangent: Tangent, unknowns: Array, state: State, controlled: tuple[str, ...]
 ) -> State | None:
-    """Equilibrium with the volumes of the state: pressures, or the load factor, are sought."""
+    """Equilibrium with the volumes of the state; pressures, or the load factor, are unknown."""
     if controlled:
         chambers = Chambers(system, controlled)
         volumes = chambers.volumes(unknowns)

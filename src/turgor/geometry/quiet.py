@@ -1,4 +1,4 @@
-"""Keep what compiled code writes to the terminal away from it."""
+"""Suppress what compiled code writes to the terminal."""
 
 import ctypes
 import os

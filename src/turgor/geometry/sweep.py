@@ -124,7 +124,7 @@ FaceName = PlaneName | RangeName | Interface
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """The same shape as the CAD solids of a geometry, told as layers along a path.
+    """The same shape as the CAD solids of a geometry, described as layers along a path.
 
     The surface between a region and a cavity is the face of that cavity. Of the rest, each part takes the last name
     that fits it; outer surface without one is ``outside``.

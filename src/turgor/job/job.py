@@ -8,9 +8,9 @@ from turgor.errors import unknown
 from turgor.geometry import Geometry
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.materials.material import Material
+from turgor.meshing.chosen import chosen_settings
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.settings import MeshSettings
-from turgor.meshing.sizing.sizes import default_size
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Pressure
@@ -153,4 +153,12 @@ class Job:
     @property
     def mesh_size(self) -> float:
         """Largest edge length aimed at [m]: that of the settings, or the one chosen for the actuator."""
-        return default_size(self.actuator.build(), self.mesh.cells) if self.mesh.size is None else self.mesh.size
+        size = self.mesh_settings.size
+        assert size is not None  # chosen where it was not given
+        return size
+
+    @property
+    def mesh_settings(self) -> MeshSettings:
+        """How the actuator is meshed: the settings, with a size and a kind of cells where none is given."""
+        open_still = self.mesh.size is None or self.mesh.cells is None
+        return chosen_settings(self.actuator.build(), self.mesh) if open_still else self.mesh

@@ -148,11 +148,10 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     refuse_shells(materials, mesh, problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
         return None
-    assert mesh.size is not None  # chosen where it was not given
     return Job(
         name=name,
         actuator=actuator,
-        mesh=mesh.settings(mesh.size),
+        mesh=mesh.settings,
         mesh_target=mesh.target,
         mesh_target_measure=mesh.target_measure,
         mesh_most_unknowns=mesh.most_unknowns,

@@ -1,4 +1,4 @@
-"""Meshing: curved quadratic cells with the names of the geometry, and what is to be known about them.
+"""Meshing: curved quadratic cells with the names of the geometry, their quality and checks.
 
 The functions ``mesh`` and ``quality`` are imported from their files, `turgor.meshing.generate` and
 `turgor.meshing.quality.cell_quality`: in this package their names belong to the files ``mesh.py`` and ``quality.py``.

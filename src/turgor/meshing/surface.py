@@ -1,4 +1,4 @@
-"""The surface of a mesh, taken from the connectivity of its cells, and what can be wrong with it."""
+"""The surface of a mesh, from the connectivity of its cells, and checks of it."""
 
 import numpy as np
 from numpy.typing import NDArray

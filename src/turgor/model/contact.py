@@ -1,4 +1,4 @@
-"""Contact: what may touch what."""
+"""Contact: self-contact of the actuator, and contact with rigid obstacles."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -21,15 +21,14 @@ class Contact:
     Parameters
     ----------
     self_contact : SelfContact or bool, optional
-        Whether walls of the actuator stop each other. By default they do where walls face each other, or their image in
-        a mirror plane, through air at rest, as chambers and folds do, where the mesh holds several bodies, and in
-        cavities that are pressed together.
+        Whether walls of the actuator have contact with each other. By default they do if outer walls, or a wall and its
+        image in a mirror plane, face each other across a gap at rest, as chambers and folds do; if the mesh has several
+        bodies; and in cavities that are pressed together.
     obstacles : sequence of Obstacle
         Rigid bodies around.
     tolerance : float [-]
         Deepest penetration as a share of the height of the cell behind the surface, which is the thickness of a wall
-        with one cell through it, and less than the wall where there are more; 1e-4 to 0.1. The contact
-        stiffness is raised until it holds.
+        that is one cell thick; 1e-4 to 0.1. The penalty is raised until the tolerance is met.
 
     Raises
     ------
@@ -71,7 +70,7 @@ class Contact:
         return Contact(with_itself, obstacles, self.tolerance)
 
     def for_mesh(self, mesh: Mesh) -> SelfContact | None:
-        """Return the contact of a mesh with itself, None where there is none to be looked for."""
+        """Return the self-contact of a mesh; None where there is none."""
         if not self.automatic or self.self_contact is None:
             return self.self_contact
         if not mesh.cell_type.side.triangles:

@@ -1,4 +1,4 @@
-"""Continuing: the model of a stage that begins where another one ended, under the loads that acted there."""
+"""Continuing: make the model of a stage that begins where another one ended, under the loads that acted there."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import copy
@@ -25,7 +25,7 @@ def with_loads(
     displacements: Sequence[Displacement] = (),
     moves: Mapping[str, Vector] | None = None,
 ) -> Model:
-    """Return a model with loads, displacements and moves of obstacles in place of its own that act on the same.
+    """Return a model in which loads, displacements and moves replace those on the same faces and obstacles.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def with_loads(
 
 
 def movable(model: Model, displacements: Sequence[Displacement]) -> Model:
-    """Return a model in which faces that are held, and moved later in the same directions, are moved by nothing.
+    """Return a model in which held faces that later stages move have a displacement of zero.
 
     Parameters
     ----------
@@ -77,10 +77,10 @@ def continued(
     displacements: Sequence[Displacement] = (),
     moves: Mapping[str, Vector] | None = None,
 ) -> Model:
-    """Return a model that begins with all that acts at one load factor of another model.
+    """Return a model that begins with everything that acts at one load factor of another model.
 
-    What is not stated anew stays as it is. What is goes from its old value to the new one: its history is the share of
-    the way, which is in proportion to the load factor if it has none.
+    Loads that are not stated again stay as they are. Those that are go from the old value to the new one; their history
+    is the share of this change, by default the load factor.
 
     Parameters
     ----------
@@ -124,7 +124,7 @@ def _made(model: Model, loads: Sequence[Load], supports: Sequence[Support], cont
 
 
 def _place(load: Load) -> tuple[str, str]:
-    """What a load acts on: one of the same kind there takes its place."""
+    """Key of what a load acts on: a load with the same key replaces it."""
     if isinstance(load, Pressure | Traction):
         return type(load).__name__.lower(), load.face
     return type(load).__name__.lower(), ""
@@ -167,7 +167,7 @@ def _supports(model: Model, factor: float, new: Mapping[tuple[str, str], Displac
 
 
 def _continued_move(old: Displacement, factor: float, new: Displacement | None) -> Callable[[Array, float], Array]:
-    """Stay where the old one ended, or go the way of the new one from there."""
+    """Stay where the old move ended, or follow the new one from there."""
 
     def value(points: Array, load_factor: float) -> Array:
         left = np.asarray(old.value(points, factor))
@@ -198,7 +198,7 @@ def _moved(model: Model, paths: Mapping[str, Path]) -> Contact:
 
 
 def _pressure(face: str, old: float, new: Pressure | None) -> Pressure:
-    """A pressure that begins at ``old`` and stays, or goes the way of a new one."""
+    """A pressure that begins at ``old`` and stays, or follows the history of a new one."""
     if new is None:
         return _with_history(Pressure(face, old), ((0.0, 1.0), (1.0, 1.0)))
     if not old:

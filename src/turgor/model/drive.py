@@ -57,9 +57,9 @@ def kinks(model: Model) -> tuple[float, ...]:
 
 
 def extremes(model: Model) -> tuple[float, ...]:
-    """Return load factors among which every load is largest in size: the kinks, the peaks of expressions, and 1.
+    """Return the load factors at which loads may have extrema: the kinks, the peaks of expressions, and 1.
 
-    And 0, where a load acts there already.
+    Also 0, where a load acts there already.
 
     Parameters
     ----------

@@ -115,9 +115,9 @@ class Fibers:
     bending : bool
         Whether threads resist a change of their curvature like a beam; discrete threads only.
     bending_diameter : float
-        Diameter of that beam over the diameter of the thread. Half, as beams have it in the review's recipe (section
-        8.1, references 81 and 139): a thread of many filaments bends more easily than a rod. In tension the full
-        cross-section counts.
+        Diameter of that beam over the diameter of the thread. Half, as in the recipe of Xavier, Fleming and Yong 2021
+        (section 8.1, references 81 and 139): a thread of many filaments bends more easily than a rod. In tension the
+        full cross-section counts.
     within : two points (3,), optional [m]
         Lowest and highest corner of a box that threads do not leave, for windings that differ from side to side;
         corners may be infinite.

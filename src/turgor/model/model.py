@@ -1,4 +1,4 @@
-"""Model: the question that is asked."""
+"""Model: a mesh with its materials, supports, loads and contact."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -65,14 +65,15 @@ class Model:
     loads : sequence of Load
         What drives it; each reaches its stated value at load factor 1, or as its history says.
     formulation : str
-        ``"mixed"``: a mean stress is an unknown beside the displacement, and cells do not lock, however incompressible
-        the rubber. It jumps where stiffness or traction jumps: between different rubbers, at membranes and windings.
-        ``"continuous"``: the mean stress is continuous everywhere, as in the usual Taylor–Hood element of other codes.
-        ``"displacement"``: there is none, as in codes without mixed elements. Both are for comparisons with these.
+        ``"mixed"``: mean stresses are degrees of freedom beside the displacements, and cells do not lock, however
+        incompressible the rubber. The mean stress jumps where stiffness or traction jumps: between different rubbers,
+        at membranes and windings. ``"continuous"``: the mean stress is continuous everywhere, as in the usual
+        Taylor–Hood element. ``"displacement"``: there are no mean stresses, as in codes without mixed elements. Both
+        are for comparisons with other codes.
     reinforcements : sequence of Fibers
         Threads wound on faces.
     contact : Contact
-        What may touch what; by default walls that face each other stop each other, and there are no obstacles.
+        Self-contact and obstacles; by default self-contact is found automatically, and there are no obstacles.
 
     Raises
     ------

@@ -99,8 +99,8 @@ class Box:
     size : (3,) floats [m]
         Its lengths, more than 0 each.
     rounding : float [m]
-        Radius of its edges, from 0 to half the shortest length. A sharp edge presses a soft body in a line, where the
-        penetration is largest; round edges are kinder to the solver too.
+        Radius of its edges, from 0 to half the shortest length. A sharp edge touches a soft body in a line, where
+        pressure and penetration are unbounded; steps also converge better with round edges.
     """
 
     center: Vector
@@ -171,8 +171,8 @@ class Obstacle:
     face : str, optional
         The only face of the actuator that may touch it; by default the whole surface outside the cavities.
     stiffness : float [Pa/m], optional
-        Pressure per depth of penetration; chosen from the material and the mesh by default, and raised where the
-        penetration exceeds its tolerance.
+        Penalty: pressure per depth of penetration. By default it follows from the material and the mesh, and is raised
+        where the penetration exceeds its tolerance.
 
     Examples
     --------

@@ -76,10 +76,10 @@ class Shift:
 
 @dataclass(frozen=True, slots=True)
 class Radial:
-    """Hold the radius of a cylindrical face: no displacement normal to its axis and to the face; it may slide.
+    """Hold the radius of a cylindrical face: no displacement normal to the face; it may slide in the face.
 
-    This is what a dense winding of hoops does that cannot stretch: the face keeps its radius, whatever the pressure,
-    and is free to stretch along the axis and to turn about it.
+    A dense winding of inextensible hoops does the same: the face keeps its radius, whatever the pressure, and is free
+    to stretch along the axis and to turn about it.
 
     Parameters
     ----------

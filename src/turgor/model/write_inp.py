@@ -22,7 +22,8 @@ from turgor.units import MPa, mm
 
 PROGRAMS = ("calculix", "abaqus")
 
-#: CalculiX takes a residual of 0.5 % for done, and with it ends 0.5 % off where it is compared with this package.
+#: CalculiX accepts a step at a residual of 0.5 % by default; its result was then 0.5 % off in the comparison with
+#: turgor.
 CALCULIX_TOLERANCE = 1e-6
 
 #: Numbers on a line of a set; the programs read up to 16.

@@ -1,4 +1,4 @@
-"""Energies: where the work of the loads went."""
+"""Energies: the energy balance of a moving actuator."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,12 +19,12 @@ class Energies:
     kinetic, strain : float [J]
         What moves and what is stored now.
     dissipated : float [J]
-        What damping, viscous stabilization, friction, and rubber that relaxes or softens have taken. Rubber that
-        relaxes gives a part of it back where it is unloaded slowly.
+        What damping, viscous stabilization, friction, relaxation and softening have dissipated. Rubber that relaxes
+        returns a part of it when it is unloaded slowly.
     work : float [J]
         What loads, moving supports and moving obstacles have done, plus the kinetic and strain energy at the start.
     lasting : float [J]
-        The part of ``dissipated`` that friction and softening took from a stabilized run, which is no viscous force's.
+        The part of ``dissipated`` in a stabilized run that is due to friction and softening, not to viscous forces.
     """
 
     kinetic: float
@@ -35,12 +35,12 @@ class Energies:
 
     @property
     def viscous(self) -> float:
-        """What viscous stabilization has taken [J]."""
+        """Energy that viscous stabilization has dissipated [J]."""
         return self.dissipated - self.lasting
 
     @property
     def missing(self) -> float:
-        """Work that is found nowhere [J]: taken by numerical damping, and the error of the time integration."""
+        """Work that is in none of the others [J]: numerical damping, and the error of the time integration."""
         return self.work - self.kinetic - self.strain - self.dissipated
 
 
@@ -63,7 +63,7 @@ def imbalance(states: Sequence[_WithEnergies]) -> float:
 
 
 def unbalanced(states: Sequence[_WithEnergies]) -> tuple[Finding, ...]:
-    """Say where the time integration lost more energy than it should (L05)."""
+    """Find out whether too much energy is missing from the balance of a dynamic run (L05)."""
     share = imbalance(states)
     if share <= TOLERATED:
         return ()
@@ -78,7 +78,7 @@ def unbalanced(states: Sequence[_WithEnergies]) -> tuple[Finding, ...]:
 
 
 def too_viscous(states: Sequence[_WithEnergies]) -> tuple[Finding, ...]:
-    """Say where viscous stabilization took more than a small share of the strain energy (L06)."""
+    """Find out whether viscous stabilization dissipated more than a small share of the strain energy (L06)."""
     last = next((state.energies for state in reversed(states) if state.energies is not None), None)
     if last is None or last.viscous <= TOLERATED * last.strain:
         return ()

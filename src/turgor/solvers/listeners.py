@@ -1,4 +1,4 @@
-"""Listeners: what the caller of a solve hears and decides."""
+"""Listeners: the callbacks of a solve, for progress and for stopping early."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from turgor.solvers.solution import Iteration, State
 
 @dataclass(frozen=True, slots=True)
 class Listeners:
-    """What the caller listens to and decides; see `turgor.solvers.solve.solve`.
+    """The callbacks of a solve; see `turgor.solvers.solve.solve`.
 
     Parameters
     ----------

@@ -16,8 +16,8 @@ from turgor.solvers.procedures.step_options import StepOptions
 from turgor.solvers.reasons import Cause
 from turgor.solvers.solution import State, Status, Step
 
-#: A maximum of the load this near ahead of the last state, relative to it, is where the path ended, whatever the
-#: factors say; one this near is worth saying where they have told.
+#: A maximum of the load this near ahead of the last state, relative to it, is why the path ended, whatever the factors
+#: say. A maximum within the second distance is stated if the factors show a loss of stability.
 NEAR, SAID = 1e-3, 1e-2
 
 #: On the way to a limit point a body moves this many times as much for the load as before at least.
@@ -78,7 +78,7 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
 
 
 def _falls(model: Model, steps: Sequence[Step]) -> str:
-    """Where what touched let go, and the body fell."""
+    """Where contact opened and the body jumped to another equilibrium close by."""
     falls = [step.load_factor for step in steps if step.accepted and step.cause is Cause.INERTIA_CORRECTED]
     if not falls:
         return ""
@@ -118,7 +118,7 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
 
 
 def _lost_before(states: Sequence[State]) -> str:
-    """Where stability was lost already before the last state: the path from there on is not that of a real body."""
+    """Whether stability was lost before the last state; a real body does not follow the path from there on."""
     first = next((n for n, state in enumerate(states) if state.unstable_modes), len(states))
     if first >= len(states) - 1:
         return ""
@@ -131,8 +131,8 @@ def _lost_before(states: Sequence[State]) -> str:
 def softens(states: Sequence[State]) -> bool:
     """Whether a body moved more for the load in the last step than in some step before, as towards a limit point.
 
-    Negative pivots of iterates that failed say nothing by themselves: those of a thin sheet have them on the way to a
-    state that is stable.
+    Negative pivots of iterates that failed do not prove a limit point: a thin sheet has them on the way to a stable
+    state.
     """
     rates = [
         float(np.linalg.norm(b.displacement - a.displacement)) / abs(b.load_factor - a.load_factor)

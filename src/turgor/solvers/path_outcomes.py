@@ -43,7 +43,7 @@ def reached(
 
 
 def followed(run: Run, why: str) -> Outcome:
-    """The path was followed as far as asked, and the load factor did not come back to 1."""
+    """The path was followed as far as asked, and the load factor did not reach 1 again."""
     bend_it = f" {BEND_IT}" if run.bifurcations else ""
     return Outcome(
         Status.FOLLOWED,
@@ -103,7 +103,7 @@ def _turns(limits: Sequence[LimitPoint]) -> str:
 
 
 def _branches(bifurcations: Sequence[Bifurcation]) -> str:
-    """Where another path leaves this one: a limit point it is not."""
+    """Where another path branches off: a bifurcation, not a limit point."""
     if not bifurcations:
         return ""
     named = ", ".join(map(_branch, bifurcations[:NAMED]))
@@ -150,7 +150,7 @@ def _where(state: State, first: State) -> str:
 
 
 def _grown(injected: float, before: float) -> str:
-    """A volume against that at rest, where it has changed before already."""
+    """A volume relative to that at rest, for stages after a change of volume."""
     if abs(injected) < 1e-6 * abs(before):
         return "the volume at rest"
     return f"a volume {abs(injected) / mL:.4g} mL {'larger' if injected > 0 else 'smaller'} than at rest"

@@ -21,7 +21,7 @@ def pressures_of(state: State) -> dict[str, float]:
 
 
 def stated_by_loads(state: State) -> bool:
-    """Return whether the loads of a state's model state its pressures, so that its procedure found none of them.
+    """Return whether loads of the model give the pressures of a state, so that its procedure found none of them.
 
     Parameters
     ----------

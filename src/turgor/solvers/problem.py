@@ -1,4 +1,4 @@
-"""Problem: what every procedure starts from, and the lists that it fills."""
+"""Problem: the input of every procedure, and the lists that it fills."""
 
 from dataclasses import dataclass, field
 

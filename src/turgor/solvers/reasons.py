@@ -8,7 +8,7 @@ from enum import Enum, auto
 
 
 class Cause(Enum):
-    """Why a step was rejected; `INERTIA_CORRECTED` is a note on a step that was accepted."""
+    """Cause of a rejected step; `INERTIA_CORRECTED` is a note on an accepted one."""
 
     INVERTED_START = auto()
     INVERTED_CELL = auto()

@@ -1,4 +1,4 @@
-"""Restart: what a stage takes over from the former one."""
+"""Restart: the state and the history of contact that a stage takes over from the former one."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RestartContact:
-    """One contact: its name and sides, from where its points slip, and how much stiffer it has become."""
+    """One contact: its name and sides, its friction history, and its penalty scale."""
 
     name: str
     sides: NDArray[np.int64]
@@ -25,7 +25,7 @@ class RestartContact:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Restart:
-    """The last state of a stage, and what its equations know beyond it.
+    """The last state of a stage, and the history that is not part of it.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Solution: the equilibrium path and how it went."""
+"""Solution: the equilibrium path, every attempted step, and how the solve ended."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -96,7 +96,7 @@ class State:
     stage : str
         Name of the stage in a sequence of procedures; the load factor is that of the stage then.
     memory : Memory or None
-        What the rubber remembers, where any relaxes or softens: some hundred numbers a cell.
+        Internal variables of the rubber, where any relaxes or softens: some hundred numbers a cell.
     """
 
     model: Model
@@ -154,7 +154,7 @@ class Iteration:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
-    """One attempted step: accepted or cut back."""
+    """One attempted step: accepted, or rejected and cut back."""
 
     load_factor: float
     increment: float
@@ -167,7 +167,7 @@ class Step:
 
     @property
     def reason(self) -> str:
-        """Why it was cut back, or how it was found in spite of a failure; empty where nothing is to be said."""
+        """Why the step was rejected, or how it was found after a failure; empty otherwise."""
         return "" if self.why is None else str(self.why)
 
     @property
@@ -222,7 +222,7 @@ class Timing:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Solution:
-    """The path that a solve found and how it went.
+    """The path that a solve found, and how the solve ended.
 
     Parameters
     ----------

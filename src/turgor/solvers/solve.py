@@ -82,7 +82,7 @@ def solve(
 def _solved(
     options: EngineOptions, model: Model, procedure: OneProcedure, listeners: Listeners, restart: Restart | None
 ) -> tuple[Solution, Restart]:
-    """Follow one procedure from rest, or from what a former stage left; return what it leaves itself, too."""
+    """Follow one procedure from rest, or from the restart of a former stage; return its own restart, too."""
     method = method_of(procedure)
     start = perf_counter()
     check_supports(model, inertia=method.may_be_free(model))

@@ -22,10 +22,10 @@ from turgor.solvers.solution import Iteration, Solution, State, Status, Timing
 
 T = TypeVar("T")
 
-#: Findings about what stays so in later stages; one of each is enough.
+#: Findings that hold in all later stages; one of each is enough.
 LASTING = ("B02",)
 
-#: Solves one procedure from rest or from what was restart, and says what to carry on.
+#: Solves one procedure from rest or from a restart, and returns the restart of the next one.
 Follow = Callable[[Model, OneProcedure, Listeners, Restart | None], tuple[Solution, Restart]]
 
 
@@ -92,7 +92,7 @@ class _End:
 
 
 def _movable(model: Model, procedure: Stages) -> Model:
-    """The model in which faces that are held and moved later are moved by nothing at first."""
+    """The model in which faces that later stages move have a displacement of zero at first."""
     return movable(model, [each for stage in procedure.stages for each in stage.displacements])
 
 

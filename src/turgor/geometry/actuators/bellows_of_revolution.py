@@ -18,8 +18,8 @@ from turgor.units import m, mm
 class BellowsOfRevolution:
     """Bellows: a corrugated wall turned about the x axis, closed by a cap at each end.
 
-    Pressure unfolds the corrugation, which bends the wall instead of stretching it: the bellows extends far at a
-    low pressure. No published drawing is at hand; all dimensions are chosen here.
+    Pressure unfolds the corrugation, which bends the wall instead of stretching it, so the bellows extends far at a low
+    pressure. All dimensions were chosen here, without a published drawing.
 
     Parameters
     ----------

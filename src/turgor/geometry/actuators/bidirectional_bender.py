@@ -12,11 +12,11 @@ from turgor.units import m, mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BidirectionalBender:
-    """Bender with a chamber above and a chamber below its middle wall: it bends away from the one that is driven.
+    """Bender with a chamber above and a chamber below its middle wall: it bends away from the one under pressure.
 
     ``cavity_1`` lies above the middle wall and bends the actuator down, ``cavity_2`` lies below and bends it up; equal
     pressure in both only extends it. The face ``strain_limiting_layer`` halves the middle wall: a material for it puts
-    a sheet there, none leaves plain silicone. All dimensions are chosen here.
+    a sheet there, without one it is plain silicone. All dimensions were chosen here.
 
     Axes: x from the fixed end to the tip, z up, y across; z = 0 halves the middle wall, the mirror plane is y = 0.
 

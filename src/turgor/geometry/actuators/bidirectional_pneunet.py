@@ -19,7 +19,7 @@ class BidirectionalPneuNet:
 
     The strain-limiting layer is the plane z = 0, between the floors of the two; there is no base.
 
-    Chosen here: the default `FastPneuNet` above, without its base, and its mirror image below.
+    The dimensions were chosen here: the default `FastPneuNet` above, without its base, and its mirror image below.
 
     Axes: x from the fixed end to the tip, z up, y across; the mirror plane at y = 0. ``cavity_1`` is the upper one.
 

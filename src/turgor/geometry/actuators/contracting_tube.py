@@ -16,7 +16,8 @@ class ContractingTube:
     """Bladder of a McKibben muscle: a thin tube between two stiffer end pieces.
 
     With fibers at less than 54.7° to the axis it contracts under pressure (Xavier, Fleming and Yong 2021, section 7.2,
-    guideline 8). They are wound on the face ``outside``. All dimensions are chosen here, about those of a small muscle.
+    guideline 8). They are wound on the face ``outside``. All dimensions were chosen here; a small muscle has about
+    these.
 
     Axes: x from the fixed end to the tip, on the axis of the tube.
 

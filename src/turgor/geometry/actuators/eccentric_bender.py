@@ -16,8 +16,8 @@ class EccentricBender:
     """Round bender of one material: the wall above its chamber is thinner than the wall below, and stretches more.
 
     It is the third of the asymmetries of section 2 of Xavier, Fleming and Yong (2021): the void is placed off center.
-    All dimensions are chosen here; the wall below is 2.5 times as thick as the wall above, within the two to three
-    times that bend most (Xavier, Fleming and Yong 2021, section 7.1, guideline 2).
+    All dimensions were chosen here. The wall below is 2.5 times as thick as the wall above; two to three times bend
+    most (the same paper, section 7.1, guideline 2).
 
     Axes: x from the fixed end to the tip along the axis of the body, z up, y across; the mirror plane is y = 0.
 

@@ -16,10 +16,10 @@ class ExtendingCylinder:
     """Round tube closed by caps: pressure on the caps stretches it, unless it balloons.
 
     Cylinders are the best of the single-chamber sections for extension (Xavier, Fleming and Yong 2021, section 7.1,
-    guideline 6). A bare tube hardly gets longer at small strain: half of the axial stress of the caps is used up by the
-    hoop stress. Hoops of fiber change that; today they can be imitated by holding the outside: ``outside = "yz"`` under
-    ``[supports]``. Published (Connolly et al. 2015; quoted, not yet checked against the paper): radius and wall. Chosen
-    here: length and caps.
+    guideline 6). A bare tube hardly gets longer at small strain, because the hoop stress shortens it nearly as much as
+    the axial stress of the caps stretches it. Hoops of fiber on the face ``outside`` prevent this. The example job
+    holds that face instead, with ``outside = "yz"`` under ``[supports]``. Radius and wall are those of Connolly et al.
+    (2015), quoted and not checked against the paper. Length and caps were chosen here.
 
     Axes: x from the fixed end to the tip, on the axis of the tube.
 

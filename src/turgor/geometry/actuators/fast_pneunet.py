@@ -13,18 +13,18 @@ from turgor.units import mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FastPneuNet:
-    """Fast PneuNet of Mosadegh et al. 2014: chambers in a row, apart from each other above a common floor.
+    """Fast PneuNet: a row of chambers with gaps between them, above a common floor (Mosadegh et al. 2014).
 
     Pressure bulges the thin walls that face each other across the gaps; they push each other apart and the
     actuator bends towards its base, which a strain-limiting layer keeps from stretching.
 
-    Published (Mosadegh et al. 2014; quoted, not yet checked against its drawing): 11 chambers, about 110 x 20 x 15 mm,
-    ``wall`` 1 mm, ``gap`` 1 mm, outer walls of about 2 to 3 mm. Chosen here within that
-    range: ``side_wall``, ``top_wall`` and ``end_wall`` 2 mm. Chosen here without a published number: ``floor`` and
-    ``base`` 1.5 mm each, channel 3 x 2 mm with a wall of 1 mm.
+    Mosadegh et al. (2014) publish 11 chambers, about 110 x 20 x 15 mm, ``wall`` 1 mm, ``gap`` 1 mm, and outer walls of
+    about 2 to 3 mm. These numbers are quoted and were not checked against the drawing. Outer walls of 2 mm were chosen
+    here within the published range. ``floor`` and ``base`` of 1.5 mm each and the channel of 3 x 2 mm with a wall of 1
+    mm were chosen without a published number.
 
     Axes: x from the fixed end to the tip, z up, y across; the base lies at z = 0, the mirror plane at y = 0. The air
-    inlet is left out unless it is asked for: the cavity is closed.
+    inlet is left out by default: the cavity is closed.
 
     Parameters
     ----------

@@ -16,8 +16,8 @@ class FiberReinforcedBender:
     """Half-round bender to be wound with fibers: they keep it from ballooning, the fabric below makes it bend.
 
     Fibers are wound around ``outside`` and ``strain_limiting_layer`` together, or with a skin around ``winding`` and
-    ``strain_limiting_layer``. Published (Polygerinos et al. 2015; approximate, not yet checked against the paper):
-    radius, wall, base and length. Chosen here: end walls and skin.
+    ``strain_limiting_layer``. Radius, wall, base and length are about those of Polygerinos et al. (2015), not checked
+    against the paper. End walls and skin were chosen here.
 
     Axes: x from the fixed end to the tip, z up, y across; the flat side of the body, with the strain-limiting layer,
     lies at z = 0, the mirror plane at y = 0.

@@ -17,8 +17,8 @@ class FiberReinforcedCylinder:
 
     Hoops make it extend, two opposite helices extend or contract it, one helix twists it (Xavier, Fleming and Yong
     2021, section 7.2, guidelines 6 to 8; a single helix has no mirror plane, see `TwistingTube`). They are wound on the
-    face ``outside``, or on the face ``winding`` below the skin. Published (Connolly et al. 2015; quoted, not yet
-    checked against the paper): radius, wall and length. Chosen here: caps and skin.
+    face ``outside``, or on the face ``winding`` below the skin. Radius, wall and length are those of Connolly et al.
+    (2015), quoted and not checked against the paper. Caps and skin were chosen here.
 
     Axes: x from the fixed end to the tip, on the axis of the tube.
 

@@ -23,8 +23,8 @@ class HelicalPneuNet:
 
     A larger chamber angle gives less bending and more twist (Xavier, Fleming and Yong 2021, section 7.4 item 9).
 
-    Chosen here, without published numbers: the default `FastPneuNet` with chambers turned by 30 degrees. The two ends
-    stay square, so that the first and the last chamber are longer on one side than on the other.
+    The dimensions were chosen here, without published numbers: the default `FastPneuNet` with chambers turned by 30
+    degrees. The two ends stay square, so that the first and the last chamber are longer on one side than on the other.
 
     Axes: x from the fixed end to the tip, z up, y across; the base lies at z = 0. There is no mirror plane.
 
@@ -57,7 +57,7 @@ class HelicalPneuNet:
         Diameter of an air inlet along x through the middle of the first end wall; 0 for none. Its wall belongs to the
         face ``cavity``, which is then open in the plane x = 0; the cavity's volume counts up to there.
     symmetric : bool
-        False: a half of it would be another actuator.
+        Always False, because half of a helical PneuNet and its mirror image are another actuator.
 
     Raises
     ------

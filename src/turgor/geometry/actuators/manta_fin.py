@@ -16,8 +16,9 @@ from turgor.units import mm
 class MantaFin:
     """Fin of a swimming robot after the manta ray: a slow PneuNet that tapers from its root to its tip (Suzumori 2007).
 
-    Chosen here, without published numbers: a fin 80 mm long, 50 mm wide at the root and 20 mm at the tip, swept by
-    15 mm so that one edge is straight, 10 mm thick, with six chambers across it. A swept fin twists as it bends.
+    The dimensions were chosen here, without published numbers: a fin 80 mm long, 50 mm wide at the root and 20 mm at
+    the tip, swept by 15 mm so that one edge is straight, 10 mm thick, with six chambers. A swept fin twists as it
+    bends.
 
     Axes: x from the root to the tip, z up, y across; the base lies at z = 0; the middle of the root at y = 0.
 

@@ -25,8 +25,8 @@ class OmnidirectionalActuator:
 
     One chamber under pressure bends the cylinder away from that chamber, equal pressures in all of them stretch it.
     Xavier, Fleming and Yong (2021) compare six chamber sections (Elsayed et al. 2014, Xie et al. 2018). Their reference
-    geometry for three chambers has an outer radius of 12.5 mm, a length of 60 mm and end caps of 5 mm; all other
-    defaults are chosen here.
+    geometry for three chambers has an outer radius of 12.5 mm, a length of 60 mm and end caps of 5 mm. All other
+    defaults were chosen here.
 
     The first chamber lies at +z, the others follow counterclockwise seen from the tip.
 

@@ -27,14 +27,14 @@ class ParallelBellows:
     """Three parallel bellows between two plates, in an equilateral triangle (Xavier et al. 2021, fig. 1g).
 
     The bellows under pressure gets longer and tilts the upper plate away from it; equal pressures push the plate
-    straight on. No published drawing is at hand; all dimensions are chosen here.
+    straight on. All dimensions were chosen here, without a published drawing.
 
     Constrained parallel bellows bend more than unconstrained ones (Xavier, Fleming and Yong 2021, section 7.3,
-    guideline 4, after Drotman et al. 2019); that review does not say what constrains them. Here it is ribs: plates
-    between the two end plates that hold the three bellows together at their necks, so that they bend as one and do not
-    bow out singly. Without ribs the necks stay, as bare tubes, so that both have the same folds and the same length. In
-    a longer one (eight folds, three ribs) the ribs take a little of the bending at equal pressure, but the driven
-    bellows of the unconstrained one bows out at a pressure that the constrained one still holds.
+    guideline 4, after Drotman et al. 2019). The paper does not say what constrains them. Ribs were chosen here: plates
+    between the two end plates that hold the three bellows together at their necks, so that they bend as one and none
+    bows out. With ``constrained=False`` the necks are bare tubes, so that both kinds have the same folds and the same
+    length. In a longer actuator (eight folds, three ribs) the ribs reduce the bending a little at equal pressure, but
+    they keep a bellows from bowing out at a pressure at which it does so without them.
 
     Axes: x from the lower plate (the fixed end) to the upper one (the tip). The first bellows lies at +z, the others
     follow counterclockwise seen from the tip.

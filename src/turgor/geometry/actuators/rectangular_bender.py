@@ -15,8 +15,8 @@ from turgor.units import m, mm
 class RectangularBender:
     """Bender with one chamber of rectangular section: the top stretches, the layer below the floor does not.
 
-    All dimensions are chosen here: the envelope is about that of the fast PneuNet, and the chamber is about ten times
-    longer than wide, which is best for the force at the tip (Xavier, Fleming and Yong 2021, section 7.1, guideline 5).
+    All dimensions were chosen here. The envelope is about that of the fast PneuNet. The chamber is about ten times as
+    long as wide, which is best for the force at the tip (Xavier, Fleming and Yong 2021, section 7.1, guideline 5).
 
     Axes: x from the fixed end to the tip, z up, y across; the bottom lies at z = 0, the mirror plane at y = 0.
 

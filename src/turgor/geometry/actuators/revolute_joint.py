@@ -14,13 +14,13 @@ from turgor.units import m, mm
 class RevoluteJoint:
     """Revolute joint with one degree of freedom (Xavier et al. 2021, fig. 1f, after Skorina et al. 2015 and 2018).
 
-    Each link is an end plate with an arm towards the middle, where a thin hinge joins the two arms. Cylinders run
-    from plate to plate beside the arms: the one under pressure gets longer and turns the upper link away from it,
-    about the y axis through the hinge. Two cylinders turn it both ways. This is a simple model of the published
-    joint, not its drawing; all dimensions are chosen here.
+    Each link is an end plate with an arm towards the middle, where a thin hinge joins the two arms. Cylinders run from
+    plate to plate beside the arms. The one under pressure gets longer and turns the upper link away from it, about the
+    y axis through the hinge. Two cylinders turn it both ways. This is a simple model of the published joint; all
+    dimensions were chosen here.
 
-    In the published device fibers keep the cylinders from ballooning. The example job solves the bare silicone,
-    so keep to small pressures.
+    In the published device fibers keep the cylinders from ballooning. The example job has no fibers, so its pressure is
+    small.
 
     Axes: x from the lower link (the fixed end) to the upper one (the tip), y along the hinge. The first cylinder lies
     at +z, the second at −z.

@@ -16,9 +16,8 @@ class SemicircularBender:
     """Bender with one half-round chamber: the round wall stretches, the layer below the flat floor does not.
 
     The half round is the best of the single-chamber sections for bending (Xavier, Fleming and Yong 2021, section 7.1,
-    guideline 6). Without fibers it balloons, so that it bends only at small pressure; `FiberReinforcedBender` is the
-    one with fibers. Published (Polygerinos et al. 2015; quoted, not yet checked against the paper): the radius and the
-    wall. Chosen here: the rest.
+    guideline 6). Without fibers it balloons at higher pressure; `FiberReinforcedBender` has fibers. The radius and the
+    wall are those of Polygerinos et al. (2015), quoted and not checked against the paper. The rest was chosen here.
 
     Axes: x from the fixed end to the tip, z up, y across; the bottom lies at z = 0, the mirror plane at y = 0.
 

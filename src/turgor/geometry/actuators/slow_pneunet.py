@@ -14,10 +14,10 @@ from turgor.units import mm
 class SlowPneuNet:
     """Slow PneuNet: chambers embedded in a block, without gaps between them (Mosadegh et al. 2014).
 
-    The whole top must stretch before it bends, so that it needs about three times the pressure of a fast PneuNet.
+    The whole top must stretch before the actuator bends, so it needs about three times the pressure of a fast PneuNet.
 
-    Chosen here: the envelope and the cavity of the default `FastPneuNet`, with its gaps filled. The wall of 3 mm
-    between two chambers is what two walls and a gap of 1 mm each are there.
+    The dimensions were chosen here: the envelope and the cavity of the default `FastPneuNet`, with its gaps filled. The
+    wall of 3 mm between two chambers equals two walls and a gap of 1 mm each.
 
     Axes: x from the fixed end to the tip, z up, y across; the base lies at z = 0, the mirror plane at y = 0.
 

@@ -20,11 +20,11 @@ class ThreeExtenders:
     """Three parallel extending cylinders between two plates, in an equilateral triangle (Xavier et al. 2021, fig. 1g).
 
     The cylinder under pressure gets longer and tilts the upper plate away from it; equal pressures push the plate
-    straight on. Radius, wall, length and caps of the cylinders are the reference extender of that review (6.35 mm, 2
-    mm, 100 mm, 5 mm); all other defaults are chosen here.
+    straight on. Radius, wall, length and caps of the cylinders are those of the reference extender of that paper (6.35
+    mm, 2 mm, 100 mm, 5 mm). All other defaults were chosen here.
 
-    In the published devices fibers keep the cylinders from ballooning; they lie on the face ``winding``. The
-    example job solves the bare silicone, so keep to small pressures.
+    In the published devices fibers keep the cylinders from ballooning; here they can be wound on the face ``winding``.
+    The example job has no fibers, so its pressure is small.
 
     Axes: x from the lower plate (the fixed end) to the upper one (the tip). The first cylinder lies at +z, the others
     follow counterclockwise seen from the tip.

@@ -19,8 +19,8 @@ class TrapezoidalPneuNet:
     Pressure unfolds the roof and bends the actuator towards its base. The air space passes below the gaps across the
     whole inner width.
 
-    Chosen here, without published numbers: the envelope of the default `FastPneuNet`, eight bellows with flanks that
-    lean by 10 degrees, and walls of 1.5 mm.
+    The dimensions were chosen here, without published numbers: the envelope of the default `FastPneuNet`, eight bellows
+    with flanks that lean by 10 degrees, and walls of 1.5 mm.
 
     Axes: x from the fixed end to the tip, z up, y across; the base lies at z = 0, the mirror plane at y = 0. At both
     ends the roof lies as low as between the bellows.

@@ -16,9 +16,9 @@ class TwistingTube:
     """Round tube for a single helix of fiber, which makes it twist under pressure.
 
     The twist is largest with fibers about 30° from the circumference, which is 60° from the axis (Xavier, Fleming and
-    Yong 2021, section 7.2, guideline 6); a helix has no mirror plane, so the tube is always modeled whole. They are
-    wound on the face ``outside``. Published (Connolly et al. 2015; quoted, not yet checked against the paper): radius,
-    wall, and a length of about 160 mm. Chosen here: the caps.
+    Yong 2021, section 7.2, guideline 6). They are wound on the face ``outside``. A helix has no mirror plane, so the
+    tube is always modeled whole. Radius, wall and the length of about 160 mm are those of Connolly et al. (2015),
+    quoted and not checked against the paper. The caps were chosen here.
 
     Axes: x from the fixed end to the tip, on the axis of the tube.
 

@@ -15,10 +15,10 @@ from turgor.units import m, mm
 class TwoMaterialBender:
     """Round bender of two materials: the upper part stretches more than the stiffer part below.
 
-    The upper part is the region ``body``, the lower one the region ``base``. Bending is largest when one of them is
-    two to three times as stiff as the other (Xavier, Fleming and Yong 2021, section 7.1, guideline 2). A half-round
-    bender of two materials is the `SemicircularBender`, whose base is a region of its own too. Published for tubes
-    (Connolly et al. 2015; quoted, not yet checked against the paper): the radii. Chosen here: the rest.
+    The upper part is the region ``body``, the lower one the region ``base``. Bending is largest when one of them is two
+    to three times as stiff as the other (Xavier, Fleming and Yong 2021, section 7.1, guideline 2). A half-round bender
+    of two materials is the `SemicircularBender`, whose base is a region of its own too. The radii are those of the
+    tubes of Connolly et al. (2015), quoted and not checked against the paper. The rest was chosen here.
 
     Axes: x from the fixed end to the tip along the axis of the body, z up, y across; the mirror plane is y = 0.
 

@@ -75,7 +75,7 @@ class Inspection:
     bodies, faces, cavities : tuples
         What it consists of.
     findings : tuple of Finding
-        What there is to know.
+        What was noticed.
     """
 
     name: str
@@ -96,7 +96,7 @@ def inspect_cad(
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
 ) -> Inspection:
-    """Say what a CAD file holds; the arguments are those of `read_cad`, which names the same things the same way.
+    """Say what a CAD file holds; arguments and names are those of `read_cad`.
 
     Examples
     --------

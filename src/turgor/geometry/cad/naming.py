@@ -1,4 +1,4 @@
-"""Naming: which face of a CAD part is called what, and what there is to say about its cavities."""
+"""Naming: the names of the faces of a CAD part, and findings about its cavities."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -32,7 +32,7 @@ class Naming:
     cavities : dict of str to Hollow
         Cavities by name, measured; of the modeled part.
     findings : tuple of Finding
-        What there is to know about them.
+        What was noticed about them.
     """
 
     names: tuple[str, ...]

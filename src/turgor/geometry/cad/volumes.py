@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 #: Parabolas along each edge of a rim: a circle is then off by 1e-6 of its area.
 PIECES = 48
 
-#: The facets miss less than this share of a volume; an exact one further away is not trusted.
+#: The facets miss less than this share of a volume. An exact volume that differs by more is not used.
 FACETS_MISS = 0.1
 
 
@@ -25,7 +25,7 @@ def measured(hollow: Hollow, facets: Facets, faces: Sequence[Any], mirrors: Sequ
     Parameters
     ----------
     hollow : Hollow
-        Its faces; volume and openings are found anew.
+        Its faces; volume and openings are computed again.
     facets : Facets
         Surface of the part.
     faces : sequence of CAD faces

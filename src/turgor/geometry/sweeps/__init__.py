@@ -1,1 +1,1 @@
-"""Families told as sweeps, for meshes of hexahedra."""
+"""Actuator families described as sweeps, for meshes of hexahedra."""

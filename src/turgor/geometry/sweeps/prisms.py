@@ -8,7 +8,7 @@ from turgor.geometry.sweep import FaceName, Interface, Part, Sweep, layers_of
 
 
 def layout_sweep(pieces: Sequence[Prism], air: Sequence[Prism], names: Sequence[FaceName]) -> Sweep:
-    """Tell a layout as layers along x.
+    """Describe a layout as layers along x.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def bellows_sweep(row: "BellowsRow") -> Sweep | None:
-    """Tell a row of bellows as layers along y; None if it has an inlet, which is round along x.
+    """Describe a row of bellows as layers along y; None if it has an inlet, which is round along x.
 
     Examples
     --------

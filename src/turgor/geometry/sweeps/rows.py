@@ -83,7 +83,7 @@ def mirrored(blocks: Sequence[Block], cavity: str) -> list[Block]:
 
 
 def row_sweep(row: "ChamberRow", blocks: Sequence[Block], layer: float | None) -> Sweep | None:
-    """Tell the blocks of a row as a sweep.
+    """Describe the blocks of a row as a sweep.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def row_sweep(row: "ChamberRow", blocks: Sequence[Block], layer: float | None) -
 
 
 def block_sweep(block: "ChamberBlock") -> Sweep | None:
-    """Tell a block with chambers as layers along z; None if it has an inlet, which is round along x.
+    """Describe a block with chambers as layers along z; None if it has an inlet, which is round along x.
 
     Examples
     --------

@@ -98,13 +98,14 @@ def dimensions(actuator: Any) -> dict[str, Any]:
 def _mesh(job: Job) -> dict[str, Any]:
     if isinstance(job.actuator, MeshFile):
         return {}
-    faces = {name: format_quantity(size, "mm") for name, size in job.mesh.face_sizes.items()}
+    mesh = job.mesh_settings
+    assert mesh.size is not None  # chosen where it was not given
     return {
-        "size": format_quantity(job.mesh_size, "mm"),
-        "grading": job.mesh.grading,
-        "face_sizes": faces,
-        "wall_cells": job.mesh.wall_cells,
-        "cells": job.mesh.cells,
+        "size": format_quantity(mesh.size, "mm"),
+        "grading": mesh.grading,
+        "face_sizes": {name: format_quantity(size, "mm") for name, size in mesh.face_sizes.items()},
+        "wall_cells": mesh.wall_cells,
+        "cells": mesh.cells,
         **_target(job),
     }
 

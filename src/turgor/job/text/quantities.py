@@ -90,15 +90,16 @@ class MeshTable(Table):
     grading: float = _MESH.grading
     face_sizes: dict[str, Length] = {}
     wall_cells: int = _MESH.wall_cells
-    cells: str = _MESH.cells
+    cells: str | None = _MESH.cells
     target: Share | None = None
     target_measure: Annotated[str, AfterValidator(_measure)] | None = None
     most_unknowns: int = 200_000
 
-    def settings(self, size: float) -> MeshSettings:
-        """Return how to mesh with a size that was chosen [m]."""
+    @property
+    def settings(self) -> MeshSettings:
+        """How to mesh."""
         return MeshSettings(
-            size=size,
+            size=self.size,
             grading=self.grading,
             face_sizes=self.face_sizes,
             wall_cells=self.wall_cells,

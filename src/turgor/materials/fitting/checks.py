@@ -7,7 +7,8 @@ from turgor.finding import Finding, Severity
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.material import Material
 
-#: Largest stretch at which the laws of low order describe rubber well: strains of 50 % and 200 %, review section 3.2.
+#: Largest stretch at which the laws of low order describe rubber well: strains of 50 % and 200 % (Xavier, Fleming and
+#: Yong 2021, section 3.2).
 LARGEST_STRETCH = {"NeoHooke": 1.5, "MooneyRivlin": 3.0}
 
 #: A range counts as left when it is passed by more than this share; digitized ends are not sharp.

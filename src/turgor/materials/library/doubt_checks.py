@@ -144,7 +144,10 @@ def _far_from_supplier(case: Case) -> Iterator[Doubt]:
 
 
 def _convention(case: Case) -> Iterator[Doubt]:
-    """The review prints Ogden's law as Σ μ/α (…) beside constants for Abaqus's Σ 2 μ/α² (…)."""
+    """Compare both conventions of Ogden's law.
+
+    Xavier, Fleming and Yong 2021 print Σ μ/α (…) beside constants for Abaqus's Σ 2 μ/α² (…).
+    """
     record = case.record
     if record.law != "ogden" or not record.quoted_in:
         return

@@ -72,9 +72,9 @@ class Record:
     cited_by : tuple of str
         Further publications that use the same constants.
     references : tuple of int
-        Numbers of source and further publications in the review's list.
+        Numbers of source and further publications in the reference list of Xavier, Fleming and Yong 2021.
     quoted_in : str
-        Table of the review that prints the record.
+        Table of that paper that prints the record.
     supplier : Supplier or None
         What the maker states about the material.
     stated_doubts : tuple of str

@@ -87,7 +87,7 @@ def read_records(path: str | Path) -> tuple[Record, ...]:
 
 
 def references() -> Mapping[int, str]:
-    """Return the references of the review that the library cites, by their number there.
+    """Return the references of Xavier, Fleming and Yong 2021 that the library cites, by their number there.
 
     Examples
     --------

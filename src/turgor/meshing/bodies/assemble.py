@@ -1,4 +1,4 @@
-"""Bring what the mesh generator returns into the order and orientation that `Mesh` promises."""
+"""Bring the arrays of the mesh generator into the order and orientation of a `Mesh`."""
 
 from dataclasses import dataclass
 from itertools import permutations
@@ -63,7 +63,7 @@ def _turned(points: NDArray[np.float64], cells: Ints) -> Ints:
 
 
 def assemble(raw: Raw, geometry: Geometry) -> Mesh:
-    """Bring the arrays into the order and orientation that `Mesh` promises."""
+    """Bring the arrays into the order and orientation of a `Mesh`."""
     if not len(raw.cells):
         raise TurgorError(f"'{geometry.name}' could not be meshed: the generator made no cells; try another size.")
     order = _mid_side_order(raw.points, raw.cells)

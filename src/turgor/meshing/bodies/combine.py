@@ -1,4 +1,4 @@
-"""Several bodies in one mesh: their names, their mirror planes, and what cannot be put together."""
+"""Several bodies in one mesh: their names, their mirror planes, and the meshes that cannot be put together."""
 
 import re
 from collections.abc import Mapping
@@ -21,9 +21,9 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
     """Put several meshes into one, so that they can touch each other in one model.
 
     The name of its body is added to the name of every region and face: the cavity of ``upper`` becomes
-    ``cavity_upper``, its region ``body`` becomes ``body_upper``. Mirror planes keep their names, because all
-    bodies share them: each is cut there, or lies wholly on the modeled side and has a twin on the other, which
-    volumes and forces of the whole count too.
+    ``cavity_upper``, its region ``body`` becomes ``body_upper``. Mirror planes keep their names, because all bodies
+    share them: each is cut there, or lies wholly on the modeled side and has a mirror image on the other, which volumes
+    and forces of the whole actuator include.
 
     Parameters
     ----------

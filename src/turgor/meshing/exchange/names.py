@@ -38,7 +38,7 @@ class Wishes:
 
 
 def name_regions(raw: RawMesh, solids: Solids, wishes: Wishes) -> tuple[dict[str, Ints], list[Finding]]:
-    """Give every cell one region.
+    """Assign one region to every cell.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def name_regions(raw: RawMesh, solids: Solids, wishes: Wishes) -> tuple[dict[str
 
 
 def _regions_of_file(raw: RawMesh, solids: Solids) -> tuple[dict[str, Ints], list[Finding]]:
-    """Groups of cells that do not overlap: those with a material, else all but the ones that hold everything."""
+    """Groups of cells that do not overlap: those with a material, otherwise all except groups of all cells."""
     if not raw.named or not solids.groups:
         return {}, []
     found = {name: solids.groups[name] for name in raw.sections if name in solids.groups}
@@ -179,7 +179,7 @@ def faces_of_file(raw: RawMesh, solids: Solids, sides: Sides) -> dict[str, Ints]
 
 
 def _name_rest(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> list[Finding]:
-    """Split what has no name yet into parts: closed inner ones are cavities, all others are outside."""
+    """Name the boundary that has no name: closed inner surfaces become cavities, the rest becomes ``outside``."""
     free = np.setdiff1d(np.flatnonzero(sides.outer), np.concatenate([np.zeros(0, dtype=np.int64), *faces.values()]))
     parts = components(sides, free)
     inner = [rows for rows in parts if is_cavity(sides, rows, mirrors)]

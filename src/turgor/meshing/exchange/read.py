@@ -30,7 +30,7 @@ READERS: Mapping[str, Callable[[Path], RawMesh]] = {
     ".vtu": read_vtu,
 }
 
-#: Longest side of an actuator that is believed; what is longer or shorter has the wrong unit.
+#: Range of the longest side of an actuator; outside it the unit is wrong.
 SMALLEST_EXTENT, LARGEST_EXTENT = 1e-3, 2.0
 
 #: Boundary sides that meet at an angle in this range show a curved surface made of flat pieces.
@@ -53,7 +53,7 @@ def read_mesh(
 
     Physical groups, sets and surfaces of the file become regions and faces. What has no name is named by its shape:
     closed inner surfaces are cavities, the rest is ``outside``. Cells of first order become quadratic with straight
-    edges. What was mended or guessed stands in ``findings`` of the mesh.
+    edges. The ``findings`` of the mesh say what was repaired or guessed.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def read_mesh(
 
 
 def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
-    """Judge, mend and name what a file holds.
+    """Check, repair and name the content of a file.
 
     Parameters
     ----------

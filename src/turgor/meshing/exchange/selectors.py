@@ -1,4 +1,4 @@
-"""The selectors of CAD files (`turgor.geometry.cad.selectors`), meant for the sides and cells of a mesh."""
+"""Selectors for the sides and cells of a mesh: those of CAD files (`turgor.geometry.cad.selectors`)."""
 
 from collections.abc import Sequence
 from typing import TypeAlias
@@ -16,7 +16,7 @@ Mask = NDArray[np.bool_]
 #: What `read_mesh` takes for a name: a name in the file, a selector, or several selectors that must all hold.
 Choice: TypeAlias = str | Selector | Sequence[Selector]
 
-#: Sides that share an edge go on from each other when their normals differ by less than 20°.
+#: Sides that share an edge continue each other when their normals differ by less than 20°.
 GOES_ON = 0.94
 
 #: What programs leave between things that touch [m].
@@ -50,10 +50,10 @@ def parts_of(choice: Choice) -> tuple[str | None, tuple[Selector, ...]]:
 
 
 def picked_sides(selectors: Sequence[Selector], sides: Sides, rows: Ints) -> Ints:
-    """Find the sides that all selectors mean.
+    """Find the sides to which all selectors apply.
 
-    A box means the sides wholly in it; a normal the plane sides that look there and lie furthest out; a point the side
-    nearest to it with what goes on from it smoothly.
+    A box picks the sides wholly in it; a normal the plane sides that look in its direction and lie furthest out; a
+    point the side nearest to it and all sides that continue it smoothly.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def _side_mask(selector: Selector, sides: Sides, rows: Ints) -> Mask:
 
 
 def _smooth_part(sides: Sides, rows: Ints, normals: Array, start: int) -> Mask:
-    """The sides that go on from one over smooth edges."""
+    """The sides that continue one side over smooth edges."""
     pairs = np.array(sides.kind.side.edges)
     edges = np.sort(sides.nodes[rows][:, pairs], axis=2).reshape(-1, 2)
     owner = np.repeat(np.arange(len(rows)), len(pairs))

@@ -1,4 +1,4 @@
-"""From the solid cells of a file to the cells of a `Mesh`: one kind, quadratic, mended and turned the right way."""
+"""Turn the solid cells of a file into the cells of a `Mesh`: one kind, quadratic, repaired, with positive volume."""
 
 from dataclasses import dataclass, field
 
@@ -30,7 +30,7 @@ _HEXAHEDRON_FRAMES = (
 
 @dataclass(slots=True, kw_only=True, eq=False)
 class Solids:
-    """Cells on their way into a mesh.
+    """Cells of a file before they become a mesh.
 
     Parameters
     ----------
@@ -41,9 +41,9 @@ class Solids:
     renumbered : (N,) int array
         Row of ``points`` of each node of the file, -1 for nodes that are gone.
     done : list of str
-        What was mended, one clause each.
+        What was repaired, one clause each.
     overlapping : int array
-        Cells that lie partly in their neighbors, although none is turned inside out.
+        Cells that overlap their neighbors, although none is inverted.
     """
 
     points: Array
@@ -188,7 +188,7 @@ def side_numbers(sides: Ints, corners: int) -> Ints:
 
 
 def _turn(solids: Solids, raw: RawMesh) -> None:
-    """Turn cells that are written mirrored; refuse those that lie turned over between their neighbors."""
+    """Turn cells that are written in mirrored order; refuse cells that are inverted relative to their neighbors."""
     low, high = _corner_jacobians(solids)
     mirrored, mixed = high < 0, (low <= 0) & (high >= 0)
     if mixed.any():
@@ -262,5 +262,5 @@ def _number_vertices_first(solids: Solids) -> None:
     number = np.full(len(solids.points), -1, dtype=np.int64)
     number[order] = np.arange(len(order))
     solids.cells, solids.points = number[solids.cells], solids.points[order]
-    gone = np.append(number, -1)  # the last place answers for nodes that were gone already
+    gone = np.append(number, -1)  # the last place stands for nodes that were removed already
     solids.renumbered = gone[solids.renumbered]

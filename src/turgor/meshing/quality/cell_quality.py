@@ -1,4 +1,4 @@
-"""How good the cells are: the Jacobian of the curved cells, their shape, their size."""
+"""Quality of the cells: the Jacobian of the curved cells, their shape, their size."""
 
 from dataclasses import dataclass
 from itertools import product
@@ -27,7 +27,7 @@ class MeshQuality:
     Parameters
     ----------
     cells, points, vertices, unknowns : int
-        Counts; unknowns are displacement components and mean stresses before supports.
+        Counts; unknowns are the degrees of freedom: displacement components and mean stresses before supports.
     inverted : int
         Cells whose Jacobian is not positive everywhere; none in a mesh that can be solved.
     min_jacobian_ratio : float [-]
@@ -166,7 +166,7 @@ def jacobian_ratios(mesh: Mesh) -> Array:
 
 
 def refuse_inverted(mesh: Mesh) -> None:
-    """Refuse a mesh with a cell that is turned inside out somewhere, because nothing can be solved on it.
+    """Refuse a mesh with an inverted cell, because nothing can be solved on it.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ STEEP = 0.2
 def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
     """Look for walls with fewer than two cells through them (G01) and for faces that do not fit the mesh (G02 to G04).
 
-    What was noticed while the mesh was made (G08: mended cells) comes first.
+    Findings from the making of the mesh (G08: repaired cells) come first.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
     Returns
     -------
     tuple of Finding
-        Empty when there is nothing to doubt.
+        Empty when nothing was noticed.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Which walls face each other through air, found by looking along the outward normals."""
+"""Find walls that face each other across a gap, by rays along the outward normals."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -94,7 +94,7 @@ def _ray_distances(origin: Array, direction: Array, corners: Array) -> Array:
 
 
 def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
-    """Group triangles that see an opposed triangle into walls, and list which walls see each other.
+    """Group triangles that face an opposed triangle into walls, and list which walls face each other.
 
     Parameters
     ----------

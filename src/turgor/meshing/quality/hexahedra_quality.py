@@ -1,4 +1,4 @@
-"""How good hexahedra are: the Jacobian of the curved cells, their volume, their shape."""
+"""Quality of hexahedra: the Jacobian of the curved cells, their volume, their shape."""
 
 from functools import cache
 from itertools import product

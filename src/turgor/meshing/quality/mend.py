@@ -1,4 +1,4 @@
-"""Mend curved cells that are inside out or nearly so: straighten their edges as little as it takes."""
+"""Repair curved cells that are inverted or nearly so: straighten their edges as little as possible."""
 
 from dataclasses import replace
 
@@ -14,11 +14,11 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Below this ratio of smallest to largest Jacobian a curved cell counts as nearly inside out: it would turn over soon
-#: when the actuator deforms. Cells of the generator at fillets as small as the mesh size have 0.15 and more.
+#: Below this ratio of smallest to largest Jacobian a curved cell counts as nearly inverted: it would invert soon when
+#: the actuator deforms. Cells of the generator at fillets as small as the mesh size have 0.15 and more.
 LEAST_JACOBIAN_RATIO = 0.1
 
-#: Each round takes half of what curves the edges of a bad cell away; what is left after this many is taken whole.
+#: Each round halves the curvature of the edges of a bad cell; after this many rounds they are made straight.
 HALVINGS = 4
 
 #: Missing the surface by more than this share of the mean edge is a warning, below it a note.
@@ -26,7 +26,7 @@ NOTABLE_MISS = 0.1
 
 
 def mended(mesh: Mesh) -> Mesh:
-    """Straighten the edges of curved cells that are inside out or nearly so, where straight ones are not.
+    """Straighten the edges of curved cells that are inverted or nearly so, where straight edges help.
 
     The mid-side nodes of a bad cell move half of the way to the straight middle, again and again while it is bad;
     so the curved surface is missed there and nowhere else. A finding (G08) says by how much.
@@ -75,7 +75,7 @@ def mended(mesh: Mesh) -> Mesh:
 
 
 def _bad(mesh: Mesh) -> Ints:
-    """Cells whose Jacobian is nowhere near constant: turned over somewhere, or nearly."""
+    """Cells whose Jacobian varies too much: inverted somewhere, or nearly."""
     low, high = jacobian_range(mesh)
     return np.flatnonzero(low < LEAST_JACOBIAN_RATIO * np.maximum(np.abs(low), np.abs(high)))
 

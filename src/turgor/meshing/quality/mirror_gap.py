@@ -1,4 +1,4 @@
-"""How near walls come to their own mirror image: the distance that they keep from a mirror plane."""
+"""Gap between walls and their own mirror image, from their distance to the mirror plane."""
 
 from dataclasses import dataclass
 from math import inf

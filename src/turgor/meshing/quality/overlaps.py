@@ -33,9 +33,9 @@ QUARTERS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])
 def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     """Find where the surface passes through itself.
 
-    Every edge of the surface is held against the flat triangles around it. Where it sticks through one, the number of
-    times that the surface winds around a place a little below both tells whether two walls fill it; and so it does
-    below places all over the surface of several bodies.
+    Every edge of the surface is tested against the flat triangles around it. Where it crosses one, the winding number
+    of the surface at a place a little below both shows whether two walls fill that place. With several bodies the same
+    test is made below places all over the surface.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How near walls come that face each other through air: the warning before they touch."""
+"""Gap between walls that face each other, for the warning before they touch."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""Smaller sizes at the corners about which thin walls bend: the default answer to what `thin_corners` finds.
+"""Smaller sizes at the corners about which thin walls bend, which `turgor.geometry.thin_corners` finds.
 
 Measured at the default size of twice the wall, error of the angle and unknowns without | with these sizes | with half
 the size everywhere:

@@ -1,4 +1,4 @@
-"""Where walls are too thin for the cells along them: found by looking through the solid, answered by smaller sizes."""
+"""Find walls that are too thin for the cells along them, by rays through the solid, and give them smaller sizes."""
 
 from dataclasses import dataclass
 

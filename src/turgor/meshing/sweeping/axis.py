@@ -1,4 +1,4 @@
-"""Where a turned section reaches its axis: a core of squares instead of cells that collapse."""
+"""Sections that reach the axis about which they are turned: a core of squares replaces collapsed cells."""
 
 from math import pi
 

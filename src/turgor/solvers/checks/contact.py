@@ -1,4 +1,4 @@
-"""Checks of contact: walls that met without any, walls that overlap at rest, contact that gave way too far."""
+"""Checks of contact: walls that met without contact, walls that overlap at rest, contact that penetrates too deep."""
 
 from collections.abc import Iterable, Sequence
 
@@ -18,7 +18,7 @@ from turgor.units import mm, um
 
 
 def check_contact(model: Model) -> tuple[Finding, ...]:
-    """Look for walls that overlap before anything is loaded (B07), where contact should keep them apart.
+    """Find walls that overlap at rest although contact should keep them apart (B07).
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def check_contact(model: Model) -> tuple[Finding, ...]:
 
 
 def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:
-    """Say which contacts gave way further than their tolerance in the last state (B06).
+    """Say which contacts penetrate deeper than their tolerance in the last state (B06).
 
     Parameters
     ----------
@@ -77,10 +77,10 @@ def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:
 
 
 def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
-    """Find the load at which walls first met that no contact stops (B02); results beyond it are not physical.
+    """Find the load at which walls without contact first met (B02); results beyond it are not physical.
 
-    Looked at are the outer walls, and the walls of each cavity that is pressed together, against each other and
-    against their mirror images. 20-node hexahedra, which serve comparisons with other codes, are not watched.
+    The check compares the outer walls, and the walls of each cavity that is pressed together, with each other and with
+    their mirror images. 20-node hexahedra, which serve comparisons with other codes, are left out.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def _unguarded(model: Model) -> tuple[str | None, ...]:
 
 
 def _first_contact(states: Sequence[State], measured: Iterable[float]) -> float | None:
-    """Load factor at which a gap was first closed, measured no further than that; None where it never was."""
+    """Load factor at which a gap first closed; None where none did. States beyond it are not measured."""
     gaps: list[float] = []
     for gap in measured:
         gaps.append(gap)

@@ -1,4 +1,4 @@
-"""Distortion: where cells have been deformed so far that the path depends on the mesh rather than on the body."""
+"""Distortion: find cells so deformed that the path depends on the mesh rather than on the body."""
 
 import numpy as np
 
@@ -37,7 +37,7 @@ def worst_volume(state: State) -> tuple[float, tuple[float, float, float]] | Non
 
 
 def distortion_text(state: State) -> str:
-    """Say where a cell has lost its shape so far that its mesh is to blame; empty where none has.
+    """Say which cell is so distorted that the mesh is too coarse for it; empty where none is.
 
     Parameters
     ----------

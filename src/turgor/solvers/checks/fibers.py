@@ -1,4 +1,4 @@
-"""Checks of windings: whether they fit their faces, and what is to be doubted about them."""
+"""Checks of windings: whether they fit their faces, and findings about them."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from turgor.units import mm
 
 
 def check_fibers(model: Model) -> tuple[Finding, ...]:
-    """Refuse windings that do not fit their faces, and say what is doubtful about the others (B04, B05).
+    """Refuse windings that do not fit their faces, and return findings about the others (B04, B05).
 
     Raises
     ------
@@ -30,7 +30,7 @@ def check_fibers(model: Model) -> tuple[Finding, ...]:
 
 
 def _resisting(fibers: Fibers) -> list[Finding]:
-    """Threads that are no threads: stiff where they are pushed or bent (B04)."""
+    """Threads that resist compression or bending (B04)."""
     what = []
     if fibers.compression > 0:
         share = "all" if fibers.compression == 1 else f"{100 * fibers.compression:.3g} %"

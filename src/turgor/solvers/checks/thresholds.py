@@ -7,7 +7,7 @@ PENETRATION_ROUND_OFF = 1e-6
 
 # --- distortion
 
-#: Rubber keeps its volume. A mesh keeps it on average; where a point of a cell has less than this share of its volume
+#: Rubber keeps its volume, a mesh keeps it on average. Where a point of a cell has less than this share of its volume
 #: left, or the inverse of it, the cell bends in a way that the rubber cannot.
 KEPT_VOLUME = 0.5
 
@@ -26,8 +26,8 @@ OBSTACLE_TOUCHING = 1e-4
 
 # --- time steps
 
-#: A term is followed badly by steps longer than the first of these shares of its time. Terms much faster than the
-#: steps, beyond the second, are nearly relaxed all the time, and no harm is done.
+#: Steps longer than the first of these shares of a relaxation time are inaccurate. Terms much faster than the steps,
+#: beyond the second, are always nearly relaxed and do no harm.
 LONG_RELAXATION_STEP, FAST_RELAXATION = 0.6, 20.0
 
 #: A step in which no node moves by more than this share of the largest displacement counts as a hold, which is exact.

@@ -1,4 +1,4 @@
-"""Check of a path over time: steps that are long against the times in which the rubber relaxes."""
+"""Check of the steps in time: whether they are long compared with the relaxation times of the rubber."""
 
 from collections.abc import Sequence
 from itertools import pairwise

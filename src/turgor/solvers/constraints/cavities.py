@@ -1,4 +1,4 @@
-"""Constraints by cavities: their pressures are sought, their volumes or amounts of gas are given."""
+"""Constraints by cavities: their pressures are unknown, their volumes or amounts of gas are given."""
 
 from dataclasses import dataclass, replace
 
@@ -48,10 +48,10 @@ class CavityPressures:
         return np.array([-self.system.joined(force) for force in forces])
 
     def unstable(self, modes: int | None, stiffness: Array) -> int | None:
-        """Fewer than at given pressures: those along which a volume or an amount of gas would change are held.
+        """Unstable modes at given volumes or amounts of gas, fewer than at given pressures.
 
-        The number of negative pivots of the bordered matrix follows from those of both parts (Haynsworth): a cavity
-        that loses pressure as it grows takes one off.
+        The number of negative pivots of the bordered matrix is the sum of those of both parts (Haynsworth): a cavity
+        whose pressure falls as it grows takes one unstable mode off.
         """
         return None if modes is None else modes - int((np.linalg.eigvals(stiffness).real < 0).sum())
 

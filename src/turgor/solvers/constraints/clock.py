@@ -1,4 +1,4 @@
-"""Clock: how much time a path takes whose parameter is the share of a duration."""
+"""Clock: turn the parameter of a path into time, for rubber that relaxes."""
 
 from dataclasses import dataclass, replace
 from math import inf
@@ -8,7 +8,7 @@ from turgor.engine.system import System
 
 @dataclass(frozen=True, slots=True)
 class Clock:
-    """When a path is where, and since when the rubber has changed.
+    """The time at each parameter of a path, and where the present step began.
 
     Parameters
     ----------

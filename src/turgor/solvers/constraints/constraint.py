@@ -1,7 +1,7 @@
-"""Constraints: what drives a path, as equations beside those of equilibrium; load control has none.
+"""Constraints: scalar unknowns beside the displacements, and as many conditions that determine them.
 
-Each adds a few scalars, such as the pressures in cavities, to the unknowns, and as many conditions, such as the volumes
-of these cavities. Both may depend on a parameter that orders the states of the path.
+The scalars are the pressures of cavities or the load factor, the conditions are volumes, amounts of gas or an arc
+length. Both may depend on a parameter that orders the states of the path. Load control has neither.
 """
 
 from dataclasses import dataclass, field
@@ -31,7 +31,7 @@ class Conditions:
 
 
 class Sought(Protocol):
-    """Scalars that are sought beside the unknowns."""
+    """Scalar unknowns beside the displacements and mean stresses."""
 
     @property
     def system(self) -> System:
@@ -82,7 +82,7 @@ class Place(Protocol):
 
 
 class Target(Protocol):
-    """Conditions that find the scalars."""
+    """Conditions that determine the scalars."""
 
     def conditions(self, unknowns: Array, parameter: float, scalars: Array) -> Conditions:
         """The conditions at a parameter."""
@@ -93,12 +93,12 @@ class Target(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Constraint:
-    """What is sought, what it must fulfill, and how long it takes."""
+    """Scalar unknowns, their conditions, and the time that the path takes."""
 
     sought: Sought
     target: Target
     clock: Clock = field(default_factory=Clock)
 
     def onward(self, last: Place, now: Place) -> "Constraint":
-        """The control beyond a state that was found after another one."""
+        """The constraint for the step beyond a state that was found after another one."""
         return Constraint(self.sought, self.target.onward(last, now), self.clock.onward(now.parameter))

@@ -83,7 +83,7 @@ class WorkTarget:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ArcTarget:
-    """The path has a length from its last state on, counted along its direction there (pseudo arc length).
+    """The step has a given length along the tangent of the path at its last state (pseudo arc length).
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Branch jump: find steps of load control that may have gone past a limit point without meeting it."""
+"""Branch jump: find steps of load control that may have jumped past a limit point to another branch."""
 
 from collections.abc import Sequence
 

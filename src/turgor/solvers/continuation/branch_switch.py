@@ -1,4 +1,4 @@
-"""Branch switch: what `Auto` does before, at and beyond a limit point."""
+"""Branch switch: how `Auto` goes from load control to a volume or an arc length at a limit point."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
@@ -55,9 +55,9 @@ def load_steps(procedure: Auto) -> Static:
 
 @dataclass(slots=True, eq=False)
 class Watch:
-    """Looks at every state of load control, and ends it at the first that is unstable or lies beyond a branch jump.
+    """Ends load control at the first state that is unstable or lies beyond a branch jump.
 
-    The last state before it is kept with what contact knew there: another constraint goes on from it.
+    The last state before it is kept with the history of contact there: another constraint goes on from it.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class Watch:
     history : sequence of Point
         The last points of load control.
     good : Restart or None
-        The last state without fault; None where there was none but rest.
+        The last good state; None where there was none but rest.
     rate : float
         How far its nodes move with the load factor.
     reason : Reason or None
@@ -81,7 +81,7 @@ class Watch:
 
     @staticmethod
     def at_rest(problem: Problem, history: Sequence[Point]) -> "Watch":
-        """Know how the body moves for a small load, so that a branch jump in the first step shows, too."""
+        """Compute how the body moves for a small load, so that a branch jump in the first step is found, too."""
         at = problem.system.evaluate(start_of(problem), 0.0)
         assert at is not None
         return Watch(problem, history, rate=rate_at(problem.system, problem.tangent, at)[0])
@@ -114,7 +114,7 @@ class Watch:
 
 
 def follow_auto(problem: Problem, procedure: Auto) -> Outcome:
-    """Follow the path by the load, and past limit points by what can drive there."""
+    """Follow the path under load control, and past limit points by volume or arc length."""
     check_proportional(problem.system.model, "procedure auto")
     check_still(problem.system, "procedure auto")
     history: list[Point] = []
@@ -129,7 +129,7 @@ def lost(outcome: Outcome, watch: Watch) -> bool:
 
 
 def continue_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
-    """Go on from the last good state of load control with what can drive past a limit point."""
+    """Go on from the last good state of load control by volume or arc length."""
     system = problem.system
     if watch.reason is not None:
         problem.states.pop()

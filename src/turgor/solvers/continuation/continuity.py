@@ -1,11 +1,12 @@
-"""Continuity: whether two points of an arc lie on one piece of the path, or one bifurcation apart.
+"""Continuity: decide whether both ends of an arc-length step lie on the same path.
 
-An arc may leave its path without any failure of Newton's method: where the path turns by more than a right angle within
-a step, the direction found beyond the turn leads back, and near a bifurcation the step may land on another branch.
-Three things tell. The chord of a short step lies along the directions of the path at both ends. The sign of the
-determinant of the bordered tangent is constant along a path but for bifurcations (Allgower and Georg 2003, chapter 8,
-doi 10.1137/1.9780898719154); it is that of the slope of the load factor where an even number of modes is unstable. And
-a bifurcation stays where it is when the step is halved again and again, while a jump stays a jump.
+Newton's method may converge to a point of another path. If the path turns by more than a right angle within a step, the
+direction found beyond the turn leads back; near a bifurcation the step may end on another branch.
+
+Three tests decide. The chord of a short step is nearly parallel to the tangents of the path at both ends. The sign of
+the determinant of the bordered tangent is constant along a path except at bifurcations (Allgower and Georg 2003,
+chapter 8, doi 10.1137/1.9780898719154); it is that of the slope of the load factor if an even number of modes is
+unstable. And if the step is halved again and again, a bifurcation stays at its place, while a jump keeps its length.
 """
 
 from dataclasses import dataclass
@@ -28,14 +29,14 @@ from turgor.solvers.reasons import Cause, Reason
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """Why a step is no piece of the path, None where it is one; and the bifurcations that it passes."""
+    """Why a step leaves the path, None where it does not; and the bifurcations that it passes."""
 
     reason: Reason | None = None
     passed: tuple[Bifurcation, ...] = ()
 
 
 def judged(run: Run, last: Point, now: Point) -> Verdict:
-    """Judge a step along a path whose load factor is sought; others go on in one direction as they are made."""
+    """Judge a step along a path whose load factor is unknown; on other paths the parameter always rises."""
     if not run.size:
         return Verdict()
     straight = straightness(run, last, now)
@@ -88,7 +89,7 @@ def _cuts(run: Run) -> int:
 
 
 def _differ(last: Point, now: Point) -> bool:
-    """Whether one limit point between two points does not explain how they differ."""
+    """Whether two points differ by more than one limit point between them can explain."""
     first, second = orientation(last), orientation(now)
     if first is None or second is None or last.slope is None or now.slope is None:
         return False

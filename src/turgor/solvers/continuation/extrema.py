@@ -44,8 +44,8 @@ def turning_points(before: End, after: End) -> list[float]:
 def extremum_ahead(loads: Sequence[float], sizes: Sequence[float]) -> float | None:
     """Load at which the cubic through the last four states has a maximum; None where it has none just ahead.
 
-    A parabola through the last three where there are no more, or the cubic has none. Near a limit point the load that
-    is missing to it falls with the square of the growth that is missing.
+    With three states, or where the cubic has no maximum, a parabola through the last three takes its place. Near a
+    limit point the distance to its load falls with the square of the distance to its size.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from turgor.solvers.solution import LimitPoint
 def insert_limit_points(run: Run, last: Point, now: Point) -> tuple[Point, Ending | None]:
     """Find the maxima and minima of each scalar between two points, and make them states of the path.
 
-    Where all volumes stay there are none: the pressure turns because other loads do.
+    Where all volumes are constant there are no limit points: the pressure has extrema because other loads do.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Load control: the path of `Static`, and what it does where no step of the load succeeds."""
+"""Load control: follow the path of `Static`, with pseudo-transient continuation where no step succeeds."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -121,7 +121,7 @@ class LoadStrategy:
     relaxations: int = 0
 
     def next_parameter(self, run: Run) -> float:
-        """No farther than supports go about straight."""
+        """The parameter to try next, limited so that supports move nearly straight within the step."""
         now = run.history[-1].parameter
         load = run.stepping.next_load(now)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
@@ -136,7 +136,7 @@ class LoadStrategy:
         return predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
-        """Reject what may lie on another path, unless the step cannot be any shorter."""
+        """Reject a state that may lie on another path, unless the step cannot be shorter."""
         system, now, why, rate = run.task.system, run.history[-1].parameter, None, inf
         if result.converged and result.evaluation is not None:
             rate = rate_in_step(system, run.task.tangent, result.evaluation.unknowns, now, parameter)
@@ -150,7 +150,7 @@ class LoadStrategy:
         return Judgment(point, result.reason)
 
     def rescue(self, run: Run) -> Outcome | None:
-        """Where no step succeeds, let the body move against viscous forces; say how the run ends if that fails too."""
+        """Try pseudo-transient continuation where no step succeeds; say how the run ends if that fails too."""
         ending = stuck(run.task.system.model, run.states, run.steps, self.lost_stability)
         if not self.patient or self.relaxations >= RELAXATIONS or ending.status is not Status.STEP_TOO_SMALL:
             return ending
@@ -165,7 +165,7 @@ class LoadStrategy:
         return ending
 
     def accepted(self, run: Run, now: Point) -> None:
-        """Take long steps again where they were cut only to see where stability is lost."""
+        """Take long steps again after steps that were cut only to locate the loss of stability."""
         if now.state.unstable_modes and not run.states[-2].unstable_modes:
             run.stepping = run.stepping.resumed(run.task.procedure.first_step)
 
@@ -193,7 +193,7 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
 
 
 def _reach(run: Run, share: float) -> float:
-    """Load factor to which a body moves against viscous forces: a share of the steps taken before it got hard."""
+    """Load factor for pseudo-transient continuation: a share of the steps taken before they were cut."""
     factors = [point.parameter for point in run.history]
     taken = max((b - a for a, b in pairwise(factors)), default=RELAXATION_REACH)
     now = factors[-1]

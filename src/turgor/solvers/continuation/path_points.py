@@ -1,4 +1,4 @@
-"""Path points: equilibria on a path, how they are found, and what a run along the path holds."""
+"""Path points: the equilibria of a path, and the data of a run along it."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Point:
-    """An equilibrium on the path, and how it goes on from there.
+    """An equilibrium on the path, with the rates of the path there.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ class Bifurcation:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Judgment:
-    """What became of a step.
+    """Whether a step is accepted, and why.
 
     Parameters
     ----------
@@ -102,13 +102,13 @@ class Strategy(Protocol):
         """Whether a result is the next point of the path."""
 
     def rescue(self, run: "Run") -> Outcome | None:
-        """What follows a step that cannot be cut any more: how the run ends, or None where another way was found."""
+        """What to do when a step cannot be cut any more: how the run ends, or None where another state was found."""
 
     def accepted(self, run: "Run", now: Point) -> None:
         """Adapt the step control beyond an accepted step."""
 
     def turn(self, run: "Run", now: Point) -> None:
-        """Begin anew at a kink, beyond which the path goes another way and its past predicts nothing."""
+        """Start without history at a kink, beyond which former states predict nothing."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,7 +1,7 @@
-"""Path reversal: find out whether a path goes back the way it came once its load has turned.
+"""Path reversal: find out whether a path returns the way it came beyond a maximum of the load.
 
-Where one cell of a coarse mesh collapses, the load turns though the body would bear more, and the equations lead the
-body back to rest with that cell turned over. The path is one of the mesh, not of the body.
+If one cell of a coarse mesh collapses, the load has a maximum although the body would bear more. The path then leads
+back to rest with that cell inverted. It is an artifact of the mesh.
 """
 
 import numpy as np

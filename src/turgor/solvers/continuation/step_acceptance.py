@@ -1,4 +1,4 @@
-"""Step acceptance: reject an equilibrium that may lie on another path, and shorten steps of turning supports."""
+"""Step acceptance: reject an equilibrium that may lie on another path, and shorten steps of rotating supports."""
 
 from collections.abc import Sequence
 from math import inf
@@ -16,9 +16,9 @@ from turgor.solvers.solution import State
 
 
 def turns_aside(system: System, before: float, after: float) -> bool:
-    """Whether supports go a round way between two load factors, which a single step would cut short.
+    """Whether supports move on a curve between two load factors, so that one step is too long.
 
-    A face turned by 300° in one step would go back by 60°.
+    A face that turns by 300° ends at the same place as one that turns back by 60°; one step would take the shorter way.
     """
     start, middle, end = (system.prescribed(factor) for factor in (before, 0.5 * (before + after), after))
     aside = np.linalg.norm(middle - 0.5 * (start + end))
@@ -32,11 +32,11 @@ def why_rejected(
     result: NewtonResult,
     rates: tuple[float, float] = (inf, inf),
 ) -> Reason | None:
-    """Say why an equilibrium may be another than the next one of a path; None where it is not in doubt.
+    """Say why an equilibrium may not be the next one of the path; None where nothing speaks against it.
 
-    ``rates`` say how far the nodes move with the load factor before the step and at its end. A shorter step dispels the
-    doubt or shows what is the matter: a body that buckles bends before it is unstable, and one that jumps has no
-    equilibrium on the way.
+    ``rates`` say how far the nodes move with the load factor before the step and at its end. A shorter step either
+    confirms the state or shows what happens: a body that buckles bends before it is unstable, and one that jumps has no
+    equilibrium in between.
     """
     at = result.evaluation
     assert at is not None

@@ -1,4 +1,4 @@
-"""Step control: how far the next step goes. It knows load factors and iteration counts, nothing else."""
+"""Step control: choose the length of the next step from load factors and numbers of iterations alone."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -66,7 +66,7 @@ class StepControl:
         return replace(self, length=min(self.max_step, reference * factor), patience=self.patience + 1)
 
     def turned(self, first_step: float) -> "StepControl":
-        """Start anew after a kink in a load history, where what was learned of the path no longer holds.
+        """Start again with short steps after a kink in a load history.
 
         Examples
         --------
@@ -77,7 +77,7 @@ class StepControl:
         return replace(self, length=min(self.length, first_step))
 
     def resumed(self, first_step: float) -> "StepControl":
-        """Take steps as at the start, where they were cut only to see where stability is lost.
+        """Take steps as at the start after cuts that only served to locate the loss of stability.
 
         Examples
         --------

@@ -1,7 +1,7 @@
-"""Tangent response: how far a body moves for a small change of its load, and which steps moved it farther.
+"""Tangent response: compare how far a step moves a body with what the tangents at its ends predict.
 
-A step along a path moves a body by as much as the rates at its ends say, within a factor. A step that has left the
-path, past a limit point that it never met, moves it by much more.
+A step along a path moves a body about as far as the rates at its ends say. A step that has jumped to another branch,
+past a limit point, moves it much farther.
 """
 
 from math import inf
@@ -26,8 +26,8 @@ def load_response(system: System, tangent: Tangent, unknowns: Array, before: flo
 def rate_at(system: System, tangent: Tangent, at: Evaluation) -> tuple[float, int | None]:
     """How far the nodes move with the load factor at a state, infinite at a singular tangent, and its unstable modes.
 
-    The tangent is factored anew: Newton's method may have ended with factors of the state before, whose count of
-    unstable modes is that of the state before too.
+    The tangent is factored again, because Newton's method may have ended with the factors, and so with the count of
+    unstable modes, of the state before.
     """
     try:
         tangent.factor(at)

@@ -7,11 +7,11 @@ SCALE_GROWTH = 4.0
 
 # --- branch jump
 
-#: A step in which a body moves this many times as much for its load as in the step before may have jumped. On the way
-#: to a limit point steps get shorter, and the factor from one to the next stays at two or three.
+#: A step in which a body moves this many times as much for its load as in the step before may have jumped. Towards a
+#: limit point steps get shorter, and the factor from one to the next stays at two or three.
 JUMP_RATIO = 5.0
 
-#: A body that moves by less than this share of its displacement does not jump.
+#: A step that moves a body by less than this share of its displacement is no jump.
 STILL_SHARE = 1e-2
 
 # --- branch switch
@@ -19,13 +19,13 @@ STILL_SHARE = 1e-2
 #: Longest step by volume, in the injected volume at which it takes over, over the longest step of the load.
 LONGEST_VOLUME_STEP = 4.0
 
-#: First step by volume at most, in the same measure: the load has failed to go on, so something turns ahead.
+#: First step by volume at most, in the same measure: load control has failed, so a limit point is near.
 FIRST_VOLUME_STEP = 0.05
 
 #: Longest arc over the longest step of the load.
 LONGEST_ARC = 2.0
 
-#: Smallest step of load control before `Auto` lets something else drive.
+#: Smallest step of load control before `Auto` prescribes the volume or the arc length instead.
 AUTO_MIN_STEP = 2e-3
 
 # --- cavity control
@@ -38,13 +38,14 @@ NO_VOLUME = 1e-9
 #: The chord of a step has this cosine at least with the directions of the path at both of its ends.
 STRAIGHT_CHORD = 0.8
 
-#: At a corner, as where walls meet, it has not however short the step is: this much will do after so many cuts.
+#: At a corner of the path, as where walls meet, no step is short enough for that: this much suffices after so many
+#: cuts.
 CORNER_CHORD, CORNER_CUTS = 0.4, 4
 
 #: Halvings of the step in which a bifurcation lies, fewest and most, and the share of its load to which it is found.
 FEWEST_HALVINGS, HALVINGS, BIFURCATION_CLOSE = 6, 10, 1e-3
 
-#: The piece that is left is longer than it would be along an even path by less than this factor, or there is a jump.
+#: The remaining step may be longer than along a smooth path by this factor; beyond that it is a jump.
 BIFURCATION_JUMP = 4.0
 
 # --- extrema
@@ -59,11 +60,11 @@ LIMIT_POINT_SOLVES = 8
 
 # --- load control
 
-#: Where no step succeeds, a body may move against viscous forces to its next equilibrium, this often in a run, over at
-#: most this share of the load, and if that fails over a smaller one.
+#: Pseudo-transient continuation is tried this often in a run where no step succeeds, over at most this share of the
+#: load, and if that fails over a smaller one.
 RELAXATIONS, RELAXATION_REACH, SHORTER_RELAXATION_REACH = 20, 0.05, 0.1
 
-#: From a first step of this share of the load on, it is looked at how the body moves for a small load.
+#: If the first step is at least this share of the load, the response to a small load is computed first.
 LONG_FIRST_STEP = 0.2
 
 # --- path reversal
@@ -71,8 +72,8 @@ LONG_FIRST_STEP = 0.2
 #: Share of the largest load below which a path is compared with the way there; nearer to it both are alike.
 REVERSAL_FALLEN = 0.95
 
-#: A path that has gone on is as far from the way there as that is from the turn, or farther; one that goes back is
-#: nearer than this share.
+#: A path that goes on is at least as far from the former path as that is from the turn; a path that returns is nearer
+#: than this share.
 REVERSAL_NEAR = 0.3
 
 # --- predictor
@@ -88,8 +89,8 @@ SHORTENINGS = 3
 
 # --- step acceptance
 
-#: In one step no support leaves the straight way to its next place by more than this share of the way: on a circle it
-#: is a quarter turn that does.
+#: In one step no support leaves the straight line to its next place by more than this share of its length; on a circle
+#: that is a quarter turn.
 SUPPORT_ASIDE = 0.2
 
 # --- step control

@@ -1,4 +1,4 @@
-"""Work of contacts: what moving obstacles do to the body, and what friction takes."""
+"""Work of contacts: the work of moving obstacles on the body, and the energy that friction dissipates."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pushing:
-    """What each part of the contact pushes the body with in a state, and where the path of its obstacle is, scaled.
+    """Force of each part of the contact on the body in a state, and place of its obstacle along its path, scaled.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def pushing(system: System, at: Evaluation) -> Pushing:
 def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
     """Work that moving obstacles and raised contact stiffness do between two states, by the trapezoidal rule [J].
 
-    An obstacle in a spring is in balance, so the agent that moves the spring feels what the obstacle does.
+    An obstacle held by a spring is in equilibrium, so the force that moves the spring equals that of the obstacle.
     """
     work = 0.5 * float(((before.force + now.force) * (now.place - before.place)).sum())
     for part, boost, old, new in zip(system.contact.parts, before.boosts, before.found, now.found, strict=True):
@@ -56,7 +56,7 @@ def work_of_contacts(system: System, before: Pushing, now: Pushing) -> float:
 
 
 def taken_by_friction(system: System, at: Evaluation) -> float:
-    """Energy that friction has taken since the last accepted state [J]."""
+    """Energy that friction has dissipated since the last accepted state [J]."""
     parts, contacts = system.contact.parts, at.contacts
     taken = sum(part.rubbed(contacts.position, found) for part, found in zip(parts, contacts.found, strict=True))
     return float(taken) * system.stress_scale * system.length**3

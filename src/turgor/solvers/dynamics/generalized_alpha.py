@@ -34,9 +34,9 @@ class Weights:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Motion:
-    """Unknowns (size,) with their scaled velocity and acceleration, and the acceleration that the method carries along.
+    """Unknowns (size,) with their scaled velocity, acceleration and algorithmic acceleration (``carried``).
 
-    The carried one belongs to a time ``α_m − α_f`` steps later (``lead`` [s]) than the other.
+    The algorithmic acceleration belongs to a time ``α_m − α_f`` steps later (``lead`` [s]) than the other.
     """
 
     unknowns: Array
@@ -67,7 +67,7 @@ class TimeStep:
 
     @property
     def carried_before(self) -> Array:
-        """The carried acceleration, moved to where a step of this length needs it."""
+        """The algorithmic acceleration at the start, moved to the time at which a step of this length needs it."""
         wanted = (self.weights.alpha_m - self.weights.alpha_f) * self.length
         if not self.before.lead:
             return self.before.carried
@@ -86,7 +86,7 @@ class TimeStep:
         return (1 - w.alpha_m) / ((1 - w.alpha_f) * w.beta * self.length**2)
 
     def carried(self, unknowns: Array) -> Array:
-        """The carried acceleration at the end."""
+        """The algorithmic acceleration at the end."""
         w, b, h = self.weights, self.before, self.length
         known = h * b.velocity + h**2 * (0.5 - w.beta) * self.carried_before
         return self.moving * (unknowns - b.unknowns - known) / (w.beta * h**2)
@@ -109,7 +109,7 @@ class TimeStep:
         return Motion(unknowns, self.velocity(unknowns), self.acceleration(unknowns), self.carried(unknowns), lead)
 
     def prediction(self) -> Array:
-        """Unknowns at the end as velocity and acceleration at the start let expect them."""
+        """Unknowns at the end, extrapolated with velocity and acceleration at the start."""
         b, h = self.before, self.length
         return np.asarray(b.unknowns + h * b.velocity + 0.5 * h**2 * b.acceleration)
 

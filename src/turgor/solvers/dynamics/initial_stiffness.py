@@ -1,4 +1,4 @@
-"""Initial stiffness: how stiff an actuator meets its load, which sets the viscosity of `Stabilized`."""
+"""Initial stiffness: the stiffness of an actuator against its load, which sets the viscosity of `Stabilized`."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,9 @@ Array = NDArray[np.float64]
 
 
 def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Array, free: bool) -> float:
-    """Strain energy over ∫ |u|² dV of the linear answer to the largest load: half the stiffness that meets the load.
+    """Strain energy over ∫ |u|² dV of the linear response to the largest load: half the stiffness against the load.
 
-    A body whose supports leave it free has no such answer; the stiffness of a bar of rubber of its size stands for it.
+    A body with free rigid motions has no such response; the stiffness of a bar of rubber of its size replaces it.
     """
     if free:
         return FREE_STIFFNESS / float(np.ptp(system.points, axis=0).max()) ** 2

@@ -60,7 +60,7 @@ class Modes:
 
     @property
     def unstable(self) -> int:
-        """How many of the modes grow: the state is an equilibrium that would not last."""
+        """How many of the modes grow: an equilibrium with such modes is unstable."""
         return int((self.eigenvalues < 0).sum())
 
     @property

@@ -1,4 +1,4 @@
-"""Motion outcomes: runs with inertia or viscous forces: every way in which they end, with its message and advice."""
+"""Motion outcomes: every way in which runs with inertia or viscous forces end, with its message and advice."""
 
 from collections.abc import Sequence
 
@@ -53,7 +53,7 @@ def came_to_rest(states: Sequence[State], steps: Sequence[Step]) -> Outcome:
 
 
 def no_state(last: State, step: Step, raised: float) -> Outcome:
-    """The step fell below the smallest, however viscous."""
+    """The step fell below the smallest, whatever the viscosity."""
     return Outcome(
         Status.STEP_TOO_SMALL,
         f"No state was found beyond {_load(last)}, even with {raised:g} times the viscosity: {step.reason}.",
@@ -78,7 +78,7 @@ def _load(state: State) -> str:
 
 
 def _taken(states: Sequence[State]) -> str:
-    """What the viscous forces took, and where most of it if it was much."""
+    """Energy that the viscous forces dissipated, and where most of it if it was much."""
     energies = [state.energies for state in states if state.energies is not None]
     last = energies[-1]
     share = last.viscous / last.strain if last.strain > 0 else 0.0

@@ -129,7 +129,7 @@ def _advance(run: _Run) -> Outcome | None:
 
 
 def _turned(run: _Run, control: StepControl) -> StepControl:
-    """Begin with a first step again at a kink of the loads."""
+    """Start again with a first step at a kink of the loads."""
     return control.turned(run.procedure.first_step) if run.at.load_factor in run.kinks else control
 
 
@@ -164,7 +164,7 @@ def _attempt(run: _Run, load: float, length: float) -> NewtonResult:
 
 
 def _start(run: _Run, load: float, length: float) -> Start:
-    """Go on as before, or stay: whichever leaves the smaller residual."""
+    """Start Newton's method from the extrapolated or the last state, whichever has the smaller residual."""
     system, best, smallest = run.system, run.at.unknowns, np.inf
     for trial in (run.at.unknowns + length * run.rate, run.at.unknowns):
         at = system.evaluate(trial, load)
@@ -175,7 +175,7 @@ def _start(run: _Run, load: float, length: float) -> Start:
 
 
 def _too_far(run: _Run, result: NewtonResult) -> bool:
-    """Whether a step jumped so far that its work is not known well; it is then marked as not accepted."""
+    """Whether a step jumped so far that its work is inaccurate; it is then marked as rejected."""
     at, addition = result.evaluation, run.system.addition
     assert at is not None and addition is not None
     after = _energies(run, at, addition.forces(at.unknowns))

@@ -40,7 +40,7 @@ HOLD_GROWTH, HOLDS = 2.0, 80
 
 # --- time step control
 
-#: A step whose error is this many times the accuracy is taken back.
+#: A step whose error is this many times the accuracy is rejected.
 TAKEN_BACK = 2.0
 
 #: Share of the length at which the error is expected to meet the accuracy, and bounds of its change.

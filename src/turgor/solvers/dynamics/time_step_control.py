@@ -67,7 +67,7 @@ class TimeControl:
         return None if shorter < self.min_step else replace(self, length=shorter)
 
     def after(self, length: float, error: float) -> tuple["TimeControl", bool]:
-        """Choose the next length from the relative error of a step, and whether that step is taken back.
+        """Choose the next length from the relative error of a step, and whether that step is rejected.
 
         Examples
         --------

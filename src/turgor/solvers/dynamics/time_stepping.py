@@ -1,7 +1,7 @@
 """Time stepping: the steps of `Dynamic`. Each predicts, finds its end, counts the energies and chooses the next one.
 
-It shares the step loop with the path follower, not the step: the error of a time step is one of the displacement, its
-prediction comes from velocities, and a step that is too long is taken back although Newton's method converged.
+It shares the step loop with the path follower, not the step. The error of a time step is one of the displacement, its
+prediction comes from velocities, and a step that is too long is rejected although Newton's method converged.
 """
 
 from collections.abc import Sequence
@@ -212,7 +212,7 @@ def _equilibrium(run: _Run, rule: TimeStep, load_factor: float) -> NewtonResult:
 
 
 def _prediction(run: _Run, rule: TimeStep, load_factor: float) -> Array:
-    """The motion goes on as before, or stays: where rubber turns from loading to unloading, that may be nearer."""
+    """Extrapolate the motion, or start from the last state, which may be nearer where rubber begins to unload."""
     system, here = run.system, run.motion.unknowns
     predicted = rule.prediction()
     predicted[system.held] = here[system.held]  # Newton moves the supports

@@ -1,11 +1,11 @@
 """Border: solve for unknowns and a few scalars together, by the factors of the tangent alone.
 
-Of K Δu + F Δs = −r and C Δu + D Δs = −c, the first is solved for several right sides, Δu = a + B Δs, the second then
-for the few Δs: (D + C B) Δs = −c − C a. At a limit point K is singular although the whole is not. Short of that
-point B is large and Δu the difference of large numbers, which costs digits of an update but none of the answer, because
-the residual decides. Should a factorization fail at the point itself, it is repeated without the linearized stress of
-the mixed integration points, at a tangent that lies a little beside it. Without scalars (k = 0) this is the plain
-linear solve, and a singular tangent is a failure.
+The bordered system is K Δu + F Δs = −r and C Δu + D Δs = −c. The first equation is solved for several right sides, Δu =
+a + B Δs; the second then gives the few Δs: (D + C B) Δs = −c − C a (block elimination). At a limit point K is singular
+although the bordered matrix is not. Near that point B is large and Δu is the difference of large numbers. The update
+loses digits, the solution does not, because the residual decides. If a factorization fails at the point itself, it is
+repeated without the linearized stress of the mixed integration points, which changes the tangent a little. Without
+scalars (k = 0) this is the plain linear solve, and a singular tangent is a failure.
 """
 
 from dataclasses import dataclass, field
@@ -62,7 +62,7 @@ class Border:
         return coupling
 
     def stiffness(self, conditions: Conditions) -> Array:
-        """What is left of the conditions (k, k) once the unknowns are eliminated: D + C B."""
+        """Schur complement (k, k) of the tangent in the bordered matrix: D + C B."""
         return np.asarray(conditions.corner + conditions.rows @ self.responses.T)
 
     def update(self, right: Array, conditions: Conditions, errors: Array) -> tuple[Array, Array]:

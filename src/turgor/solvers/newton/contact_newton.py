@@ -1,4 +1,4 @@
-"""Newton's method where things touch: friction and the contact stiffness are renewed until nothing changes."""
+"""Newton's method with contact: passes in which partners, friction and penalty are updated until nothing changes."""
 
 from dataclasses import replace
 
@@ -16,15 +16,15 @@ from turgor.solvers.reasons import Cause, Reason
 def newton_with_contact(
     constraint: Constraint, tangent: Tangent, start: Start, parameter: float, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
-    """Find equilibrium at a parameter with all that touches; iterations of all passes count.
+    """Find equilibrium at a parameter, with contact; iterations of all passes count.
 
-    After each pass what touches is searched for anew and friction and contact stiffness are renewed, until nothing
+    After each pass the partners of contact are searched for again, and friction and penalty are updated, until nothing
     changes. The parameters are those of `newton`.
     """
 
     def find(start: Start) -> NewtonResult:
         result = newton(constraint, tangent, start, parameter, settings, report)
-        if result.converged or tangent.plain or len(start.scalars):  # a border has no potential to go down in
+        if result.converged or tangent.plain or len(start.scalars):  # with a border there is no potential to lower
             return result
         found = inertia_corrected(constraint, tangent, start.unknowns, parameter, settings, report)
         iterations = result.iterations + found.iterations
@@ -55,7 +55,7 @@ def newton_with_contact(
 
 
 def _searched_anew(constraint: Constraint, result: NewtonResult, parameter: float) -> Evaluation | None:
-    """Evaluate a state that was found with a whole search for what touches; None where none was found."""
+    """Evaluate a converged state with a new global search for contact; None where Newton's method failed."""
     last = result.evaluation
     if not result.converged or last is None:
         return None

@@ -38,6 +38,6 @@ def whole_residual(system: System, at: Evaluation, conditions: Conditions) -> fl
 
 
 def partners_settle(iteration: int, residuals: Sequence[float]) -> bool:
-    """Whether partners of contact are kept: late, or where the residual is small and did not halve in two updates."""
+    """Whether partners of contact are kept: in late updates, or if a small residual did not halve in two updates."""
     stagnates = len(residuals) > 3 and residuals[-1] < STAGNATING_BELOW and residuals[-1] > 0.5 * residuals[-3]
     return stagnates or iteration > KEEP_PARTNERS_AFTER

@@ -1,10 +1,10 @@
-"""Inertia correction: find an equilibrium that Newton's method misses where points touch and let go in turn.
+"""Inertia correction: shift the tangent until it is stable, where Newton's method alternates between contact states.
 
-Where a point lets go, the tangent may lose its stability at once, and Newton's method then goes to and fro between two
-states of contact, neither of which holds. While the limits of friction are kept, forces have a potential: the signs of
-the pivots tell its curvature, and a shift of the diagonal makes it positive, so that every update goes down (inertia
-correction, Wächter and Biegler 2006, doi 10.1007/s10107-004-0559-y). Near a stable state no shift is needed, and
-convergence is that of Newton's method.
+When a point separates, the tangent may become indefinite at once. Newton's method then alternates between two states of
+contact, and neither is an equilibrium. With constant friction limits all forces have a potential. The inertia of the
+factorization (the signs of the pivots) shows whether it is convex, and a shift of the diagonal makes it so. Every
+update then lowers the potential (Wächter and Biegler 2006, doi 10.1007/s10107-004-0559-y). Near a stable state no shift
+is needed, and convergence is that of Newton's method.
 """
 
 import numpy as np
@@ -46,10 +46,10 @@ def inertia_corrected(
     settings: NewtonSettings,
     report: Report,
 ) -> NewtonResult:
-    """Find a stable equilibrium at a load factor, at a lower potential than a start in which something touches.
+    """Find a stable equilibrium at a load factor, at a lower potential than that of the start.
 
-    The limits of friction are kept meanwhile: look whether the result holds where they follow the pressure. Forces
-    without a potential, of pressure on open surfaces, lead nowhere.
+    The limits of friction are constant meanwhile; the caller checks whether the result holds when they follow the
+    pressure. The method fails for forces without a potential, such as pressure on open surfaces.
     """
     system = constraint.sought.system
     if not system.faces.symmetric:
@@ -105,7 +105,7 @@ def _failed(at: Evaluation | None, iterations: int, residual: float) -> NewtonRe
 
 
 def _factored(tangent: Tangent, at: Evaluation, shift: float) -> float | None:
-    """Factor the tangent with at least this shift, and enough to have no unstable mode; None if none will do."""
+    """Factor the tangent with at least this shift, increased until no mode is unstable; None if no shift suffices."""
     while shift <= LARGEST_SHIFT:
         try:
             tangent.factor(at, shift=shift)
@@ -120,7 +120,7 @@ def _factored(tangent: Tangent, at: Evaluation, shift: float) -> float | None:
 def _shortened(
     constraint: Constraint, tangent: Tangent, at: Evaluation, update: Array, kept: Contacts | None
 ) -> tuple[Evaluation | None, float]:
-    """Shorten an update until it presses nothing too deep and goes no further than to the bottom of the valley."""
+    """Shorten an update until no penetration is too deep and the potential still falls at its end."""
     system = constraint.sought.system
     free = ~system.held[: 3 * system.node_count]
     along = update[: len(free)][free]

@@ -1,7 +1,7 @@
 """Line search: shorten an update of Newton's method until it is allowed.
 
-An update is too long where it turns a cell inside out, presses walls too deep into each other, or, with friction, where
-the force along it turns around.
+An update is too long if it turns a cell inside out, presses walls too deep into each other, or, with friction, if the
+residual force along it reverses.
 """
 
 from time import perf_counter
@@ -74,7 +74,7 @@ def line_search(
 
 
 def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
-    """Share of an update to be taken: less than 1 where walls are pressed too deep, or friction turns around."""
+    """Share of an update to take: less than 1 if walls are pressed too deep, or if friction reverses the force."""
     share = system.contact.shortening(at.contacts, new.contacts)
     if share < 1 or not system.contact.rubs:
         return share

@@ -1,8 +1,8 @@
 """Pseudo-transient continuation: reach an equilibrium that Newton's method does not find, against viscous forces.
 
-The residual drives a motion against viscous forces in proportion to the mass, by implicit steps that get longer while
-the motion fades (Kelley and Keyes 1998, doi 10.1137/S0036142996304796). At rest no viscous force is left: the
-equilibrium is that of the model, and it is stable.
+The residual drives a motion against viscous forces in proportion to the mass. The steps are implicit and get longer
+while the motion fades (Kelley and Keyes 1998, doi 10.1137/S0036142996304796). At rest there are no viscous forces: the
+state is an equilibrium of the model, and it is stable.
 """
 
 from dataclasses import dataclass, replace
@@ -50,7 +50,7 @@ def pseudo_transient(
     settings: NewtonSettings,
     report: Report,
 ) -> NewtonResult:
-    """Find the equilibrium at a load factor to which a body moves from where it is.
+    """Find the equilibrium at a load factor to which a body moves from its present state.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def _restless(iterations: int) -> NewtonResult:
 
 
 def _first_viscosity(system: System, at: Evaluation, mass: Array) -> float:
-    """The viscosity against which the residual moves the fastest node by the first move."""
+    """The viscosity with which the fastest node moves by the allowed distance in the first step."""
     lumped = system.layout.base.product(mass, np.ones(system.size))[: 3 * system.node_count]
     force = np.where(system.held, 0.0, at.residual)[: 3 * system.node_count]
     fastest = float(np.abs(force / np.maximum(np.abs(lumped), 1e-3 * np.abs(lumped).max())).max())

@@ -5,23 +5,23 @@
 #: Times that friction and stiffness are renewed at most.
 CONTACT_PASSES = 20
 
-#: A state holds if the residual is at most this many times the tolerance when what touches is searched for anew.
+#: A state is accepted if the residual is at most this many times the tolerance after a new search for contact.
 SEARCHED_ANEW = 10.0
 
-#: From this pass on a state holds too if the residual is at most this much then: in the wedge of a kink between two
-#: sides a point changes its partner with every search, by a gap that is next to nothing.
+#: From this pass on a state is also accepted if the residual is at most this much: in the wedge of a kink between two
+#: sides a point changes its partner with every search, although the gap hardly changes.
 CONTACT_PATIENCE, WEDGED = 3, 1e-3
 
 # --- convergence
 
-#: Forces are compared with this share of the full load at least: where all pressures have fallen back to zero, nothing
-#: but round-off would be left to compare with.
+#: Forces are compared with at least this share of the full load. Where all pressures have fallen back to zero, there is
+#: nothing else but round-off to compare with.
 SMALL_FORCE = 1e-5
 
 #: Scaled force on a node with which forces are compared at least, as where a body is moved that nothing loads.
 UNLOADED = 3e-8
 
-#: The partners of contact are looked for anew in so many updates, then kept: at a wedge they may change forever.
+#: The partners of contact are searched for in this many updates, then kept: at a wedge they may change forever.
 KEEP_PARTNERS_AFTER = 8
 
 #: They are kept earlier where the residual is this small and falls no more.
@@ -29,8 +29,8 @@ STAGNATING_BELOW = 0.05
 
 # --- inertia correction
 
-#: Updates before it gives up, and how far a node may come from the start, in mean edge lengths: what lies farther is no
-#: matter of a few points that let go.
+#: Updates before it gives up, and how far a node may move from the start, in mean edge lengths: a larger motion is not
+#: due to a few points that separate.
 INERTIA_UPDATES, INERTIA_REACH = 40, 0.5
 
 #: The first shift of the diagonal, in scaled units, in which a cube of rubber has a stiffness of about 3; the factor
@@ -40,7 +40,7 @@ FIRST_SHIFT, SHIFT_FACTOR, LARGEST_SHIFT = 0.016, 4.0, 100.0
 #: No shift is tried first once the residual is this small.
 UNSHIFTED_BELOW = 1e-3
 
-#: An update is too long where the force along it turns around, to more than this share of before.
+#: An update is too long if the force along it reverses and exceeds this share of its former size.
 INERTIA_OVERSHOT = 0.5
 
 #: Shortest share of an update that is tried, and the smallest factor from one to the next.
@@ -55,13 +55,13 @@ INERTIA_KEEP_PARTNERS_AFTER = 20
 SHORTEST_STEP = 1.0 / 64
 SHORTEST_TOUCHING_STEP = 1.0 / 32
 
-#: With friction, an update is too long where the force along it turns around, to more than this share of before.
+#: With friction, an update is too long if the force along it reverses and exceeds this share of its former size.
 OVERSHOT = 0.9
 
 # --- newton
 
-#: Old factors are kept once the residual is this small and while each update reduces it below a tenth. Earlier they do
-#: harm: while a stiff membrane is still being straightened out, a falling residual does not tell that they are good.
+#: Old factors are used once the residual is this small and while each update reduces it below a tenth. Earlier they are
+#: harmful: while a stiff membrane is being straightened, a falling residual does not show that the factors are good.
 KEEP_FACTORS_BELOW = 1e-3
 KEEP_FACTORS_CONTRACTION = 0.1
 

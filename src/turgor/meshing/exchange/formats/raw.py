@@ -1,4 +1,4 @@
-"""What a mesh file holds, before it is judged: nodes, blocks of cells of one kind, and the names it gives them."""
+"""Content of a mesh file, before any check: nodes, blocks of cells of one kind, and their names."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""Arc length: paths whose load factor is sought, from where they begin to the bounds at which they end."""
+"""Arc length: follow paths whose load factor is unknown, from their start to their bounds."""
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
@@ -42,7 +42,7 @@ Finished = Callable[[Point, Point, Run], Ending | None]
 
 
 def check_proportional(model: Model, what: str) -> None:
-    """Refuse what a sought load factor cannot drive."""
+    """Refuse loads that a load factor cannot scale."""
     if not all(is_straight(load.history) for load in model.loads):
         raise TurgorError(f"{what} needs loads that grow in proportion to the load factor; leave out their histories.")
 
@@ -63,7 +63,7 @@ def _check_driven(model: Model) -> None:
 
 
 def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
-    """Take the first step by the load, which sets the scale of the displacement, then go on by the arc."""
+    """Take the first step under load control, which scales the displacement, then prescribe the arc length."""
     check_proportional(problem.system.model, "ArcLength")
     check_still(problem.system, "ArcLength")
     _check_driven(problem.system.model)

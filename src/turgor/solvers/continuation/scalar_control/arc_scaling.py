@@ -1,7 +1,8 @@
-"""Arc scaling: how an arc counts displacement against load, as the path goes on.
+"""Arc scaling: weigh displacement against load in the arc length, and adapt the weight along the path.
 
-The scale of the first step is that of a stiff body. One that buckles then moves a thousand times as far for its load,
-and arcs of the first scale would creep. The displacement that counts as much as the whole load grows with the body.
+The scale of the first step is that of a stiff body. A body that buckles moves a thousand times as far for its load, and
+arcs of the first scale would be far too short. The displacement that weighs as much as the whole load grows with the
+largest displacement.
 """
 
 from dataclasses import replace
@@ -15,7 +16,7 @@ from turgor.solvers.continuation.thresholds import SCALE_GROWTH
 
 
 def next_conditions(run: Run, last: Point, now: Point) -> None:
-    """Take the conditions of the next step, for an arc in a scale that fits, and tell the history its new measure."""
+    """Set the arc length of the next step in a suitable scale, and convert the history to it."""
     target = run.constraint.target
     if isinstance(target, ArcTarget):
         run.size = max(run.size, _moved(run, now) / (SCALE_GROWTH * _largest_load(run, now)))
@@ -37,7 +38,7 @@ def _largest_load(run: Run, now: Point) -> float:
 
 
 def _measured(point: Point, origin: float, measure: float) -> Point:
-    """A point whose distance from the last one is measured anew, and its rates with it."""
+    """A point with its distance from the last one, and its rates, in the new scale."""
     return replace(
         point,
         parameter=origin + measure * (point.parameter - origin),

@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 
 
 def controlled_faces(model: Model, procedure: VolumeControl | GasMass) -> tuple[str, ...]:
-    """Name the cavities whose pressure a procedure seeks.
+    """Name the cavities whose pressure is unknown in a procedure.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def asked_cavities(model: Model, procedure: VolumeControl | GasMass) -> tuple[st
     Raises
     ------
     TurgorError
-        If a cavity is unknown, or it is not said which one.
+        If a cavity does not exist, or none is named where there are several.
     """
     asked, field, known = procedure.asked, procedure.asked_by, model.mesh.cavities
     if not isinstance(asked, Mapping):
@@ -112,7 +112,7 @@ def _follow(
 
 
 def _check_room(system: System, volumes: Array) -> None:
-    """Refuse to put gas into what has no volume, where a ratio to the gas at rest says nothing."""
+    """Refuse cavities without volume: they hold no gas at rest, so a ratio to it has no meaning."""
     least = NO_VOLUME * float(np.ptp(system.points, axis=0).prod())
     for name, volume in zip(system.controlled, volumes, strict=True):
         if volume <= least:

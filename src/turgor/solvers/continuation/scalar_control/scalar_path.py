@@ -1,4 +1,4 @@
-"""Paths whose scalars are sought: how they go from step to step, and how they begin."""
+"""Paths with scalar unknowns: how they go from step to step, and how they begin."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,10 +17,10 @@ from turgor.solvers.procedures.step_options import StepOptions
 
 @dataclass(frozen=True, slots=True)
 class ScalarStrategy:
-    """How a path goes on whose pressures or load factor are sought."""
+    """Strategy of a path whose pressures or load factor are unknown."""
 
     def next_parameter(self, run: Run) -> float:
-        """As far as the step control says."""
+        """The parameter that the step control gives."""
         return run.stepping.next_load(run.history[-1].parameter)
 
     def predict(self, run: Run, parameter: float) -> Start:
@@ -28,7 +28,7 @@ class ScalarStrategy:
         return predicted(run.constraint, run.task.tangent, run.history, parameter, BY_PATH)
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
-        """Reject what is no piece of the same path."""
+        """Reject a step to another path."""
         if not result.converged or result.evaluation is None:
             return Judgment(None, result.reason)
         now = point_at(run, result.evaluation, parameter, result.scalars)
@@ -36,7 +36,7 @@ class ScalarStrategy:
         return Judgment(now if verdict.reason is None else None, verdict.reason, verdict.passed)
 
     def rescue(self, run: Run) -> Outcome | None:
-        """No step is short enough: on a path whose load factor is sought this is no limit point."""
+        """Say that no step is short enough; with an unknown load factor this is no limit point."""
         if run.size:
             return lost_path(run)
         return stuck(run.task.system.model, run.states, run.steps, False)
@@ -45,7 +45,7 @@ class ScalarStrategy:
         """Nothing more."""
 
     def turn(self, run: Run, now: Point) -> None:
-        """Forget the past, and take the rates that lie ahead."""
+        """Start without history, with the rates beyond the kink."""
         if run.constraint.clock.duration is not None:
             run.constraint.clock.begin(run.task.system, now.parameter)
         at = run.constraint.sought.evaluate(now.unknowns, now.parameter, now.scalars)
