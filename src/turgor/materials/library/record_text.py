@@ -1,4 +1,4 @@
-"""A library material in words: what is printed, what turgor computes with, where it comes from, what is doubtful."""
+"""Describe a library material in words: printed and canonical constants, sources, and doubts."""
 
 from collections.abc import Iterator, Sequence
 from math import inf
