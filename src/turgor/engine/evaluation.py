@@ -49,7 +49,9 @@ class Evaluation:
         External force alone.
     isochoric : Isochoric
         What the laws say at all points, scaled.
-    contacts : Contacts The contacts found. contact_force : float
+    contacts : Contacts
+        The contacts found.
+    contact_force : float
         Size of the contact forces on the free nodes.
     sought : (k,) array or None
         Scaled pressures of the controlled faces.
