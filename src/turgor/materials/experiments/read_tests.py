@@ -246,7 +246,7 @@ def _test(
 
 
 def _time(table: Table, column: Column | None) -> tuple[Array | None, str]:
-    """Time since the first row, and what is to be said about it; None where there is none that can be used."""
+    """Time since the first row, and a remark about its column; None where there is no usable time."""
     if column is None:
         return None, ""
     time = table.seconds(column.index)
