@@ -16,7 +16,8 @@ from truth_cases import CASES
 from truth_cases.case import ESTIMATED, STEPS, Case
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.geometry.geometry import Geometry
-from turgor.meshing.sizing.sizes import default_size, size_range
+from turgor.meshing.sizing.default_size import default_size
+from turgor.meshing.sizing.sizes import size_range
 from turgor.units import mm
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)

@@ -35,7 +35,7 @@ def main():
     figure = Figure(figsize=(6.4, 3.8), layout="constrained", facecolor="white")
     axes = figure.add_subplot()
     for distance, color in zip(DISTANCES, COLORS, strict=False):
-        solution = tg.solve(model, tg.BlockedForce(distance=distance, direction="-z"))
+        solution = tg.solve(tg.setups.blocked_force(model, distance=distance, direction="-z"))
         response = tg.measure(solution, tg.measures.blocked_force)
         label = f"plate {distance / mm:g} mm below the tip"
         plot_response(axes, response, "pressure", "blocked_force", color=color, label=label)

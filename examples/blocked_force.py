@@ -13,7 +13,7 @@ model = tg.Model(
     supports=[tg.Fixed("fixed")],
     loads=[tg.Pressure("cavity", 15 * kPa)],
 )
-solution = tg.solve(model, tg.BlockedForce(distance=1 * mm))
+solution = tg.solve(tg.setups.blocked_force(model, distance=1 * mm))
 response = tg.measure(solution, tg.measures.blocked_force)
 force = response.column("blocked_force")[-1]
 

@@ -18,7 +18,7 @@ model = tg.Model(
 )
 
 # %% Until load factor 0.5 the fingers close, then the bar moves 3 mm away from the palm.
-solution = tg.solve(model, tg.Grasp(object="bar", pull_distance=3 * mm))
+solution = tg.solve(tg.setups.grasp(model, object="bar", pull_distance=3 * mm), tg.Static(max_step=0.1))
 response = tg.measure(solution, tg.measures.pull_distance, tg.measures.grip_force, tg.measures.holding_force)
 pull = response.column("pull_distance")
 grip = response.column("grip_force")[pull == 0][-1]

@@ -19,11 +19,12 @@ HEAD = """\
 
 What the tests in `tests/verification` compare with closed forms, converged references and other programs. V01 to V24
 are classic problems, numbered once and for all so that a test, a sentence and a result can name the same one. (V03,
-the stability of laws, is not here: it needs no finite elements, and `tests/unit/test_stability.py` has it.) Every file
-is one claim about one of them, and states its problem, where the expected values come from, and why its tolerance is
-what it is. What has no number is at the end.
+the stability of laws, is not here: it needs no finite elements, and `tests/unit/materials/laws/test_stability.py` has
+it.) Every file is one claim about one of them, and states its problem, where the expected values come from, and why its
+tolerance is what it is. The folders sort the files by topic; the number stands in a file's docstring. What has no
+number is at the end.
 
-Written by `make verification`; `pytest tests/verification/test_v08_flexure.py --write-verification` renews one file
+Written by `make verification`; `pytest tests/verification/beams/test_flexure.py --write-verification` renews one file
 alone. The rows of a file are renewed only when all of its tests have passed; it says on which day. Every number under
 *got* is what a test computed, to five digits; where zero is expected, to two, or the power of ten that round-off stays
 below.
@@ -58,13 +59,14 @@ TITLES = {
 }
 OTHERS = "Without a number"
 COLUMNS = ("| claim | source | expected | got | tolerance |", "|---|---|---|---|---|")
-NUMBERED = re.compile(r"test_(v\d\d)_\w+\.py")
+#: The number with which the docstring of a file begins; of several, the first.
+NUMBERED = re.compile(r"V\d\d")
 #: Where zero is expected, a smaller number may change from machine to machine.
 ROUND_OFF = 1e-7
 #: What a test tells the plugin: a row with its place in the file, and how many tests its file has.
 ROW, COUNT = "verification row", "tests of the file"
 PREFIX = re.compile(r"V\d\d[-.\d]*(, V\d\d)*: ")
-WRITTEN = re.compile(r"^### (test_\w+\.py)\n\n.*?Run on ([\d-]+)\.\n\n\|.*?\n\|.*?\n((?:\|.*\n)+)", re.MULTILINE)
+WRITTEN = re.compile(r"^### ([\w/]+\.py)\n\n.*?Run on ([\d-]+)\.\n\n\|.*?\n\|.*?\n((?:\|.*\n)+)", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,11 +89,14 @@ class Section:
 
 
 def page(sections: Mapping[str, Section], folder: Path) -> str:
-    """Write the whole page: the files of the folder of which a run is known, in the order of the V-numbers."""
-    found = {file: NUMBERED.fullmatch(file) for file in sorted(sections) if (folder / file).exists()}
+    """Write the whole page: the files of the folder of which a run is known, in the order of the V-numbers.
+
+    A file is named by its path in the folder, such as ``beams/test_flexure.py``.
+    """
+    found = {file: NUMBERED.match(headline(folder / file)) for file in sections if (folder / file).exists()}
     groups: dict[str, list[str]] = {}
-    for file, match in sorted(found.items(), key=lambda item: (item[1] is None, item[0])):
-        groups.setdefault(match[1].upper() if match else OTHERS, []).append(file)
+    for file, match in sorted(found.items(), key=lambda item: (item[1] is None, item[1] and item[1][0], item[0])):
+        groups.setdefault(match[0] if match else OTHERS, []).append(file)
     rows = sum(len(sections[file].lines) for file in found)
     lines = [HEAD.rstrip().format(count=f"Now: {rows} comparisons in {len(found)} files.")]
     for group, files in groups.items():
@@ -109,8 +114,13 @@ def written(text: str) -> dict[str, Section]:
 
 def about(file: Path) -> str:
     """What a file says it verifies: the first line of its docstring, without the number."""
-    text = PREFIX.sub("", (ast.get_docstring(ast.parse(file.read_text(encoding="utf-8"))) or "").partition("\n")[0])
+    text = PREFIX.sub("", headline(file))
     return text[:1].upper() + text[1:]
+
+
+def headline(file: Path) -> str:
+    """First line of the docstring of a file."""
+    return (ast.get_docstring(ast.parse(file.read_text(encoding="utf-8"))) or "").partition("\n")[0]
 
 
 def table_line(row: Row) -> str:
@@ -157,17 +167,19 @@ class Renewal:
 
     def __init__(self, page: Path, folder: Path) -> None:
         self.page, self.folder = page, folder
+        self.root = folder.parents[1]
         self.missing: dict[str, int] = {}
         self.rows: dict[str, list[tuple[int, str]]] = {}
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        file = Path(report.nodeid.partition("::")[0])
+        path = self.root / report.nodeid.partition("::")[0]
         count = dict(report.user_properties).get(COUNT)
-        if report.when != "call" or file.parent.name != self.folder.name or count is None:
+        if report.when != "call" or not path.is_relative_to(self.folder) or count is None:
             return
-        self.missing.setdefault(file.name, count)
-        self.missing[file.name] -= report.passed
-        self.rows.setdefault(file.name, []).extend(value for key, value in report.user_properties if key == ROW)
+        file = path.relative_to(self.folder).as_posix()
+        self.missing.setdefault(file, count)
+        self.missing[file] -= report.passed
+        self.rows.setdefault(file, []).extend(value for key, value in report.user_properties if key == ROW)
 
     def done(self) -> list[str]:
         """List the files of which every test has passed, and that have rows."""

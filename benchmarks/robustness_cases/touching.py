@@ -110,9 +110,10 @@ CASES = (
     Case(name="bender on a floor",
          hard="lies down along its length", model=against(FLOOR, 60), check=checks.not_through),
     Case(name="bender round a rod", hard="slides around it", model=against(ROD, 80), check=checks.not_through),
-    Case(name="bender held by a plate", hard="tip stopped from the start", procedure=tg.BlockedForce(),
-         model=lambda: tg.Model(mesh := tg.mesh(BENDER.build(), size=6 * MM),
-                                dict.fromkeys(mesh.regions, ELASTOSIL) | {"strain_limiting_layer": PAPER},
-                                [tg.Fixed("fixed")], [tg.Pressure("cavity", 50 * KPA)]),
+    Case(name="bender held by a plate", hard="tip stopped from the start",
+         model=lambda: tg.setups.blocked_force(
+             tg.Model(mesh := tg.mesh(BENDER.build(), size=6 * MM),
+                      dict.fromkeys(mesh.regions, ELASTOSIL) | {"strain_limiting_layer": PAPER},
+                      [tg.Fixed("fixed")], [tg.Pressure("cavity", 50 * KPA)])),
          check=checks.not_through),
 )  # fmt: skip

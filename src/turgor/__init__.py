@@ -19,6 +19,12 @@ _NAMESPACES = sorted(name for name, source in _NAMES.items() if source == "turgo
 #: Names of the release before that have another name now.
 _RENAMED = {"Step": "Edit", "TestError": "FitResidual"}
 
+#: Names of the release before that something else does now.
+_INSTEAD = {
+    "BlockedForce": "solve(setups.blocked_force(model, ...))",
+    "Grasp": "solve(setups.grasp(model, ...), Static(max_step=0.1))",
+}
+
 __version__ = version("turgor")
 __all__ = sorted(_NAMES)
 
@@ -43,4 +49,5 @@ def _moved(name: str) -> Any:
         if now in namespace.__all__:
             warnings.warn(f"turgor.{name} is turgor.{each}.{now} now.", DeprecationWarning, stacklevel=3)
             return getattr(namespace, now)
-    raise AttributeError(f"module 'turgor' has no attribute '{name}'")
+    hint = f"; write {_INSTEAD[name]}" if name in _INSTEAD else ""
+    raise AttributeError(f"module 'turgor' has no attribute '{name}'{hint}")

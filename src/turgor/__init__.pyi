@@ -14,6 +14,7 @@ from turgor import laws as laws
 from turgor import measures as measures
 from turgor import obstacles as obstacles
 from turgor import pictures as pictures
+from turgor import setups as setups
 from turgor import solutions as solutions
 from turgor.adaptivity.measure import measure as measure
 from turgor.adaptivity.mesh_to import mesh_to as mesh_to
@@ -53,12 +54,10 @@ from turgor.results.measures.measures import tip_displacement as tip_displacemen
 from turgor.solvers.dynamics.modes import natural_frequencies as natural_frequencies
 from turgor.solvers.procedures.arc_length import ArcLength as ArcLength
 from turgor.solvers.procedures.auto import Auto as Auto
-from turgor.solvers.procedures.blocked_force import BlockedForce as BlockedForce
 from turgor.solvers.procedures.dynamic import Dynamic as Dynamic
 from turgor.solvers.procedures.gas_mass import GasMass as GasMass
-from turgor.solvers.procedures.grasp import Grasp as Grasp
+from turgor.solvers.procedures.sealed import Sealed as Sealed
 from turgor.solvers.procedures.stabilized import Stabilized as Stabilized
-from turgor.solvers.procedures.stages import Sealed as Sealed
 from turgor.solvers.procedures.stages import Stage as Stage
 from turgor.solvers.procedures.stages import Stages as Stages
 from turgor.solvers.procedures.static import Static as Static

@@ -6,5 +6,5 @@ from turgor.job.job import Job as Job
 from turgor.job.read import read_job as read_job
 from turgor.job.run import run_job as run_job
 from turgor.meshing.settings import MeshSettings as MeshSettings
-from turgor.meshing.sizing.sizes import default_size as default_size
+from turgor.meshing.sizing.default_size import default_size as default_size
 from turgor.results.convergence.study import Convergence as Convergence

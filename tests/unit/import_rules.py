@@ -9,16 +9,15 @@ from collections.abc import Iterable, Iterator, Mapping
 
 #: Rooms in the order of import: a room may import from itself and from those before it.
 ROOMS = (
-    "foundation", "materials", "geometry", "meshing", "model", "engine", "solvers", "results", "adaptivity", "job",
-    "cli",
+    "foundation", "materials", "geometry", "meshing", "model", "engine", "solvers", "setups", "results", "adaptivity",
+    "job", "cli",
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
-FOUNDATION = ("units", "errors", "source", "finding", "response")
+FOUNDATION = ("units", "errors", "source", "finding", "response", "registry", "_lazy")
 
 #: Modules that only gather names for users; no room imports from them.
 PUBLIC = (
-    "_lazy",
     "actuators",
     "bodies",
     "cad",
@@ -56,10 +55,10 @@ HOME = {
 
 LONGEST_FILE = 500
 
-#: Modules that a folder may hold.
+#: Modules that a folder of the package or of the tests may hold.
 LARGEST_FOLDER = 15
 
-#: Folders that may hold more: lists of like things, and a room that is being rebuilt.
+#: Folders that may hold more: lists of like things.
 LARGE_FOLDERS = ("turgor.geometry.actuators",)
 
 

@@ -9,6 +9,9 @@ from numpy.typing import NDArray
 from turgor.engine.cells.reference import reference_nodes
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.refining.refinement import Refinement
+from turgor.meshing.refining.split import refine_tetrahedra
+from turgor.meshing.refining.split_hexahedra import refine_hexahedra, sheets
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -50,6 +53,16 @@ def lattice(
         regions={"left": np.flatnonzero(center[:, 0] < 0.5), "right": np.flatnonzero(center[:, 0] > 0.5)},
         faces={name: sides[rows] for name, rows in on.items()},
     )
+
+
+def refined(mesh: Mesh, share: float) -> Refinement:
+    """Refine by a share of the edges or sheets, drawn by chance."""
+    rng = np.random.default_rng(4)
+    if mesh.cell_type is HEXAHEDRON:
+        count = int(sheets(mesh).max()) + 1
+        return refine_hexahedra(mesh, np.sort(rng.permutation(count)[: max(1, round(share * count))]))
+    edges = np.unique(np.sort(mesh.cells[:, np.array(TETRAHEDRON.edges)].reshape(-1, 2), axis=1), axis=0)
+    return refine_tetrahedra(mesh, rng.permutation(edges)[: max(1, round(share * len(edges)))])
 
 
 def _cubes(corners: Ints) -> Ints:

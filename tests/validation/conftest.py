@@ -1,11 +1,10 @@
-"""What the targets share: the slices of tests/verification, and `record_validation`, which makes docs/validation.md.
+"""What the targets share: `record_validation`, which makes docs/validation.md.
 
 A target calls ``record_validation(claim=..., source=..., expected=..., got=..., tolerance=...)`` beside its own
-assertions. ``pytest tests/validation -k targets -m "slow or not slow" --write-validation`` writes the rows to the page,
-if every target ran and passed; every other run leaves the working tree alone.
+assertions. ``pytest tests/validation/targets -m "slow or not slow" --write-validation`` writes the rows to the page, if
+every target ran and passed; every other run leaves the working tree alone.
 """
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -18,9 +17,6 @@ PAGE = TESTS.parents[1] / "docs" / "validation.md"
 #: File, line and text of each row.
 ROWS = pytest.StashKey[list[tuple[str, int, str]]]()
 OUTCOME = pytest.StashKey[str]()
-
-# the targets ask physical questions of the same tubes and benders whose equations the verification tests check
-sys.path.append(str(TESTS.parent / "verification"))
 
 TITLE = """\
 # Validation
@@ -39,12 +35,12 @@ targets pass. To repeat one, run `pytest tests/validation/<file> -m "slow or not
 @pytest.fixture
 def record_validation(request: pytest.FixtureRequest) -> Callable[..., None]:
     """Return the function that records one row of the validation page; it asserts nothing."""
-    file, line, _ = request.node.location
+    file, line = request.node.path.relative_to(TESTS).as_posix(), request.node.location[1] or 0
     rows = request.config.stash.setdefault(ROWS, [])
 
     def record(*, claim: str, source: str, expected: object, got: object, tolerance: object) -> None:
         row = Row(claim=claim, source=source, expected=expected, got=got, tolerance=tolerance)
-        rows.append((Path(file).name, line or 0, table_line(row)))
+        rows.append((file, line, table_line(row)))
 
     return record
 
@@ -57,7 +53,8 @@ def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
     if not session.config.getoption("--write-validation", default=False):
         return
     rows = session.config.stash.get(ROWS, [])
-    not_run = {path.name for path in TESTS.glob("test_*targets*.py")} - {file for file, _, _ in rows}
+    targets = {path.relative_to(TESTS).as_posix() for path in (TESTS / "targets").glob("test_*.py")}
+    not_run = targets - {file for file, _, _ in rows}
     if exitstatus != 0 or not_run or "slow or not slow" not in session.config.getoption("markexpr"):
         outcome = "not written: every target must run, slow ones too, and pass"
     else:

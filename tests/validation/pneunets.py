@@ -110,5 +110,5 @@ def bend(model: tg.Model, *, until: float = 360.0, procedure: tg.Static | None =
 
 def push(model: tg.Model) -> float:
     """Force [N] of the tip on a plate that stands where the tip is at rest, at the whole pressure."""
-    solution = tg.solve(model, tg.BlockedForce(direction="-z"))
+    solution = tg.solve(tg.setups.blocked_force(model, direction="-z"))
     return float(tg.measure(solution, tg.measures.blocked_force, mesh_error=False).column("blocked_force")[-1])

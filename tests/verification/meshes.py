@@ -6,7 +6,7 @@ position; their diagonals match when both count the shared parameters in the sam
 
 Plane strain is a slab of one layer with ``Fixed("z0", "z"), Fixed("z1", "z")``. The nodes half way between stay
 free in z: the exact solution has no displacement there, so they are ordinary unknowns of a three-dimensional
-problem whose answer happens to be plane, and the slab stays a test of the whole cell. `test_v05_tube.py` measures
+problem whose answer happens to be plane, and the slab stays a test of the whole cell. `test_tube.py` measures
 how plane the answer is.
 """
 

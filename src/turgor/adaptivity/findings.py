@@ -55,8 +55,9 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
             code="N02",
             severity=Severity.WARNING if doubted else Severity.NOTE,
             message=f"The estimated mesh error at the last state is larger than {100 * NOTED:g} %: {listed}.",
-            advice='Use a smaller mesh size, or let the mesh be refined where the error comes from: target = "2 %" in '
-            "[mesh], or mesh_to in Python.",
+            advice='Use hexahedra where the family has them (cells = "hexahedra"; the default where no size is given), '
+            'or a smaller mesh size, or let the mesh be refined where the error comes from: target = "2 %" in [mesh], '
+            "or mesh_to in Python.",
         ),
     )
 

@@ -80,4 +80,4 @@ def _with_size(job: "Job", text: str | None) -> "Job":
     except TurgorError as error:
         raise TurgorError(f"--size: {error}") from None
     faces = {name: min(length, size) for name, length in job.mesh.face_sizes.items()}
-    return replace(job, mesh=replace(job.mesh, size=size, face_sizes=faces))
+    return replace(job, mesh=replace(job.mesh_settings, size=size, face_sizes=faces))

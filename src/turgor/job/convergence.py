@@ -140,7 +140,7 @@ def _limits(job: Job) -> tuple[float, float]:
 def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress | None) -> Solution:
     share = size / job.mesh_size
     faces = {name: length * share for name, length in job.mesh.face_sizes.items()}
-    model, _ = prepare(replace(job, mesh=replace(job.mesh, size=size, face_sizes=faces)), say)
+    model, _ = prepare(replace(job, mesh=replace(job.mesh_settings, size=size, face_sizes=faces)), say)
     options = EngineOptions(notify=say)
     if job.threads is not None:
         options = replace(options, threads=job.threads)

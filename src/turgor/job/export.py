@@ -15,7 +15,7 @@ from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.model.write_inp import PROGRAMS, compressible, write_inp
-from turgor.solvers.methods import question_of
+from turgor.setups.added import with_setup
 from turgor.solvers.procedures.stages import Stages
 
 #: What can be exported.
@@ -125,7 +125,7 @@ def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
         reinforcements=tuple(job.fibers.values()),
         contact=job.contact,
     )
-    model = question_of(model, job.procedure)  # what stops the tip is part of the question
+    model = with_setup(model, job.setup)  # what stops the tip is part of the question
     if options.poisson is not None:
         model = compressible(model, options.poisson)
     write_inp(model, file, program=options.program, at=sorted({*job.procedure.at, 1.0}))

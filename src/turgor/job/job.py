@@ -2,47 +2,23 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Protocol
 
 from turgor.errors import unknown
-from turgor.geometry import (
-    BellowsOfRevolution,
-    BidirectionalBender,
-    BidirectionalPneuNet,
-    ContractingTube,
-    EccentricBender,
-    ExtendingCylinder,
-    FastPneuNet,
-    FiberReinforcedBender,
-    FiberReinforcedCylinder,
-    FreeBottomPneuNet,
-    Geometry,
-    HelicalPneuNet,
-    MantaFin,
-    OmnidirectionalActuator,
-    ParallelBellows,
-    RectangularBender,
-    RevoluteJoint,
-    SemicircularBender,
-    SlowPneuNet,
-    ThreeExtenders,
-    TrapezoidalPneuNet,
-    TriangularPneuNet,
-    TwistingTube,
-    TwoMaterialBender,
-)
+from turgor.geometry import Geometry
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.materials.material import Material
+from turgor.meshing.chosen import chosen_settings
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.settings import MeshSettings
-from turgor.meshing.sizing.sizes import default_size
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
 from turgor.model.supports import Fixed, Radial
+from turgor.registry import Registry, class_of_file, name_in
+from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.procedures.static import Static
 
@@ -54,33 +30,9 @@ class Actuator(Protocol):
         """Build the shape with its names."""
 
 
-#: Actuator families by the name that job files use. A new family is one line here; its keys are its fields.
-ACTUATORS: Mapping[str, type[Actuator]] = MappingProxyType(
-    {
-        "fast_pneunet": FastPneuNet,
-        "bidirectional_pneunet": BidirectionalPneuNet,
-        "free_bottom_pneunet": FreeBottomPneuNet,
-        "helical_pneunet": HelicalPneuNet,
-        "manta_fin": MantaFin,
-        "slow_pneunet": SlowPneuNet,
-        "trapezoidal_pneunet": TrapezoidalPneuNet,
-        "triangular_pneunet": TriangularPneuNet,
-        "bidirectional_bender": BidirectionalBender,
-        "contracting_tube": ContractingTube,
-        "eccentric_bender": EccentricBender,
-        "extending_cylinder": ExtendingCylinder,
-        "fiber_reinforced_bender": FiberReinforcedBender,
-        "fiber_reinforced_cylinder": FiberReinforcedCylinder,
-        "rectangular_bender": RectangularBender,
-        "semicircular_bender": SemicircularBender,
-        "twisting_tube": TwistingTube,
-        "two_material_bender": TwoMaterialBender,
-        "bellows_of_revolution": BellowsOfRevolution,
-        "omnidirectional_actuator": OmnidirectionalActuator,
-        "three_extenders": ThreeExtenders,
-        "parallel_bellows": ParallelBellows,
-        "revolute_joint": RevoluteJoint,
-    }
+#: Actuator families by the name that job files use: the classes in their folder; the keys of one are its fields.
+ACTUATORS: Registry[type[Actuator]] = Registry(
+    "turgor.geometry.actuators", class_of_file(lambda kind: hasattr(kind, "build"))
 )
 
 
@@ -89,6 +41,7 @@ def actuator_type(actuator: Actuator) -> str:
 
     Examples
     --------
+    >>> from turgor.geometry import FastPneuNet
     >>> actuator_type(FastPneuNet())
     'fast_pneunet'
     """
@@ -96,10 +49,10 @@ def actuator_type(actuator: Actuator) -> str:
         return "cad_file"
     if isinstance(actuator, MeshFile):
         return "mesh_file"
-    for name, family in ACTUATORS.items():
-        if type(actuator) is family:
-            return name
-    raise unknown("actuator type", type(actuator).__name__, ACTUATORS)
+    name = name_in(ACTUATORS, actuator)
+    if name is None:
+        raise unknown("actuator type", type(actuator).__name__, ACTUATORS)
+    return name
 
 
 def standard_measures() -> tuple[str, ...]:
@@ -170,8 +123,10 @@ class Job:
         What may touch what.
     rigid_files : mapping of str to RigidFile
         The files of those obstacles that come from STL files, for the lock file.
-    procedure : Static, BlockedForce, Grasp, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
-        How the path is followed.
+    setup : BlockedForce, Grasp or None
+        What is added to the model before it is solved.
+    procedure : Static, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
+        How the path is followed; `Static` where there is a setup.
     output : Output
         What to write.
     threads : int or None
@@ -190,6 +145,7 @@ class Job:
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
     contact: Contact = field(default_factory=Contact)
     rigid_files: Mapping[str, RigidFile] = field(default_factory=dict)
+    setup: Setup | None = None
     procedure: OneProcedure | Stages = field(default_factory=Static)
     output: Output = field(default_factory=Output)
     threads: int | None = None
@@ -197,4 +153,12 @@ class Job:
     @property
     def mesh_size(self) -> float:
         """Largest edge length aimed at [m]: that of the settings, or the one chosen for the actuator."""
-        return default_size(self.actuator.build(), self.mesh.cells) if self.mesh.size is None else self.mesh.size
+        size = self.mesh_settings.size
+        assert size is not None  # chosen where it was not given
+        return size
+
+    @property
+    def mesh_settings(self) -> MeshSettings:
+        """How the actuator is meshed: the settings, with a size and a kind of cells where none is given."""
+        open_still = self.mesh.size is None or self.mesh.cells is None
+        return chosen_settings(self.actuator.build(), self.mesh) if open_still else self.mesh

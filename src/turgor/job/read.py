@@ -16,12 +16,14 @@ from turgor.job.tables.materials import read_materials, refuse_shells
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.tables.procedures import drives, duration_of, read_procedure
 from turgor.job.tables.sections import read_actuator, read_engine, read_mesh, read_output
+from turgor.job.tables.setups import SETUPS, read_setup, setup_type
 from turgor.job.tables.stages import STAGES, Around, first_duration, read_stages, with_names
 from turgor.job.tables.supports import read_supports
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import shown
 from turgor.model.loads import Gravity, Pressure
+from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
@@ -113,11 +115,16 @@ def _alone(given: Mapping[str, Any]) -> bool:
     return given[STAGES] is not None or drives(given["procedure"])
 
 
-def _read_path(given: Mapping[str, Any], around: Around, problems: Problems) -> OneProcedure | Stages | None:
-    """Read how the path is followed: one procedure, or stages."""
-    if given[STAGES] is None:
-        return read_procedure(given["procedure"], around.loads, problems)
-    return read_stages(given[STAGES], around, problems)
+def _read_path(
+    given: Mapping[str, Any], around: Around, problems: Problems
+) -> tuple[Setup | None, OneProcedure | Stages | None]:
+    """Read what is set up, and how the path is followed: by one procedure, or in stages."""
+    if given[STAGES] is not None:
+        return None, read_stages(given[STAGES], around, problems)
+    setup = setup_type(given["procedure"])
+    if setup is not None:
+        return read_setup(setup, given["procedure"], around.loads, problems) or (None, None)
+    return None, read_procedure(given["procedure"], around.loads, problems, SETUPS)
 
 
 def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | None:
@@ -135,17 +142,16 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     supports = read_supports(given["supports"], geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
-    procedure = _read_path(given, around, problems)
+    setup, procedure = _read_path(given, around, problems)
     output = read_output(given["output"], problems)
     threads = read_engine(given["engine"], problems)
     refuse_shells(materials, mesh, problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
         return None
-    assert mesh.size is not None  # chosen where it was not given
     return Job(
         name=name,
         actuator=actuator,
-        mesh=mesh.settings(mesh.size),
+        mesh=mesh.settings,
         mesh_target=mesh.target,
         mesh_target_measure=mesh.target_measure,
         mesh_most_unknowns=mesh.most_unknowns,
@@ -155,6 +161,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
         loads=loads,
         contact=contact,
         rigid_files=rigid_files,
+        setup=setup,
         procedure=procedure,
         output=output,
         threads=threads,

@@ -20,11 +20,12 @@ from turgor.meshing.quality.checks import check_mesh
 from turgor.model.model import Model
 from turgor.response import Response
 from turgor.results.measures.measures import check_measures, find_measure, measure
+from turgor.setups.added import with_setup
 from turgor.solvers.checks.contact import check_contact
 from turgor.solvers.checks.fibers import check_fibers
 from turgor.solvers.checks.obstacles import overlapping_obstacles
 from turgor.solvers.checks.supports import check_supports, unloaded_cavities
-from turgor.solvers.methods import may_be_free, method_of, question_of
+from turgor.solvers.methods import may_be_free, method_of
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Procedure, Solution
 from turgor.solvers.solve import Progress, solve
@@ -70,9 +71,10 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
         reinforcements=wound,
         contact=job.contact,
     )
-    first = _checked(model, job.procedure)
+    asked = with_setup(model, job.setup)
+    first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
-    return model, (
+    return asked, (
         *geometry.findings,
         *constants_in_doubt(model),
         *check_mesh(made),
@@ -84,11 +86,11 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:
-    """Refuse what no solve could begin; return the question of the procedure, in a sequence that of its first stage."""
+    """Refuse what no solve could begin; return the model, in a sequence that of its first stage."""
     if not isinstance(procedure, Stages):
         check_supports(model, inertia=may_be_free(model, procedure))
         method_of(procedure).controlled(model, procedure)
-        return question_of(model, procedure)
+        return model
     asked = questions(model, procedure)
     for question, stage in zip(asked, procedure.stages, strict=True):
         check_supports(question, inertia=may_be_free(question, stage.procedure))

@@ -14,24 +14,23 @@ from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.bodies.assemble import Raw, assemble
+from turgor.meshing.chosen import chosen_settings
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
 from turgor.meshing.quality.mend import mended
 from turgor.meshing.quiet import captured_output
 from turgor.meshing.settings import MeshSettings
+from turgor.meshing.sizing.default_size import default_size
 from turgor.meshing.sizing.local_sizes import LocalSizes, local_sizes
 from turgor.meshing.sizing.sizes import (
     CELLS_PER_RADIUS,
     LARGEST_SIZE_PER_WALL,
-    check_face_sizes,
-    check_settings,
-    default_size,
     size_range,
 )
 from turgor.meshing.sizing.thin_walls import ThinWalls, find_thin_walls, thin_walls_left
 from turgor.meshing.sizing.walls import refine_walls
 from turgor.meshing.sweeping.section import Fineness
-from turgor.meshing.sweeping.swept import check_cells, swept_mesh
+from turgor.meshing.sweeping.swept import swept_mesh
 from turgor.units import mm
 
 Ints = NDArray[np.int64]
@@ -52,7 +51,7 @@ def mesh(
     grading: float = 0.5,
     face_sizes: Mapping[str, float] = MappingProxyType({}),
     wall_cells: int = 1,
-    cells: str = "tetrahedra",
+    cells: str | None = None,
 ) -> Mesh:
     """Generate quadratic cells that fill the geometry and carry its names: tetrahedra, or hexahedra for a sweep.
 
@@ -77,9 +76,11 @@ def mesh(
     wall_cells : int
         Cells at least through every wall: 1 leaves them as they come; 2 gives smaller sizes to walls that are thinner
         than a quarter of ``size``, and cuts cells in two that still reach through a wall.
-    cells : str
+    cells : str, optional
         ``"tetrahedra"`` of ten nodes, for any geometry, or ``"hexahedra"`` of 27 nodes, for families that are a section
-        moved along a line or turned about an axis; these need several times fewer unknowns where walls are thin.
+        moved along a line or turned about an axis; these need several times fewer unknowns for the same error where
+        walls are thin. Where it is not given, hexahedra fill such families at their default size; a ``size`` or
+        ``face_sizes`` mean tetrahedra.
 
     Returns
     -------
@@ -117,8 +118,9 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
     -------
     Mesh
     """
-    size, chosen = _checked(geometry, settings)
-    grading = float(chosen.grading)
+    chosen = chosen_settings(geometry, settings)
+    assert chosen.size is not None  # chosen where it was not given
+    size, grading = chosen.size, float(chosen.grading)
     if chosen.cells == "hexahedra":
         fine = Fineness(size=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading)
         result = swept_mesh(geometry, fine)
@@ -136,14 +138,6 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
                 raise error from None
             result = replace(finer, findings=(*finer.findings, _meshed_finer(error)))
     return refine_walls(result, chosen.wall_cells)
-
-
-def _checked(geometry: Geometry, settings: MeshSettings) -> tuple[float, MeshSettings]:
-    """Size of the mesh [m], chosen where none is given, and the settings, once the geometry allows them."""
-    size = default_size(geometry, settings.cells) if settings.size is None else settings.size
-    check_settings(geometry, replace(settings, size=size))
-    check_face_sizes(geometry, settings.face_sizes, float(size))
-    return float(size), replace(settings, cells=check_cells(geometry, settings.cells, settings.face_sizes))
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,24 +11,24 @@ class MeshSettings:
     Parameters
     ----------
     size : float or None [m]
-        Largest edge length aimed at; None takes `default_size`.
+        Largest edge length aimed at; None takes `default_size` of the cells.
     grading : float [-]
         How fast cells may grow away from small ones: 0.1 slowly, 1 at once.
     face_sizes : mapping of str to float [m]
         Smaller sizes for some faces, by name.
     wall_cells : int
         Cells at least through every wall: 1 or 2.
-    cells : str
-        ``"tetrahedra"`` or ``"hexahedra"``.
+    cells : str or None
+        ``"tetrahedra"`` or ``"hexahedra"``; None takes what suits the geometry, see `chosen_settings`.
 
     Examples
     --------
-    >>> MeshSettings(size=2e-3).cells
-    'tetrahedra'
+    >>> MeshSettings(size=2e-3).grading
+    0.5
     """
 
     size: float | None = None
     grading: float = 0.5
     face_sizes: Mapping[str, float] = field(default_factory=dict)
     wall_cells: int = 1
-    cells: str = "tetrahedra"
+    cells: str | None = None

@@ -23,20 +23,12 @@ from turgor.solvers.outcomes import Outcome
 from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.auto import Auto
-from turgor.solvers.procedures.blocked_force import BlockedForce
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.procedures.gas_mass import GasMass
-from turgor.solvers.procedures.grasp import Grasp
 from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.procedures.volume_control import VolumeControl
-from turgor.solvers.setups.blocked_tip import blocked
-from turgor.solvers.setups.grasped_object import grasped
 from turgor.solvers.solution import State
-
-
-def _unchanged(model: Model, procedure: Any) -> Model:
-    return model
 
 
 def _no_faces(model: Model, procedure: Any) -> tuple[str, ...]:
@@ -68,8 +60,6 @@ class Method:
     ----------
     follow : callable
         ``follow(problem, procedure) -> Outcome`` fills the lists of the problem.
-    question : callable
-        ``question(model, procedure) -> Model``: the model with what the procedure adds to it.
     controlled : callable
         ``controlled(model, procedure) -> names`` of the cavities whose pressure is sought.
     may_be_free : callable
@@ -81,7 +71,6 @@ class Method:
     """
 
     follow: Callable[[Problem, Any], Outcome]
-    question: Callable[[Model, Any], Model] = _unchanged
     controlled: Callable[[Model, Any], tuple[str, ...]] = _no_faces
     may_be_free: Callable[[Model], bool] = _never
     findings: Callable[[Sequence[State]], tuple[Finding, ...]] = _nothing
@@ -92,8 +81,6 @@ class Method:
 METHODS: Mapping[type, Method] = MappingProxyType(
     {
         Static: Method(follow=follow_load),
-        BlockedForce: Method(follow=follow_load, question=blocked),
-        Grasp: Method(follow=follow_load, question=grasped),
         VolumeControl: Method(follow=follow_volume, controlled=controlled_faces),
         GasMass: Method(follow=follow_gas, controlled=controlled_faces),
         ArcLength: Method(follow=follow_arc),
@@ -117,22 +104,6 @@ def method_of(procedure: object) -> Method:
             return METHODS[kind]
     known = ", ".join(kind.__name__ for kind in METHODS)
     raise TurgorError(f"{type(procedure).__name__} is no procedure that can be solved; known are {known}.")
-
-
-def question_of(model: Model, procedure: object) -> Model:
-    """Return the model that a procedure follows: what was asked, with what the procedure adds to it.
-
-    Parameters
-    ----------
-    model : Model
-    procedure : Procedure
-        `BlockedForce` and `Grasp` add a plate, a hold or a path of the object; the others add nothing.
-
-    Returns
-    -------
-    Model
-    """
-    return method_of(procedure).question(model, procedure)
 
 
 def may_be_free(model: Model, procedure: object) -> bool:

@@ -14,7 +14,7 @@ from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
 from turgor.solvers.listeners import Listeners
-from turgor.solvers.methods import method_of, question_of
+from turgor.solvers.methods import method_of
 from turgor.solvers.path_outcomes import limit_point_findings
 from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.stages import OneProcedure, Stages
@@ -45,9 +45,8 @@ def solve(
     ----------
     model : Model
         The question.
-    procedure : Static, BlockedForce, Grasp, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
-        How the path is followed; `Static` if it is not given. `BlockedForce` and `Grasp` add to the question what
-        stops the tip or moves the object; ``solution.model`` is the model with it. `Stages` follows several in turn.
+    procedure : Static, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
+        How the path is followed; `Static` if it is not given. `Stages` follows several in turn.
     progress : callable
         ``progress(iteration, state)``, called after every Newton update (state None) and after every accepted step.
     stop : callable
@@ -74,7 +73,7 @@ def solve(
     if isinstance(procedure, Stages):
         solution = solve_stages(model, procedure, listeners, one)
     else:
-        solution, _ = one(question_of(model, procedure), procedure, listeners, None)
+        solution, _ = one(model, procedure, listeners, None)
     if throw and not solution.complete:
         raise SolveError(solution)
     return solution

@@ -2,8 +2,9 @@
 
 The energy per reference area is ½ h E : ℂ : E with Green's strain of the surface and the plane-stress moduli. It is
 integrated with three points. A sheet that does not stretch should not care how stiff it is: on the coarse PneuNet of
-tests/verification/test_membrane_locking.py a hundred times the stiffness changes the bending angle by −0.14 % with
-three points, and by −1.7 % with six, which tie more strains than a bent quadratic triangle can keep at zero: locking.
+tests/verification/membranes_shells/test_membrane_locking.py a hundred times the stiffness changes the bending angle by
+−0.14 % with three points, and by −1.7 % with six, which tie more strains than a bent quadratic triangle can keep at
+zero: locking.
 """
 
 from dataclasses import dataclass

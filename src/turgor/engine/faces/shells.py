@@ -7,7 +7,7 @@ on both sides carry, is held by the sheet's own shear stiffness 5/6 G h (Mindlin
 would bend by shearing the rubber beside it, the sooner the shorter its span.
 
 On tetrahedra the layers would be cut along every edge, because only the displacement is continuous there, not its
-slope across the face: in `tests/verification/test_shell.py` the bending stiffness was lost with
+slope across the face: in `tests/verification/membranes_shells/test_shell.py` the bending stiffness was lost with
 refinement. They are refused.
 """
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import tomlkit
 
+from turgor.errors import TurgorError
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.job.job import Job, actuator_type
 from turgor.job.tables.cad import cad_file_table
@@ -16,14 +17,18 @@ from turgor.job.tables.loads import loads_table
 from turgor.job.tables.mesh_files import mesh_file_table
 from turgor.job.tables.obstacles import obstacles_tables
 from turgor.job.tables.procedures import written_procedure
+from turgor.job.tables.setups import written_setup
 from turgor.job.tables.stages import STAGES, stages_tables
 from turgor.job.tables.supports import held_text
+from turgor.materials.laws.conventions import is_dimensionless
+from turgor.materials.laws.laws import LAWS
 from turgor.materials.library.record_history import history_tables
-from turgor.materials.library.records import DIMENSIONLESS, LAWS
 from turgor.materials.material import Material
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.model.model import Membrane
+from turgor.registry import name_in
 from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.procedures.static import Static
 from turgor.units import format_quantity
 
 #: Units in which a lock file states the dimensions of a value.
@@ -67,6 +72,8 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     }
     if isinstance(job.procedure, Stages):
         content[STAGES] = stages_tables(job.procedure)
+    elif job.setup is not None and isinstance(job.procedure, Static):
+        content["procedure"] = written_setup(job.setup, job.procedure, job.loads)
     else:
         content["procedure"] = written_procedure(job.procedure, job.loads)
     return _HEADER + tomlkit.dumps({key: content[key] for key in _ORDER if key in content})
@@ -91,13 +98,14 @@ def dimensions(actuator: Any) -> dict[str, Any]:
 def _mesh(job: Job) -> dict[str, Any]:
     if isinstance(job.actuator, MeshFile):
         return {}
-    faces = {name: format_quantity(size, "mm") for name, size in job.mesh.face_sizes.items()}
+    mesh = job.mesh_settings
+    assert mesh.size is not None  # chosen where it was not given
     return {
-        "size": format_quantity(job.mesh_size, "mm"),
-        "grading": job.mesh.grading,
-        "face_sizes": faces,
-        "wall_cells": job.mesh.wall_cells,
-        "cells": job.mesh.cells,
+        "size": format_quantity(mesh.size, "mm"),
+        "grading": mesh.grading,
+        "face_sizes": {name: format_quantity(size, "mm") for name, size in mesh.face_sizes.items()},
+        "wall_cells": mesh.wall_cells,
+        "cells": mesh.cells,
         **_target(job),
     }
 
@@ -112,12 +120,14 @@ def _target(job: Job) -> dict[str, Any]:
 
 def _material(entry: Material | Membrane) -> dict[str, Any]:
     material = entry.material if isinstance(entry, Membrane) else entry
-    law = next(name for name, kind in LAWS.items() if type(material.law) is kind)
+    law = name_in(LAWS, material.law)
+    if law is None:
+        raise TurgorError(f"job files have no name for the law {type(material.law).__name__} of '{material.name}'.")
     unit = "GPa" if law == "hooke" else "MPa"
     values: dict[str, Any] = {"name": material.name, "law": law}
     for item in fields(material.law):  # type: ignore[arg-type]
         value = getattr(material.law, item.name)
-        values[item.name] = _constants(value, None if item.name in DIMENSIONLESS else unit)
+        values[item.name] = _constants(value, None if is_dimensionless(item) else unit)
     if law != "hooke":
         incompressible = material.bulk_modulus == inf
         values["bulk_modulus"] = "incompressible" if incompressible else format_quantity(material.bulk_modulus, "MPa")

@@ -11,8 +11,8 @@ from turgor.geometry import Geometry
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import LibraryTable, MeshTable, StatedTable, law_table, read_table, shown
-from turgor.materials.laws.laws import GeneralizedRivlin, Hooke
-from turgor.materials.library.records import LAWS, from_library, library
+from turgor.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke
+from turgor.materials.library.records import from_library, library
 from turgor.materials.material import Material
 from turgor.model.layers import as_solid
 from turgor.model.model import Membrane

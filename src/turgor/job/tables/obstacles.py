@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import MISSING, Field, fields
 from functools import cache, partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 from pydantic import BeforeValidator, create_model
 
@@ -15,12 +15,12 @@ from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Coordinate, Length, Table, coordinate, read_table, shown
 from turgor.model.contact import SELF, Contact
-from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, RigidSurface, Shape, Sphere, Vector
+from turgor.model.obstacles import Obstacle, RigidSurface, Shape, Vector
 from turgor.model.rigid import RigidFile
 from turgor.units import format_quantity, parse_quantity
 
-#: Shapes by the names that job files use; their keys are their fields.
-SHAPES: Mapping[str, type] = {"plane": Plane, "sphere": Sphere, "cylinder": Cylinder, "box": Box}
+#: Shapes by the names that job files use, all but those of files; their keys are their fields.
+SHAPES: Mapping[str, type] = {kind.__name__.lower(): kind for kind in get_args(Shape) if kind is not RigidSurface}
 
 #: The shape that comes from an STL file.
 STL = "stl"

@@ -1,43 +1,27 @@
 """Procedures in a job: ``[procedure]``, both ways; those of stages are written alike."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import Field
 from functools import cache, partial
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, create_model
+from pydantic import BeforeValidator
 
-from turgor.errors import TurgorError
+from turgor.errors import TurgorError, unknown
 from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Table, chosen_kind, default_of, fields_of_table, read_table, shown
+from turgor.job.text.quantities import Table, chosen_kind, default_of, fields_of_table, made_table, read_table, shown
 from turgor.model.loads import Gravity, Load, Pressure
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
-from turgor.solvers.procedures.blocked_force import BlockedForce
-from turgor.solvers.procedures.dynamic import Dynamic
-from turgor.solvers.procedures.gas_mass import GasMass
-from turgor.solvers.procedures.grasp import Grasp
-from turgor.solvers.procedures.stabilized import Stabilized
-from turgor.solvers.procedures.stages import OneProcedure, Sealed
-from turgor.solvers.procedures.static import Static
-from turgor.solvers.procedures.step_options import fields_in_order
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.registry import Registry, class_of_file, name_in
+from turgor.solvers.procedures.stages import OneProcedure
+from turgor.solvers.procedures.step_options import StepOptions, fields_in_order
 from turgor.units import format_quantity, kPa, parse_quantity
 
-#: Procedures by the name that job files use. A new one is one line here; its keys are its fields.
-PROCEDURES: Mapping[str, type[Any]] = {
-    "static": Static,
-    "blocked_force": BlockedForce,
-    "grasp": Grasp,
-    "volume_control": VolumeControl,
-    "sealed": Sealed,
-    "gas_mass": GasMass,
-    "arc_length": ArcLength,
-    "auto": Auto,
-    "stabilized": Stabilized,
-    "dynamic": Dynamic,
-}
+#: Procedures by the name that job files use: the classes in their folder; the keys of one are its fields.
+PROCEDURES: Registry[type[Any]] = Registry(
+    "turgor.solvers.procedures",
+    class_of_file(lambda kind: issubclass(kind, OneProcedure) and kind is not StepOptions),
+)
 
 #: Procedures that drive the actuator without any load.
 DRIVING = ("volume_control", "gas_mass")
@@ -46,23 +30,33 @@ DRIVING = ("volume_control", "gas_mass")
 _UNITS = {"volume": "mL", "pressure": "kPa", "length": "mm", "time": "s", "rate": "1/s"}
 
 
-def read_procedure(values: Any, loads: tuple[Pressure | Gravity, ...], problems: Problems) -> OneProcedure | None:
-    """Read ``[procedure]``, or that of a stage; requested pressures become load factors."""
+def read_procedure(
+    values: Any, loads: tuple[Pressure | Gravity, ...], problems: Problems, others: Iterable[str] = ()
+) -> OneProcedure | None:
+    """Read ``[procedure]``, or that of a stage; requested pressures become load factors.
+
+    ``others`` are further names that may stand there, for the message where one is unknown.
+    """
     key = ("procedure",)
-    kind = chosen_kind(PROCEDURES, "procedure", values, key, problems)
+    kind = chosen_kind(PROCEDURES, "procedure", values, key, problems, others)
     table = read_table(procedure_table(kind), values, key, problems) if kind else None
     if kind is None or table is None:
         return None
     given = fields_of_table(table)
     why = "in a stage the pressure goes from what it was to its new value" if problems.within else ""
-    if kind is Grasp:
-        why = "in a grasp the pressure rises until closing and is held then"
-    if why and any(isinstance(value, tuple) for value in given["at"]):
-        problems.add((*key, "at"), f"a pressure does not say which state is meant: {why}; request load factors.")
+    if not states_requested(given["at"], why, problems):
         return None
     given["at"] = tuple(requested_factors(given["at"], loads, problems))
     made: OneProcedure | None = problems.attempt(key, lambda: kind(**given), fields=given)
     return made
+
+
+def states_requested(at: Sequence[Any], why: str, problems: Problems) -> bool:
+    """Whether requested states can be told; where there is a reason why not, pressures among them are noted."""
+    if why and any(isinstance(value, tuple) for value in at):
+        problems.add(("procedure", "at"), f"a pressure does not say which state is meant: {why}; request load factors.")
+        return False
+    return True
 
 
 def drives(values: Any) -> bool:
@@ -85,11 +79,15 @@ def procedure_table(value: type) -> type[Table]:
     Fields are plain numbers unless they state a dimension: ``field(metadata={"dimension": "volume"})``; such a field
     may be a table with one value for each cavity. The dimension ``"names"`` takes a name or a list of names.
     """
-    keys: dict[str, Any] = {"type": (str, ...)}
-    keys |= {item.name: (_step_type(item), default_of(item)) for item in procedure_fields(value)}
+    return made_table(f"{value.__name__}Table", field_keys(procedure_fields(value)))
+
+
+def field_keys(items: Iterable[Field[Any]]) -> dict[str, Any]:
+    """Return the keys of a table for fields: type and default of each."""
+    keys: dict[str, Any] = {item.name: (_step_type(item), default_of(item)) for item in items}
     if "at" in keys:
         keys["at"] = (list[Annotated[Any, BeforeValidator(_load_factor_or_pressure)]], [])
-    return create_model(f"{value.__name__}Table", __base__=Table, **keys)
+    return keys
 
 
 def procedure_fields(value: type) -> list[Field[Any]]:
@@ -106,11 +104,22 @@ def written_procedure(procedure: OneProcedure, loads: tuple[Load, ...] = ()) -> 
     loads : tuple of Load
         Loads whose only pressure says which states are requested; in a stage there are none.
     """
-    name = next(name for name, kind in PROCEDURES.items() if type(procedure) is kind)
-    values = {item.name: _stated(item, getattr(procedure, item.name)) for item in procedure_fields(type(procedure))}
-    values = {key: value for key, value in values.items() if value is not None}
-    top = None if isinstance(procedure, Grasp) else only_pressure(loads)
-    return {"type": name} | values | {"at": [_requested(factor, top) for factor in procedure.at]}
+    name = name_in(PROCEDURES, procedure)
+    if name is None:
+        raise unknown("procedure", type(procedure).__name__, PROCEDURES)
+    values = stated_fields(procedure, procedure_fields(type(procedure)))
+    return {"type": name} | values | {"at": requested(procedure.at, only_pressure(loads))}
+
+
+def stated_fields(value: Any, items: Iterable[Field[Any]]) -> dict[str, Any]:
+    """Return fields as a job file states them, those that are None left out."""
+    stated = {item.name: _stated(item, getattr(value, item.name)) for item in items}
+    return {key: each for key, each in stated.items() if each is not None}
+
+
+def requested(at: Iterable[float], top: float | None) -> list[str | float]:
+    """Return requested states as a job file states them: as pressures where there is a top pressure."""
+    return [_requested(factor, top) for factor in at]
 
 
 def _step_type(item: Field[Any]) -> Any:

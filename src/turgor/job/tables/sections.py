@@ -18,8 +18,10 @@ from turgor.job.text.quantities import (
     fields_of_table,
     read_table,
 )
+from turgor.meshing.chosen import chosen_cells
 from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.meshing.sizing.sizes import check_face_sizes, check_settings, default_size
+from turgor.meshing.sizing.default_size import default_size
+from turgor.meshing.sizing.sizes import check_face_sizes, check_settings
 from turgor.meshing.sweeping.swept import check_cells
 
 
@@ -50,12 +52,14 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
         if values:
             problems.add(key, "the actuator is a mesh already; leave the table [mesh] out, or mesh the part again.")
         return table.model_copy(update={"size": geometry.extent})
-    size = default_size(geometry, table.cells) if table.size is None else table.size
-    settings = table.settings(size)
+    cells = chosen_cells(geometry, table.settings)
+    size = default_size(geometry, cells) if table.size is None else table.size
+    table = table.model_copy(update={"size": size, "cells": cells})
+    settings = table.settings
     problems.attempt(key, lambda: check_settings(geometry, settings), fields=("size", "grading", "wall_cells"))
     problems.attempt((*key, "face_sizes"), lambda: check_face_sizes(geometry, table.face_sizes, size))
-    problems.attempt((*key, "cells"), lambda: check_cells(geometry, table.cells, table.face_sizes))
-    return table.model_copy(update={"size": size})
+    problems.attempt((*key, "cells"), lambda: check_cells(geometry, cells, table.face_sizes))
+    return table
 
 
 def read_engine(values: Any, problems: Problems) -> int | None:

@@ -12,6 +12,7 @@ from turgor.geometry import Geometry
 from turgor.job.tables.loads import loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
+from turgor.job.tables.setups import refuse_setup
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table, shown
@@ -132,7 +133,8 @@ def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> 
         return None
     table: StageTable | None = read_table(StageTable, entry, (), problems)
     asked = entry.get("procedure", {"type": "static"})
-    procedure = read_procedure(asked, (), problems)
+    refused = refuse_setup(asked, problems.within[-1], problems)
+    procedure = None if refused else read_procedure(asked, (), problems)
     duration, stated = duration_of(asked), entry.get("loads", {})
     loads = read_loads(stated, around.geometry, around.materials, problems, False, duration)
     if table is None:

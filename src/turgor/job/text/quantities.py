@@ -3,11 +3,11 @@
 The keys of an actuator and a law are the fields of its dataclass, so that a new one needs no code here.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, fields
 from functools import cache, partial
 from math import inf
-from typing import Annotated, Any, get_args
+from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import AfterValidator, AllowInfNan, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
 
@@ -15,9 +15,9 @@ from turgor.errors import TurgorError, near_match, unknown
 from turgor.geometry.directions import DIRECTIONS
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
+from turgor.materials.laws.conventions import is_dimensionless
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
-from turgor.materials.library.records import DIMENSIONLESS
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.sizes import check_target
 from turgor.model.loads import STANDARD_GRAVITY
@@ -100,15 +100,16 @@ class MeshTable(Table):
     grading: float = _MESH.grading
     face_sizes: dict[str, Length] = {}
     wall_cells: int = _MESH.wall_cells
-    cells: str = _MESH.cells
+    cells: str | None = _MESH.cells
     target: Share | None = None
     target_measure: Annotated[str, AfterValidator(_measure)] | None = None
     most_unknowns: int = 200_000
 
-    def settings(self, size: float) -> MeshSettings:
-        """Return how to mesh with a size that was chosen [m]."""
+    @property
+    def settings(self) -> MeshSettings:
+        """How to mesh."""
         return MeshSettings(
-            size=size,
+            size=self.size,
             grading=self.grading,
             face_sizes=self.face_sizes,
             wall_cells=self.wall_cells,
@@ -211,9 +212,14 @@ def dataclass_table(value: type) -> type[Table]:
     A float is a length unless its field says otherwise: ``field(metadata={"dimension": "angle"})``; the dimension
     ``"number"`` takes no unit.
     """
-    keys: dict[str, Any] = {"type": (str, ...)}
-    keys |= {item.name: (_type_of(item), default_of(item)) for item in fields(value)}
-    return create_model(f"{value.__name__}Table", __base__=Table, **keys)
+    return made_table(
+        f"{value.__name__}Table", {item.name: (_type_of(item), default_of(item)) for item in fields(value)}
+    )
+
+
+def made_table(name: str, keys: Mapping[str, Any]) -> type[Table]:
+    """Make a table of keys, each with its type and default, and of a ``type``."""
+    return create_model(name, __base__=Table, **{"type": (str, ...), **keys})
 
 
 @cache
@@ -228,10 +234,11 @@ def law_table(law: type) -> type[Table]:
 
 def _constant_type(item: Field[Any]) -> Any:
     """One constant, a list with one for each term, or a table of coefficients by name."""
-    one = float if item.name in DIMENSIONLESS else Pressure
+    one = float if is_dimensionless(item) else Pressure
     if item.type is float:
         return one
-    return dict[str, one] if item.name == "coefficients" else list[one]  # type: ignore[valid-type]
+    of_terms = get_origin(get_args(item.type)[0]) is tuple  # (i, j, coefficient): stated by names
+    return dict[str, one] if of_terms else list[one]  # type: ignore[valid-type]
 
 
 def read_table(table: type[Table], values: object, key: Key, problems: Problems) -> Any | None:
@@ -248,17 +255,19 @@ def read_table(table: type[Table], values: object, key: Key, problems: Problems)
         return None
 
 
-def chosen_kind(kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems) -> Any | None:
-    """The kind that the key ``type`` of a table names."""
+def chosen_kind(
+    kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems, others: Iterable[str] = ()
+) -> Any | None:
+    """The kind that the key ``type`` of a table names; ``others`` are names that are read elsewhere."""
     if not isinstance(values, Mapping):
         problems.add(key, f"{shown(values)} is not a table; write {problems.head(key)} and its keys below it.")
         return None
     if "type" not in values:
-        problems.add((*key, "type"), f"'type' is missing; allowed: {', '.join(kinds)}.")
+        problems.add((*key, "type"), f"'type' is missing; allowed: {', '.join((*kinds, *others))}.")
         return None
     name = str(values["type"])
     if name not in kinds:
-        problems.add((*key, "type"), str(unknown(what, name, kinds)))
+        problems.add((*key, "type"), str(unknown(what, name, (*kinds, *others))))
         return None
     return kinds[name]
 

@@ -9,9 +9,11 @@ import tomlkit
 
 from turgor.errors import TurgorError
 from turgor.materials.fitting.result import Fit
-from turgor.materials.laws.conventions import DIMENSIONLESS, LAWS, law_from_printed
+from turgor.materials.laws.conventions import CONVENTIONS, DIMENSIONLESS, law_from_printed
+from turgor.materials.laws.laws import LAWS
 from turgor.materials.library.record_history import history_tables
 from turgor.materials.material import Material
+from turgor.registry import name_in
 from turgor.units import format_quantity
 
 #: How files write a law: its name there and the convention that says what its symbols mean.
@@ -134,19 +136,17 @@ def material_toml(material: Material, record: str = "fitted") -> str:
 
 def _entry(material: Material) -> tomlkit.items.Table:
     """The record of a material."""
-    names = [name for name, kind in LAWS.items() if type(material.law) is kind and name != "hooke"]
-    if not names:
+    name = name_in(LAWS, material.law)
+    if name is None or name == "hooke" or not any(name in known for known in CONVENTIONS.values()):
         raise TurgorError(f"files of records have no form for the law {type(material.law).__name__}.")
     entry = tomlkit.table()
-    entry["law"] = names[0]
+    entry["law"] = name
     parameters = tomlkit.inline_table()
     for symbol, value in _symbols(material.law):
         shape = symbol in DIMENSIONLESS or symbol.startswith("alpha")
         parameters[symbol] = value if shape else format_quantity(value, "kPa")
     entry["parameters"] = parameters
-    entry["convention"] = {"ogden": "mu/alpha", "gent": "canonical", "arruda_boyce": "canonical"}.get(
-        names[0], "two_index"
-    )
+    entry["convention"] = {"ogden": "mu/alpha", "gent": "canonical", "arruda_boyce": "canonical"}.get(name, "two_index")
     if not material.incompressible:
         entry["compressibility"] = {"bulk_modulus": format_quantity(material.bulk_modulus, "MPa")}
     if material.stretch_range is not None:

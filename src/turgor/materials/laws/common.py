@@ -1,6 +1,6 @@
 """What every law offers, and the checks that every law makes."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import isfinite
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
@@ -49,3 +49,16 @@ def require_positive_shear_modulus(law: Law) -> None:
             f"{type(law).__name__} has an initial shear modulus of {law.shear_modulus:g} Pa; it must be positive. "
             "Check the sign and the unit of the first coefficients."
         )
+
+
+def numbers(law: object, name: str, values: Any) -> tuple[float, ...]:
+    """A non-empty tuple of floats, so that the law can be hashed and its terms counted."""
+    if isinstance(values, str) or (not isinstance(values, Sequence) and not hasattr(values, "__iter__")):
+        raise TurgorError(f"{type(law).__name__}: {name} is {values!r}; give a sequence with one number for each term.")
+    try:
+        found = tuple(float(value) for value in values)
+    except (TypeError, ValueError):
+        raise TurgorError(f"{type(law).__name__}: {name} is {values!r}; each entry must be a number.") from None
+    if not found:
+        raise TurgorError(f"{type(law).__name__}: {name} is empty; give at least one number.")
+    return found

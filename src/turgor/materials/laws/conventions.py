@@ -1,37 +1,21 @@
 """What printed constants mean: conventions of the literature, turned into laws in canonical coefficients."""
 
 from collections.abc import Mapping
-from dataclasses import MISSING, fields, replace
+from dataclasses import MISSING, Field, fields, replace
 from typing import Any
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws.laws import (
-    ArrudaBoyce,
-    GeneralizedRivlin,
-    Gent,
-    Hooke,
-    Law,
-    MooneyRivlin,
-    NeoHooke,
-    Ogden,
-    Yeoh,
-)
+from turgor.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke, Law, Ogden
 from turgor.units import UNITS
-
-#: Laws by the name that files use.
-LAWS: Mapping[str, type[Any]] = {
-    "neo_hooke": NeoHooke,
-    "mooney_rivlin": MooneyRivlin,
-    "yeoh": Yeoh,
-    "generalized_rivlin": GeneralizedRivlin,
-    "ogden": Ogden,
-    "gent": Gent,
-    "arruda_boyce": ArrudaBoyce,
-    "hooke": Hooke,
-}
 
 #: Parameters that carry no unit; all others are pressures.
 DIMENSIONLESS = frozenset({"nu", "alpha", "Jm", "locking_stretch"})
+
+
+def is_dimensionless(parameter: Field[Any]) -> bool:
+    """Whether a field of a law carries no unit; laws of one's own say so with ``metadata={"dimension": "number"}``."""
+    return parameter.name in DIMENSIONLESS or parameter.metadata.get("dimension") == "number"
+
 
 #: What printed symbols mean: for each convention and law, canonical coefficient = factor × printed symbol.
 #: "C2" is the second coefficient of I₁ in Yeoh's law and the one of I₂ in Mooney and Rivlin's. An empty table stands
@@ -145,12 +129,14 @@ def describe(law: Law | Hooke) -> str:
 
     Examples
     --------
+    >>> from turgor.materials.laws.laws import Yeoh
     >>> describe(Yeoh(C10=0.11e6, C20=0.02e6))
     'C10 = 0.11 MPa, C20 = 0.02 MPa'
     """
     unit = "GPa" if isinstance(law, Hooke) and law.E >= 1e8 else "MPa"
+    plain = {item.name for item in fields(law) if is_dimensionless(item)}  # type: ignore[arg-type]
     return ", ".join(
-        f"{key} = {value:g}" if key in DIMENSIONLESS or key.startswith("alpha") else f"{key} = {_rounded(value, unit)}"
+        f"{key} = {value:g}" if key in plain or key.startswith("alpha") else f"{key} = {_rounded(value, unit)}"
         for key, value in _coefficients(law).items()
         if value != 0
     )
@@ -180,7 +166,7 @@ def scaled_law(law: Law, factor: float) -> Law:
             return tuple((*exponents, factor * number) for *exponents, number in value)
         return tuple(factor * number for number in value)
 
-    moduli = [item.name for item in fields(law) if item.name not in DIMENSIONLESS]  # type: ignore[arg-type]
+    moduli = [item.name for item in fields(law) if not is_dimensionless(item)]  # type: ignore[arg-type]
     return replace(law, **{name: times(getattr(law, name)) for name in moduli})  # type: ignore[type-var]
 
 

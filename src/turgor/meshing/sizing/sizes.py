@@ -1,7 +1,7 @@
 """Mesh sizes: the range that a geometry allows, its default size, and checks of given sizes."""
 
 from collections.abc import Mapping
-from math import ceil, floor, isfinite, log10
+from math import ceil, floor, isfinite
 from numbers import Integral, Real
 from typing import Any
 
@@ -14,15 +14,8 @@ from turgor.units import mm
 #: four times as long as thick, still bends well; longer cells miss the bulging of walls.
 LARGEST_SIZE_PER_WALL = 4.0
 
-#: Without a given size, cells are this many times longer than the thinnest wall is thick. Measured with hexahedra: at
-#: four times, an eccentric bender was 3 % off and ring sectors 6 %, at three times 0.3 % and 1 %.
-DEFAULT_SIZE_PER_WALL = {"tetrahedra": 2.0, "hexahedra": 3.0}
-
-#: Without a given size, the part is at least this many cells long.
-DEFAULT_CELLS_PER_EXTENT = 8.0
-
-#: Largest mesh that one machine can be expected to solve, and one that it solves in a minute or two.
-MOST_UNKNOWNS, DEFAULT_UNKNOWNS = 3e6, 1.5e5
+#: Largest mesh that one machine can be expected to solve.
+MOST_UNKNOWNS = 3e6
 
 #: Unknowns per volume over size cubed, measured on the fast PneuNet from 1.5 to 1 mm: 40 to 35.
 UNKNOWNS_PER_SIZE_CUBED = 40.0
@@ -47,39 +40,7 @@ def size_range(geometry: Geometry) -> tuple[float, float]:
 
     The smallest makes about 3 million unknowns; the largest is four times the thinnest wall, or the part itself.
     """
-    return _size_of(geometry, MOST_UNKNOWNS), min(LARGEST_SIZE_PER_WALL * geometry.smallest_wall, _extent(geometry))
-
-
-def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
-    """Mesh size for a geometry where none is given [m]: twice the thinnest wall, for hexahedra three times; two digits.
-
-    It is larger where this would make more than about 150,000 unknowns, up to four times the wall, and never more
-    than an eighth of the part.
-
-    Parameters
-    ----------
-    geometry : Geometry
-    cells : str
-        ``"tetrahedra"`` or ``"hexahedra"``, which are shorter beside walls by themselves.
-
-    Returns
-    -------
-    float [m]
-
-    Examples
-    --------
-    >>> from turgor.geometry import FastPneuNet
-    >>> finger = FastPneuNet().build()
-    >>> default_size(finger), default_size(finger, "hexahedra")
-    (0.002, 0.003)
-    """
-    low, high = size_range(geometry)
-    per_wall = DEFAULT_SIZE_PER_WALL.get(cells, DEFAULT_SIZE_PER_WALL["tetrahedra"])  # unknown cells are refused later
-    size = max(per_wall * geometry.smallest_wall, _size_of(geometry, DEFAULT_UNKNOWNS))
-    size = min(size, high, _extent(geometry) / DEFAULT_CELLS_PER_EXTENT)
-    digits = 1 - floor(log10(size / mm))
-    rounded = floor(round(size / mm * 10**digits, 6)) / 10**digits * mm
-    return rounded if rounded >= low else low
+    return size_for(geometry, MOST_UNKNOWNS), min(LARGEST_SIZE_PER_WALL * geometry.smallest_wall, extent_of(geometry))
 
 
 def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
@@ -98,7 +59,7 @@ def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
     """
     grading: object = settings.grading
     _check_wall_cells(settings.wall_cells)
-    _check_size(geometry, settings.size, size_range(geometry)[1] if settings.wall_cells == 1 else _extent(geometry))
+    _check_size(geometry, settings.size, size_range(geometry)[1] if settings.wall_cells == 1 else extent_of(geometry))
     if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
         raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
 
@@ -155,13 +116,14 @@ def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: fl
             raise TurgorError(f"mesh size of face '{name}' is {value / mm:.6g} mm; allowed is {shown}.")
 
 
-def _extent(geometry: Geometry) -> float:
+def extent_of(geometry: Geometry) -> float:
     """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
     geometry._shape.MakeTriangulation()
     return geometry.extent
 
 
-def _size_of(geometry: Geometry, unknowns: float) -> float:
+def size_for(geometry: Geometry, unknowns: float) -> float:
+    """Size of tetrahedra [m] that make about so many unknowns."""
     return float((UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / unknowns) ** (1 / 3))
 
 
@@ -171,7 +133,7 @@ def _check_size(geometry: Geometry, size: object, high: float) -> None:
     length, low, wall = float(size), size_range(geometry)[0], geometry.smallest_wall
     if low <= length <= high * (1 + 1e-9):
         return
-    limit = f"(four times the thinnest wall, {wall / mm:.4g} mm)" if high < _extent(geometry) else "(the whole part)"
+    limit = f"(four times the thinnest wall, {wall / mm:.4g} mm)" if high < extent_of(geometry) else "(the whole part)"
     # rounded inwards, so that both numbers shown are themselves allowed
     allowed = f"allowed is {ceil(low / mm * 1000) / 1000} mm to {floor(high / mm * 1000 + 1e-6) / 1000:g} mm {limit}"
     given = f"mesh size is {length / mm:.6g} mm"
@@ -180,7 +142,7 @@ def _check_size(geometry: Geometry, size: object, high: float) -> None:
     if length < low:
         millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / length**3 / 1e6
         raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; {allowed}.")
-    what = "larger than the part" if length > _extent(geometry) else f"too coarse for the wall of {wall / mm:.4g} mm"
+    what = "larger than the part" if length > extent_of(geometry) else f"too coarse for the wall of {wall / mm:.4g} mm"
     hint = "; is the unit right?" if low <= length * mm <= high else "."
     raise TurgorError(f"{given}, {what}; {allowed}{hint}")
 

@@ -10,7 +10,7 @@ from turgor.model.contact import SELF
 from turgor.model.model import Model
 from turgor.model.obstacles import Obstacle
 from turgor.results.fields.state_fields import StateFields
-from turgor.solvers.setups.grasped_object import BETWEEN
+from turgor.setups.grasped_object import BETWEEN
 from turgor.solvers.solution import State
 
 Array = NDArray[np.float64]

@@ -1,4 +1,4 @@
-"""Measures of contact and of the procedures that need it: forces on obstacles, areas, pressures, penetration."""
+"""Measures of contact and of the setups that need it: forces on obstacles, areas, pressures, penetration."""
 
 from collections.abc import Sequence
 
@@ -11,10 +11,9 @@ from turgor.model.model import Model
 from turgor.model.obstacles import Obstacle, Plane
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.measures.reading import Measure
-from turgor.solvers.procedures.blocked_force import PLATE, BlockedForce
-from turgor.solvers.procedures.grasp import Grasp
-from turgor.solvers.setups.blocked_tip import HeldTip
-from turgor.solvers.setups.grasped_object import BETWEEN, Grasped
+from turgor.setups.blocked_tip import HeldTip, Plate
+from turgor.setups.grasped_object import BETWEEN, Grasped
+from turgor.setups.values import PLATE
 from turgor.solvers.solution import Solution
 
 Array = NDArray[np.float64]
@@ -50,7 +49,7 @@ def area_on(obstacle: str) -> Measure:
 
 
 def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
-    """Return the measures that a response has by itself: those of the procedure, of each obstacle, of all contact.
+    """Return the measures that a response has by itself: those of its setup, of each obstacle, of all contact.
 
     Parameters
     ----------
@@ -62,16 +61,16 @@ def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
         None where nothing can touch and nothing is blocked.
     """
     chosen: list[Measure] = []
-    procedure, model = solution.procedure, solution.model
-    if isinstance(procedure, BlockedForce):
+    model = solution.model
+    obstacles, held = model.contact.obstacles, _held_tip(model)
+    if held is not None or any(isinstance(each, Plate) for each in obstacles):
         chosen.append(blocked_force)
-        held = procedure.hold if procedure.hold != PLATE else ""
-        chosen += [_component(axis) for axis in held if len(held) > 1]
-    if isinstance(procedure, Grasp):
+    if held is not None and len(held.directions) > 1:
+        chosen += [_component(axis) for axis in held.directions]
+    if any(isinstance(each, Grasped) for each in obstacles):
         chosen += [pull_distance, grip_force, holding_force]
-    told = (PLATE,) if isinstance(procedure, BlockedForce) else ()
-    for obstacle in model.contact.obstacles:
-        if not (isinstance(obstacle, Grasped) or obstacle.name.startswith(BETWEEN) or obstacle.name in told):
+    for obstacle in obstacles:
+        if not (isinstance(obstacle, Plate | Grasped) or obstacle.name.startswith(BETWEEN)):
             chosen.append(force_on(obstacle.name))
     if model.contact.obstacles or any(state.touches for state in solution.states):
         chosen += [contact_area, maximum_contact_pressure, deepest_penetration]
@@ -121,8 +120,8 @@ def _push(at: StateFields) -> tuple[Array, Array]:
     plates = [each for each in at.model.contact.obstacles if each.name == PLATE and isinstance(each.shape, Plane)]
     if not plates:
         raise TurgorError(
-            "nothing stops the tip: the model has neither a plane obstacle 'plate' nor a held tip; solve it with "
-            "BlockedForce."
+            "nothing stops the tip: the model has neither a plane obstacle 'plate' nor a held tip; make it "
+            "with setups.blocked_force."
         )
     assert isinstance(plates[0].shape, Plane)
     return _force_on(at, PLATE), -np.array(plates[0].shape.normal)
@@ -145,7 +144,7 @@ def _grasped(at: StateFields) -> Grasped:
     for obstacle in at.model.contact.obstacles:
         if isinstance(obstacle, Grasped):
             return obstacle
-    raise TurgorError("nothing is grasped; solve the model with Grasp.")
+    raise TurgorError("nothing is grasped; make the model with setups.grasp.")
 
 
 def _holding_force(at: StateFields) -> float:
@@ -164,8 +163,8 @@ def _largest(values: Sequence[float]) -> float:
 
 blocked_force = Measure(
     name="blocked_force", unit="N", function=_blocked_force,
-    definition="force with which the tip pushes on the plate or pulls at what holds it, in the direction of the "
-    "procedure, whole actuator",
+    definition="force with which the tip pushes on the plate or pulls at what holds it, in the direction in "
+    "which it is blocked, whole actuator",
 )  # fmt: skip
 blocked_force_x, blocked_force_y, blocked_force_z = map(_component, "xyz")
 contact_area = Measure(
@@ -196,11 +195,5 @@ pull_distance = Measure(
     name="pull_distance", unit="mm", function=_pull_distance, definition="how far the object has been pulled",
 )  # fmt: skip
 
-#: Ready-made measures of contact.
-CONTACT_MEASURES: tuple[Measure, ...] = (
-    blocked_force, blocked_force_x, blocked_force_y, blocked_force_z,
-    contact_area, maximum_contact_pressure, deepest_penetration,
-    grip_force, holding_force, pull_distance,
-)  # fmt: skip
-
-_NAMES = tuple(each.name for each in CONTACT_MEASURES)
+#: Names of the measures above, for messages.
+_NAMES = tuple(each.name for each in list(globals().values()) if isinstance(each, Measure))

@@ -13,6 +13,3 @@ winding_force_per_length = Measure(
     definition="force of the threads around the axis for each current length along it, mean over the wound faces: of "
     "hoops the tension times threads per length",
 )  # fmt: skip
-
-#: Every measure of fibers.
-FIBER_MEASURES: tuple[Measure, ...] = (maximum_fiber_tension, winding_force_per_length)

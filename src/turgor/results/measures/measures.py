@@ -1,7 +1,6 @@
 """Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
 
-from collections.abc import Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,18 +13,17 @@ from turgor.meshing.quality.proximity import smallest_gap as smallest_gap_betwee
 from turgor.model.drive import common_pressure, pressures_at
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
+from turgor.registry import Registry
 from turgor.response import Column, Response
 from turgor.results.drive import stage_column
 from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.measures.cavities import enclosed_volume
 from turgor.results.measures.contact_measures import (
-    CONTACT_MEASURES,
     area_on,
     contact_measures_of,
     force_on,
 )
 from turgor.results.measures.energies import energy_columns, time_column
-from turgor.results.measures.fiber_measures import FIBER_MEASURES
 from turgor.results.measures.field_measures import (
     as_column,
     in_each_region,
@@ -36,6 +34,7 @@ from turgor.results.measures.field_measures import (
     von_mises_p99,
 )
 from turgor.results.measures.reading import Measure as Measure
+from turgor.results.measures.reading import measures_of
 from turgor.results.measures.rotations import face_rotation, twist
 from turgor.solvers.pressures import pressures_of, stated_by_loads
 from turgor.solvers.procedures.stages import Stages
@@ -276,19 +275,5 @@ STANDARD_MEASURES: tuple[Measure, ...] = (
     maximum_von_mises, reaction,
 )  # fmt: skip
 
-#: Every ready-made measure by name.
-MEASURES: Mapping[str, Measure] = MappingProxyType(
-    {
-        each.name: each
-        for each in (
-            *STANDARD_MEASURES,
-            tip_displacement_x,
-            tip_displacement_y,
-            tip_displacement_z,
-            twist_angle,
-            smallest_gap,
-            *FIBER_MEASURES,
-            *CONTACT_MEASURES,
-        )
-    }
-)
+#: Every ready-made measure by name: those that the files of this folder define.
+MEASURES: Registry[Measure] = Registry("turgor.results.measures", measures_of)

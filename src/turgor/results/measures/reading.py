@@ -1,7 +1,8 @@
 """Measure: a number that can be read off a state, with its name, unit and definition."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from types import ModuleType
 
 import numpy as np
 
@@ -56,3 +57,19 @@ class Measure:
     def text(self, value: float) -> str:
         """Write a value for a person, such as ``"85.3 deg"``."""
         return f"{value / COLUMN_UNITS[self.unit]:.4g} {self.unit}".rstrip()
+
+
+def measures_of(module: ModuleType) -> Iterator[tuple[str, Measure]]:
+    """List the measures that a file holds, by their names.
+
+    Parameters
+    ----------
+    module : module
+
+    Yields
+    ------
+    (str, Measure)
+    """
+    for value in vars(module).values():
+        if isinstance(value, Measure):
+            yield value.name, value

@@ -7,57 +7,13 @@ from turgor.errors import TurgorError
 from turgor.model.loads import Load
 from turgor.model.obstacles import Vector
 from turgor.model.supports import Displacement
-from turgor.solvers.procedures.arc_length import ArcLength
-from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.procedures.gas_mass import GasMass
-from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.procedures.static import Static
-from turgor.solvers.procedures.step_options import check_steps
-from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.solvers.procedures.step_options import StepOptions
 
-#: Procedures that ask a question of their own, and how a sequence asks it.
-INSTEAD: Mapping[str, str] = {
-    "BlockedForce": "it puts a plate before the tip at rest; add the plate as an obstacle, let a stage move it to the "
-    "tip, and read its force, such as plate_force",
-    "Grasp": "it is a sequence itself; close the fingers in one stage with a pressure, and pull the object in the next "
-    "one with moves, with a plane as obstacle where the fingers meet",
-}
-
-OneProcedure = Static | VolumeControl | GasMass | ArcLength | Auto | Dynamic | Stabilized
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Sealed(VolumeControl):
-    """Keep the liquid in cavities while other loads change: their volumes stay, the pressures are the answer.
-
-    As the first procedure, or the only one, it keeps the volumes at rest. Its steps and tolerance are those of
-    `VolumeControl`; it takes no volume.
-
-    Parameters
-    ----------
-    cavities : str or tuple of str
-        Which are sealed; the only cavity if left out.
-
-    Examples
-    --------
-    >>> Sealed(cavities="cavity_1").cavities
-    ('cavity_1',)
-    """
-
-    cavities: str | tuple[str, ...] = field(default=(), metadata={"dimension": "names"})
-    volume: float | Mapping[str, float] = field(init=False, default=0.0)
-
-    def __post_init__(self) -> None:
-        if isinstance(self.cavities, str):
-            object.__setattr__(self, "cavities", (self.cavities,))
-        object.__setattr__(self, "volume", dict.fromkeys(self.cavities, 0.0) or 0.0)
-        check_steps(self)
-
-    @property
-    def asked_by(self) -> str:
-        """The field that names the cavities."""
-        return "cavities"
+#: Any procedure but a sequence of them.
+OneProcedure = StepOptions | Dynamic
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -127,6 +83,8 @@ class Stages:
 
     Examples
     --------
+    >>> from turgor.solvers.procedures.sealed import Sealed
+    >>> from turgor.solvers.procedures.volume_control import VolumeControl
     >>> from turgor.units import mL
     >>> press = Stage("press", Sealed(), moves={"plate": (0, 0, -2e-3)})
     >>> [stage.name for stage in Stages([Stage("fill", VolumeControl(volume=5 * mL)), press]).stages]
@@ -162,14 +120,8 @@ def check_stage(stage: Stage, number: int) -> None:
         If it cannot; the message says what to write instead.
     """
     procedure, said = stage.procedure, f"stage '{stage.name}'"
-    instead = INSTEAD.get(type(procedure).__name__)
-    if instead:
-        raise TurgorError(f"{said}: {type(procedure).__name__} cannot be a stage, because {instead}.")
-    if not isinstance(procedure, OneProcedure) or (isinstance(procedure, Static) and type(procedure) is not Static):
-        raise TurgorError(
-            f"{said}: {type(procedure).__name__} cannot be a stage; "
-            "take Static, VolumeControl, Sealed, GasMass, ArcLength, Auto, Stabilized or Dynamic."
-        )
+    if not isinstance(procedure, OneProcedure):
+        raise TurgorError(f"{said}: {type(procedure).__name__} is no procedure; take one such as Static or Sealed.")
     if number and isinstance(procedure, GasMass) and procedure.pressure:
         raise TurgorError(
             f"{said}: procedure.pressure is {procedure.pressure:g} Pa, and the gas is sealed at the pressure that the "

@@ -1,0 +1,83 @@
+"""What ``turgor fit`` prints: the table of laws of one material, or a row for each of several."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import typer
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
+    from turgor.materials.fitting.ranking import Ranking
+    from turgor.materials.fitting.result import Fit
+
+
+def show(ranking: "Ranking") -> None:
+    """Print the table of laws and what it means."""
+    console, table = _table("law", "parameters", "AIC")
+    for test in ranking.best.quality:
+        table.add_column(f"{test.name} [%]", justify="right", overflow="fold")
+        table.add_column("R²", justify="right")
+    for fit in ranking.fits:
+        cells = [cell for test in fit.quality for cell in (f"{100 * test.relative:.1f}", f"{test.r2:.4f}")]
+        parameters = "\n".join(fit.parameter(name) for name in fit.spec.names)
+        table.add_row(fit.spec.name, parameters, f"{fit.aic:.1f}", *cells)
+    console.print(table)
+    for text in (*ranking.words, *ranking.failed):
+        typer.echo(text)
+
+
+def show_each(rankings: "Sequence[tuple[str, Ranking]]", laws: Sequence[str]) -> None:
+    """Print one row a material: the relative error of every law, the best marked."""
+    from turgor.materials.fitting.law_specs import law_spec
+
+    names = [law_spec(law).name for law in laws]
+    console, table = _table("material", "stretch")
+    for name in names:
+        table.add_column(f"{name} [%]", justify="right")
+    for material, ranking in rankings:
+        found = {fit.spec.name: fit for fit in ranking.fits}
+        cells = [_cell(found.get(name), ranking) for name in names]
+        low, high = ranking.best.stretch_range
+        table.add_row(material, f"{low:.3g} to {high:.3g}", *cells)
+    console.print(table)
+    typer.echo("Root mean square of the relative error; * marks the smallest AIC.")
+    for text in dict.fromkeys(text for _, ranking in rankings for text in ranking.failed):
+        typer.echo(text)
+    _tell_findings(rankings)
+
+
+def _tell_findings(rankings: "Sequence[tuple[str, Ranking]]") -> None:
+    """Say what all materials have in common once, and which of them end before the range that is wanted."""
+    fits = [fit for _, ranking in rankings for fit in ranking.fits]
+    common = dict.fromkeys(str(found) for fit in fits for found in fit.findings if found.code != "M01")
+    for text in common:
+        typer.echo(text)
+    short = [
+        f"{material} ({ranking.best.stretch_range[1]:.3g})"
+        for material, ranking in rankings
+        if any(found.code == "M01" for found in ranking.best.findings)
+    ]
+    if short:
+        typer.echo(f"M01 warning: tests end before the stretch that is wanted: {', '.join(short)}.")
+
+
+def _cell(fit: "Fit | None", ranking: "Ranking") -> str:
+    if fit is None:
+        return "-"
+    return f"{100 * fit.relative:.1f}{'*' if fit is ranking.best else ''}"
+
+
+def _table(*columns: str) -> "tuple[Console, Table]":
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console(highlight=False, markup=False)
+    # a pipe has no width, and a table cut to 80 letters would lose numbers
+    if not console.is_terminal:
+        console = Console(highlight=False, markup=False, width=160)
+    table = Table(box=None, pad_edge=False, header_style="")
+    for column in columns:
+        table.add_column(column)
+    return console, table

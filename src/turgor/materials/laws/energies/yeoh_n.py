@@ -1,0 +1,39 @@
+"""Yeoh's law with any number of terms."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from turgor.materials.laws.common import numbers, require_finite, require_positive_shear_modulus
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class YeohN:
+    """Yeoh law of any order W = Σ Cᵢ₀ (Ī₁ − 3)ⁱ; review Eq. 14 with any number of terms.
+
+    Parameters
+    ----------
+    coefficients : tuple of float [Pa]
+        C10, C20, C30 and so on; μ = 2 C10.
+
+    Examples
+    --------
+    >>> YeohN(coefficients=(12.7e3, 423.0, -1.46, 0.02)).shear_modulus
+    25400.0
+    """
+
+    coefficients: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "coefficients", numbers(self, "coefficients", self.coefficients))
+        require_positive_shear_modulus(self)
+        require_finite(self, ((f"C{i}0", value) for i, value in enumerate(self.coefficients, 1)))
+
+    def energy(self, I1: Any, I2: Any) -> Any:
+        """Strain energy density [Pa], review Eq. 14."""
+        x = I1 - 3
+        return sum(C * x**i for i, C in enumerate(self.coefficients, 1))
+
+    @property
+    def shear_modulus(self) -> float:
+        """Initial shear modulus μ = 2 C10 [Pa]."""
+        return 2 * self.coefficients[0]

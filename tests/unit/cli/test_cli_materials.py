@@ -1,0 +1,164 @@
+"""The commands ``turgor materials list | show | plot``, and the plot they write."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from turgor.cli import main
+from turgor.cli.exits import BAD_INPUT, DONE
+from turgor.errors import TurgorError
+from turgor.materials.library.record_text import describe_material, doubts_list, library_table
+from turgor.materials.library.records import all_records, find_record, records
+from turgor.results.plots.materials import curve, material_figure, plot_records, write_material_plot
+
+TEST = "stretch,nominal stress (kPa)\n1.0,0\n1.5,20\n2.0,35\n3.0,62\n"
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "strip_uniaxial.csv").write_text(TEST, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize("arguments", [["materials"], ["materials", "list"]])
+def test_list_shows_every_record_with_its_codes(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(arguments) == DONE
+    lines = capsys.readouterr().out.splitlines()
+    assert sum(line.startswith("  ") for line in lines) == len(all_records()) == 39
+    assert "elastosil-m4601" in lines
+    (line,) = (line for line in lines if line.startswith("  yeoh-elsayed-2014"))
+    assert line.endswith("Soft Robot. 2014, 1, 255 [M04, M06]")
+
+
+def test_show_prints_both_forms_and_the_doubts(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "show", "dragon-skin-10", "--record", "ogden-nuthi-2018"]) == DONE
+    out = capsys.readouterr().out
+    assert out.startswith("Dragon Skin 10, Shore hardness 10 A\n")
+    assert "  law: ogden in the convention abaqus\n" in out
+    assert "  printed: mu_1 = 0.1802 MPa, mu_2 = -0.5538 MPa" in out
+    assert "  canonical: mu_1 = -1.804707 MPa, mu_2 = -0.7487325 MPa" in out
+    assert "  bulk modulus: 0.8939 MPa\n" in out
+    assert "  doubt M05 wrong convention negative: " in out
+    assert "yeoh-caasenbrood-2020" not in out
+
+
+def test_show_of_a_material_shows_every_record(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "show", "ecoflex-00-30"]) == DONE
+    out = capsys.readouterr().out
+    assert all(f"\n{record.name}\n" in out for record in records("ecoflex-00-30"))
+    assert "  canonical: no law\n" in out
+    assert "supplier: nominal stress at stretch 2 is 68.9 kPa" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["materials", "show"], "turgor: Missing argument 'NAME'."),
+        (["materials", "shaw", "paper"], "turgor: No such command 'shaw'."),
+        (["materials", "show", "ecoflex-30"], "unknown library material 'ecoflex-30'; did you mean 'ecoflex-00-30'?"),
+        (["materials", "plot", "papr"], "unknown library material 'papr'; did you mean 'paper'?"),
+        (
+            ["materials", "show", "paper", "--record", "hooke-yang"],
+            "unknown record 'hooke-yang' of 'paper'; did you mean 'hooke-yang-2020'?",
+        ),
+        (["materials", "show", "mine.toml"], "there is no file 'mine.toml' with records of a material."),
+        (["materials", "plot", "paper", "--output", "a.pdf"], "plot 'a.pdf' ends in '.pdf'; allowed is .png or .svg."),
+        (["materials", "plot", "paper", "--output", "no/a.png"], "'no/a.png' cannot be read or written: No such file"),
+        (["materials", "plot", "paper", "--range", "1-4"], "--range is '1-4'; write the smallest and the largest"),
+        (["materials", "plot", "paper", "--range", "4:1"], "stretches from 4 to 1; two rising numbers above 0"),
+    ],
+)
+def test_mistakes_are_one_sentence(
+    folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], sentence: str
+) -> None:
+    assert main(arguments) == BAD_INPUT
+    out, err = capsys.readouterr()
+    assert err.startswith(sentence)
+    assert err.count("\n") == 1
+    assert out == ""
+
+
+def test_plot_against_a_test(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["materials", "plot", "ecoflex-00-30", "--against", "strip_uniaxial.csv", "--output", "plot.svg"]
+    assert main(arguments) == DONE
+    assert capsys.readouterr().out == "Plot in plot.svg.\n"
+    assert main(["materials", "plot", "paper"]) == DONE
+    assert sorted(file.name for file in folder.iterdir()) == ["paper.png", "plot.svg", "strip_uniaxial.csv"]
+    assert main(["materials", "plot", "ecoflex-00-30", "--against", "none.csv"]) == BAD_INPUT
+    assert "none.csv" in capsys.readouterr().err
+
+
+def test_a_test_that_does_not_say_how_it_was_loaded_is_asked(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "strip_uniaxial.csv").rename(folder / "strip.csv")
+    arguments = ["materials", "plot", "ecoflex-00-30", "--against", "strip.csv"]
+    assert main(arguments) == BAD_INPUT
+    assert capsys.readouterr().err.startswith("'strip.csv' does not say how the specimen was loaded; give mode")
+    assert main([*arguments, "--mode", "planar", "--output", "plot.svg"]) == DONE
+    assert "plot.svg" in [file.name for file in folder.iterdir()]
+
+
+def test_the_picture_holds_every_record_and_the_test(folder: Path) -> None:
+    from turgor.materials.experiments.read_tests import read_test
+
+    (axes,) = material_figure("ecoflex-00-30", tests=[read_test("strip_uniaxial.csv")]).axes
+    labels = axes.get_legend_handles_labels()[1]
+    assert len(labels) == len(records("ecoflex-00-30")) + 1
+    assert "yeoh-yan-2016 (M04)" in labels
+    assert "mooney-rivlin-steck-2019 (M06): no law" in labels
+    assert labels[-1].startswith("measured: ")
+    assert axes.get_xlim() == (1.0, 3.0), "as far as the test goes"
+    assert axes.get_ylim()[1] == pytest.approx(2.5 * 0.062), "a rubber ten times too stiff does not set the scale"
+
+
+def test_curves_are_the_stress_of_the_law() -> None:
+    """Neo-Hookean with C10 = 0.34 MPa at stretch 2: 2 C10 (λ - 1/λ²) = 1.19 MPa, by hand."""
+    stretch = np.array([1.0, 2.0])
+    assert curve(find_record("smooth-sil-950", "neo-hooke-polygerinos-2020"), stretch)[1] == pytest.approx(1.19)
+    assert curve(find_record("ecoflex-00-30", "mooney-rivlin-steck-2019"), stretch) is None
+    straight = curve(find_record("elastosil-m4601", "hooke-alici-2018"), stretch)
+    assert straight[1] == pytest.approx(0.38666)
+
+
+def test_what_was_fitted_is_solid_and_the_rest_dashed(tmp_path: Path) -> None:
+    file = tmp_path / "ours.toml"
+    record = (
+        'law = "yeoh"\nconvention = "two_index"\nparameters = { C10 = "80 kPa", C20 = "1 kPa" }\nsource = "us, 2026"'
+    )
+    file.write_text(f'name = "Ours"\n[records.may]\n{record}\nstretch_range = [1.0, 2.0]\n', encoding="utf-8")
+    axes = plot_records(Figure().add_subplot(), records(str(file)), np.linspace(1, 3, 21))
+    dashed, solid = axes.lines
+    assert (dashed.get_linestyle(), solid.get_linestyle()) == ("--", "-")
+    assert solid.get_xdata().max() == 2.0
+    assert dashed.get_xdata().max() == 3.0
+
+
+def test_tests_of_two_modes_are_refused(folder: Path) -> None:
+    from turgor.materials.experiments.read_tests import read_test
+
+    both = [read_test("strip_uniaxial.csv"), read_test("strip_uniaxial.csv", mode="planar")]
+    with pytest.raises(TurgorError, match="the tests are planar and uniaxial; plot tests of one mode at a time"):
+        material_figure("ecoflex-00-30", tests=both)
+    with pytest.raises(TurgorError, match="unknown mode of a curve 'simple_shear'"):
+        material_figure("ecoflex-00-30", tests=[replace(both[0], mode="simple_shear")])
+
+
+def test_equal_plots_are_equal_files(tmp_path: Path) -> None:
+    for name in ("a.png", "b.png"):
+        write_material_plot(tmp_path / name, "paper")
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+
+
+def test_the_page_of_the_documentation_is_up_to_date() -> None:
+    """``docs/materials.md`` holds what `library_table` and `doubts_list` give."""
+    page = (Path(__file__).parents[3] / "docs" / "materials.md").read_text(encoding="utf-8")
+    assert library_table() in page, "write the table into docs/materials.md again"
+    assert doubts_list() in page, "write the doubts into docs/materials.md again"
+
+
+def test_text_and_command_agree(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["materials", "show", "paper"]) == DONE
+    assert capsys.readouterr().out == describe_material("paper") + "\n"

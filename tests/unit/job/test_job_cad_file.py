@@ -1,0 +1,149 @@
+"""A job can start from a CAD file: mistakes are told with their key, and the lock file repeats the run."""
+
+import re
+import tomllib
+from pathlib import Path
+
+import cad_cases as cases
+import numpy as np
+import pytest
+
+import turgor as tg
+from turgor.geometry.cad.cad_file import CadFile
+from turgor.geometry.cad.selectors import ByName, InBox, NearestTo, WithNormal
+from turgor.geometry.cad.split import SplitPlane
+from turgor.job.output.lock import lock_text
+from turgor.job.run import prepare
+from turgor.job.text.problems import JobError
+from turgor.units import kPa, mm
+
+JOB = """
+[actuator]
+type = "cad_file"
+file = "finger.step"
+
+[actuator.faces]
+fixed = { normal = "-x" }
+tip = { near = ["38 mm", 0, "1.5 mm"] }
+
+[actuator.split]
+thickness = "2 mm"
+
+[mesh]
+size = "4 mm"
+
+[materials]
+body = { law = "neo_hooke", C10 = "0.1 MPa" }
+base = { law = "neo_hooke", C10 = "0.3 MPa" }
+
+[loads]
+pressure = "2 kPa"
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    cases.written(tmp_path, cases.finger_with_inlet(), "finger.step")
+    return tmp_path
+
+
+def read(folder, text=JOB):
+    path = folder / "job.toml"
+    path.write_text(text, encoding="utf-8")
+    return tg.jobs.read_job(path)
+
+
+def problems(folder, old, new):
+    assert old in JOB
+    with pytest.raises(JobError) as caught:
+        read(folder, JOB.replace(old, new))
+    return "\n".join(caught.value.problems)
+
+
+def test_the_actuator_is_the_file_with_its_selectors(folder, monkeypatch):
+    job = read(folder)
+    assert job.actuator == CadFile(
+        file=(folder / "finger.step").resolve(),
+        faces={"fixed": WithNormal("-x"), "tip": NearestTo((38 * mm, 0.0, 1.5 * mm))},
+        split=SplitPlane(thickness=2 * mm),
+    )
+    monkeypatch.chdir("/")
+    assert job.actuator.build().regions == ("body", "base")
+
+
+def test_the_lock_file_gives_an_equal_job(folder, tmp_path_factory):
+    more = JOB.replace(
+        "[actuator.split]",
+        'strain_limiting_layer = { box = [[0, "-10 mm", "1.9 mm"], ["38 mm", "10 mm", "2.1 mm"]] }\n'
+        '[actuator.regions]\nbody = { near = [0, 0, 0] }\n[actuator.split]\ninterface = "between"\n',
+    ).replace('file = "finger.step"', 'file = "finger.step"\nunit = "mm"')
+    job = read(folder, more)
+    lock = tmp_path_factory.mktemp("elsewhere") / "job.lock.toml"
+    lock.write_text(lock_text(job, {}), encoding="utf-8")
+    again = tg.jobs.read_job(lock)
+    assert again == job
+    assert job.actuator.sha256 in lock.read_text(encoding="utf-8")
+    assert isinstance(again.actuator.faces["strain_limiting_layer"], InBox)
+    cases.written(folder, cases.finger(), "finger.step")
+    with pytest.raises(JobError, match=r"actuator.sha256: .*the file has changed since"):
+        tg.jobs.read_job(lock)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ('"finger.step"', '"finge.step"', "job.toml:4: actuator.file: there is no file"),
+        ('"finger.step"', '"finge.step"', "did you mean 'finger.step'?"),
+        ('"cad_file"', '"cad_fil"', "job.toml:3: actuator.type: unknown actuator type 'cad_fil'; did you mean 'cad_f"),
+        ("thickness", "thicknes", "job.toml:11: actuator.split.thicknes: unknown key 'thicknes'; did you mean 'thickn"),
+        ('"2 mm"', '"2"', "job.toml:11: actuator.split.thickness: '2' needs a unit"),
+        ("{ normal =", "{ norm =", "job.toml:7: actuator.faces.fixed.norm: unknown key 'norm'; did you mean 'normal'?"),
+        ('"-x" }', '"-x", color = "red" }', "a selector has one of the keys name, color, near, box, normal"),
+        ('"-x" }', '"left" }', "normal is 'left'; allowed is '+x'"),
+        ('0, "1.5 mm"]', '0]', "point of NearestTo is (0.038, 0.0); three finite numbers are needed"),
+        ('0, "1.5 mm"]', '1, "1.5 mm"]', "job.toml:8: actuator.faces.tip.near: 1 needs a unit"),
+        ('{ normal = "-x" }', '{ name = "clamp" }', "face 'fixed': name 'clamp' is not in the file; it has no names."),
+        ('fixed = { normal = "-x" }', "", "supports.fixed: unknown face 'fixed'"),
+        ('"2 mm"', '"20 mm"', "thickness of the split is 20 mm; allowed is between 0 and 15 mm"),
+        ('base = {', 'bottom = {', "materials.bottom"),
+    ],
+)  # fmt: skip
+def test_a_mistake_is_told_with_its_key(folder, old, new, expected):
+    assert expected in problems(folder, old, new)
+
+
+def test_the_job_solves_and_bends_towards_its_stiffer_bottom(folder):
+    model, findings = prepare(read(folder))
+    assert {found.code for found in findings} >= {"D01", "D02"}
+    solution = tg.solve(model, tg.Static())
+    response = tg.measure(solution, tg.bending_angle, tg.cavity_volume)
+    assert response.column("pressure")[-1] == pytest.approx(2 * kPa)
+    angle, volume = response.column("bending_angle"), response.column("cavity_volume")
+    assert (np.diff(angle) > 0).all()
+    assert np.rad2deg(angle[-1]) > 5
+    assert volume[0] / mm**3 == pytest.approx(cases.FINGER.cavity_volume / mm**3 + 2 * np.pi * 1.44, rel=1e-4)
+    assert (np.diff(volume) > 0).all()
+
+
+def test_a_given_name_of_the_file_selects_a_face(tmp_path):
+    cases.written(tmp_path, cases.FINGER.build()._shape, "finger.step")
+    text = JOB.replace('fixed = { normal = "-x" }', 'fixed = { name = "fixed" }').replace(
+        '[actuator.split]\nthickness = "2 mm"', ""
+    )
+    assert read(tmp_path, text).actuator.faces["fixed"] == ByName("fixed")
+
+
+def test_the_page_shows_the_example():
+    root = Path(__file__).parents[3]
+    page, example = (
+        (root / name).read_text(encoding="utf-8") for name in ("docs/howto/cad.md", "examples/cad_file.toml")
+    )
+    (shown, split), (code,) = (re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL) for kind in ("toml", "python"))
+    stated = tomllib.loads(example)
+    assert tomllib.loads(shown)["actuator"] == stated["actuator"]
+    assert set(tomllib.loads(split)["actuator"]["split"]) == {"thickness"}
+    job = tg.jobs.read_job(root / "examples" / "cad_file.toml")
+    names: dict = {}
+    exec(code.replace('"examples/', f'"{root.as_posix()}/examples/').replace("mesh = ", "made = lambda: "), names)
+    part = names["part"]
+    assert (part.faces, part.regions) == (job.actuator.build().faces, ("body", "base"))

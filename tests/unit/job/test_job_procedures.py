@@ -1,0 +1,155 @@
+"""Blocked force and grasp in jobs: what they become, every mistake, and the way back."""
+
+import re
+from dataclasses import fields
+from pathlib import Path
+
+import pytest
+
+from turgor.errors import TurgorError
+from turgor.job.export import export_job
+from turgor.job.job import Job
+from turgor.job.output.lock import lock_text
+from turgor.job.read import read_job
+from turgor.job.run import prepare
+from turgor.job.text.problems import JobError
+from turgor.setups.values import BlockedForce, Grasp
+from turgor.solvers.procedures.static import Static
+from turgor.units import mm
+
+GUIDE = Path(__file__).parents[3] / "docs" / "howto" / "blocked-force.md"
+
+FINGER = """\
+[actuator]
+type = "fast_pneunet"
+chambers = 1
+length = "10 mm"
+
+[mesh]
+size = "4 mm"
+
+[materials]
+body = { law = "neo_hooke", C10 = "0.12 MPa", bulk_modulus = "10 MPa" }
+base = { law = "neo_hooke", C10 = "0.12 MPa", bulk_modulus = "10 MPa" }
+
+[loads]
+pressure = "10 kPa"
+
+[obstacles.bar]
+shape = "cylinder"
+center = ["8 mm", 0, "-7 mm"]
+axis = "+y"
+radius = "5 mm"
+friction = 0.4
+
+[output]
+measures = ["bending_angle"]
+
+[procedure]
+"""
+
+BLOCKED = f"""{FINGER}type = "blocked_force"
+distance = "1.5 mm"
+direction = "-z"
+friction = 0.2
+at = ["4 kPa"]
+"""
+
+GRASP = f"""{FINGER}type = "grasp"
+object = "bar"
+pull_distance = "8 mm"
+closing = 0.6
+at = [0.3]
+"""
+
+
+def read(tmp_path: Path, text: str) -> Job:
+    file = tmp_path / "job.toml"
+    file.write_text(text, encoding="utf-8")
+    return read_job(file)
+
+
+def problems(tmp_path: Path, text: str) -> str:
+    with pytest.raises(JobError) as error:
+        read(tmp_path, text)
+    return str(error.value)
+
+
+def test_blocked_force_is_read(tmp_path: Path) -> None:
+    job = read(tmp_path, BLOCKED)
+    assert job.setup == BlockedForce(distance=1.5 * mm, direction="-z", friction=0.2)
+    assert job.procedure == Static(at=(0.4,))
+
+
+def test_a_grasp_is_read(tmp_path: Path) -> None:
+    job = read(tmp_path, GRASP)
+    assert job.setup == Grasp(object="bar", pull_distance=8 * mm, closing=0.6)
+    assert job.procedure == Static(at=(0.3,), max_step=0.1)
+
+
+@pytest.mark.parametrize(
+    "text", [BLOCKED, BLOCKED.replace('distance = "1.5 mm"', "").replace("friction = 0.2", ""), GRASP]
+)
+def test_the_lock_file_repeats_them(tmp_path: Path, text: str) -> None:
+    job = read(tmp_path, text)
+    again = read(tmp_path, lock_text(job, {}))
+    assert (again.setup, again.procedure) == (job.setup, job.procedure)
+    assert again.setup is not None
+
+
+@pytest.mark.parametrize(
+    ("text", "old", "new", "message"),
+    [
+        (BLOCKED, '"1.5 mm"', "1.5", "job.toml:28: procedure.distance: 1.5 needs a unit"),
+        (BLOCKED, '"1.5 mm"', '"-1 mm"', "procedure.distance: -1 mm; the plate stands 0 mm or more before the tip"),
+        (BLOCKED, "distance", "distanc", "unknown key 'distanc'; did you mean 'distance'?"),
+        (BLOCKED, '"-z"', '"down"', "unknown direction 'down'"),
+        (BLOCKED, '"blocked_force"', '"blocked"', "unknown procedure 'blocked'; did you mean 'blocked_force'?"),
+        (GRASP, 'pull_distance = "8 mm"\n', "", "'pull_distance' is missing"),
+        (GRASP, "closing = 0.6", "closing = 1.0", "procedure.closing: 1; it lies between 0 and 1"),
+        (GRASP, "[0.3]", '["4 kPa"]', "the pressure rises until closing and is held then; request load factors"),
+    ],
+)
+def test_every_mistake_has_its_sentence(tmp_path: Path, text: str, old: str, new: str, message: str) -> None:
+    assert text.count(old) == 1
+    assert message in problems(tmp_path, text.replace(old, new))
+
+
+def test_the_guide_says_what_is_so(tmp_path: Path) -> None:
+    """Its jobs are read, and its tables list the keys that each procedure has beyond those of all."""
+    text = GUIDE.read_text(encoding="utf-8")
+    blocks = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
+    start = FINGER[: FINGER.index("[obstacles.bar]")]
+    asked = [read(tmp_path, start + block).setup for block in blocks]
+    assert asked == [BlockedForce(distance=1 * mm), Grasp(object="bar", pull_distance=3 * mm)]
+    keys = [set(re.findall(r"(?m)^\| `(\w+)` \|", table)) for table in text.split("## How firmly")]
+    assert keys[0] == {item.name for item in fields(BlockedForce)}
+    assert keys[1] == {item.name for item in fields(Grasp)} | {"max_step"}
+
+
+def test_what_the_mesh_decides_is_refused_before_the_solve(tmp_path: Path) -> None:
+    with pytest.raises(TurgorError, match="unknown obstacle 'ba'; did you mean 'bar'"):
+        prepare(read(tmp_path, GRASP.replace('object = "bar"', 'object = "ba"')))
+    with pytest.raises(TurgorError, match="unknown face 'tp'; did you mean 'tip'"):
+        prepare(read(tmp_path, BLOCKED + 'face = "tp"\n'))
+
+
+def test_their_measures_can_be_asked_for_by_name(tmp_path: Path) -> None:
+    wanted = '["blocked_force", "plate_force", "bar_contact_area"]'
+    prepare(read(tmp_path, BLOCKED.replace('["bending_angle"]', wanted)))
+    prepare(read(tmp_path, GRASP.replace('["bending_angle"]', '["holding_force", "between_fingers_force"]')))
+    with pytest.raises(TurgorError, match="measure 'holding_force': nothing is grasped"):
+        prepare(read(tmp_path, BLOCKED.replace("bending_angle", "holding_force")))
+
+
+def test_the_model_is_exported_with_what_stops_the_tip(tmp_path: Path) -> None:
+    held = BLOCKED.replace('distance = "1.5 mm"\n', 'hold = "z"\n').replace("friction = 0.2\n", "")
+    bar = held[held.index("[obstacles.bar]") : held.index("[output]")]
+    (file,) = export_job(read(tmp_path, held.replace(bar, "")), tmp_path / "held", ["inp"])
+    assert "\ntip, 3\n" in file.read_text(encoding="ascii")
+    with pytest.raises(TurgorError, match="obstacle 'plate' has no form"):
+        export_job(read(tmp_path, BLOCKED.replace(bar, "")), tmp_path / "blocked", ["inp"])
+
+
+def test_static_jobs_are_what_they_were(tmp_path: Path) -> None:
+    assert read(tmp_path, f'{FINGER}type = "static"\n').procedure == Static()

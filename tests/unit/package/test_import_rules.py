@@ -1,0 +1,139 @@
+"""Imports run one way through the rooms, heavy parts stay in their folder, the library does not print."""
+
+import re
+from pathlib import Path
+
+import pytest
+from import_rules import (
+    HOME,
+    LARGE_FOLDERS,
+    LARGEST_FOLDER,
+    LONGEST_FILE,
+    PUBLIC,
+    ROOMS,
+    cycles,
+    file_imports,
+    large_folders,
+    problems,
+    room_of,
+)
+
+ROOT = Path(__file__).parents[3]
+SOURCE = ROOT / "src" / "turgor"
+FILES = sorted(SOURCE.rglob("*.py"))
+
+#: Files that gather the public names.
+OUTSIDE = [SOURCE / f"{name}.py" for name in ("__init__", *PUBLIC)]
+
+
+def module_of(path):
+    parts = path.relative_to(SOURCE.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: module_of(path))
+def test_file_follows_the_rules(path):
+    assert problems(module_of(path), path.read_text(encoding="utf-8")) == []
+
+
+def test_every_file_is_in_a_known_room():
+    rooms = {module_of(path): room_of(module_of(path)) for path in FILES if path not in OUTSIDE}
+    assert {module: room for module, room in rooms.items() if room not in ROOMS} == {}
+    assert len(FILES) > 40
+
+
+def test_the_page_on_the_architecture_shows_the_same_order():
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    shown = re.search(r"^    (foundation(?: → \w+)+)$", page, re.MULTILINE)
+    assert shown is not None
+    assert tuple(shown[1].split(" → ")) == ROOMS
+
+
+@pytest.mark.parametrize(
+    ("module", "text", "expected"),
+    [
+        ("turgor.engine.cells.kernels", "from turgor.solvers.solve import solve", "engine must not import"),
+        ("turgor.engine.cells.kernels", "def late():\n    import turgor.results.files.vtu", "engine must not import"),
+        ("turgor.engine.cells.kernels", "from ...cli import main", "engine must not import turgor.cli.main"),
+        ("turgor.units", "from turgor import materials", "foundation must not import turgor.materials"),
+        ("turgor.results.plots.response_plots", "import turgor as tg", "is a public name"),
+        ("turgor.results.plots.response_plots", "from turgor import Model", "is a public name"),
+        ("turgor.results.plots.response_plots", "from turgor.laws import Yeoh", "is a public name"),
+        ("turgor.results.files.vtu", "import numba", "numba may be imported in engine only"),
+        ("turgor.results.files.vtu", "from numba import njit", "numba may be imported in engine only"),
+        ("turgor.solvers.newton.newton", "import ctypes", "ctypes may be imported in engine and geometry only"),
+        ("turgor.meshing.generate", "from netgen.occ import Box", "netgen.occ may be imported in geometry only"),
+        ("turgor.meshing.generate", "from netgen import occ", "netgen.occ may be imported in geometry only"),
+        ("turgor.engine.cells", "import netgen", "netgen may be imported in geometry and meshing only"),
+        ("turgor", "import numba", "numba may be imported in engine only"),
+        ("turgor.solvers.newton.newton", "def step():\n    print('hello')", "line 2: print"),
+        ("turgor.studio.pages", "", "studio is no known room"),
+        ("turgor.model.model", "def build(**options): ...", "**options in the public function build"),
+        (
+            "turgor.model.model",
+            "class Model:\n    def __init__(self, **kw): ...",
+            "**kw in the public function __init__",
+        ),
+        ("turgor.model.model", "\n" * (LONGEST_FILE + 1), f"{LONGEST_FILE + 1} lines"),
+    ],
+)
+def test_a_broken_rule_is_noticed(module, text, expected):
+    found = problems(module, text)
+    assert len(found) >= 1
+    assert expected in "; ".join(found)
+
+
+@pytest.mark.parametrize(
+    ("module", "text"),
+    [
+        (
+            "turgor.solvers.solve",
+            "from turgor.engine.system import System\nfrom turgor.solvers.newton.newton import newton",
+        ),
+        ("turgor.engine.cells.kernels", "import numba\nfrom basix import create_element"),
+        ("turgor.geometry.shapes.solids", "from netgen.occ import Box"),
+        ("turgor.cli.app", "import turgor as tg\nfrom turgor import solve\nprint(tg)"),
+        ("turgor", "from turgor.cli import main"),
+        ("turgor.model.model", "def _build(**options): ...\nclass _Model:\n    def make(self, **kw): ..."),
+        ("turgor.model.model", "\n" * LONGEST_FILE),
+    ],
+)
+def test_a_kept_rule_is_not_blamed(module, text):
+    assert problems(module, text) == []
+
+
+def test_every_home_is_a_room():
+    assert {room for rooms in HOME.values() for room in rooms} <= set(ROOMS)
+
+
+def test_no_folder_holds_too_many_files():
+    modules = [module_of(path) for path in FILES if path.name != "__init__.py" and path not in OUTSIDE]
+    assert large_folders(modules) == {}
+    assert all(sum(each.startswith(f"{folder}.") for each in modules) > LARGEST_FOLDER for folder in LARGE_FOLDERS)
+
+
+def test_no_folder_of_tests_holds_too_many_files():
+    paths = [path.relative_to(ROOT).with_suffix("") for path in (ROOT / "tests").rglob("*.py")]
+    assert len(paths) > 200
+    assert large_folders(".".join(path.parts) for path in paths) == {}
+
+
+def test_a_large_folder_is_noticed():
+    modules = [f"turgor.model.load_{n}" for n in range(LARGEST_FOLDER)]
+    assert large_folders(modules) == {}
+    assert large_folders([*modules, "turgor.model.one_more"]) == {"turgor.model": LARGEST_FOLDER + 1}
+
+
+def test_no_two_files_need_each_other():
+    graph = file_imports({module_of(path): path.read_text(encoding="utf-8") for path in FILES})
+    assert cycles(graph) == []
+
+
+def test_a_cycle_is_noticed_wherever_the_import_stands():
+    texts = {
+        "turgor.model.a": "from turgor.model.b import one",
+        "turgor.model.b": "def one():\n    from turgor.model import c",
+        "turgor.model.c": "if TYPE_CHECKING:\n    from turgor.model.a import two",
+        "turgor.model.d": "from turgor.model.a import two",
+    }
+    assert cycles(file_imports(texts)) == [("turgor.model.a", "turgor.model.b", "turgor.model.c")]

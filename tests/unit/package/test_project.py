@@ -1,0 +1,163 @@
+"""Facts that stand in two places agree: versions, public names, dependencies, what the wheel holds."""
+
+import ast
+import re
+import subprocess
+import sys
+import tomllib
+import zipfile
+from importlib import import_module
+from pathlib import Path
+from types import FunctionType, ModuleType
+
+import pytest
+
+import turgor
+from turgor.job.job import ACTUATORS
+from turgor.materials.laws.laws import LAWS
+from turgor.results.measures.measures import MEASURES
+
+ROOT = Path(__file__).parents[3]
+SOURCES = sorted((ROOT / "src").rglob("*.py"))
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+#: Distributions whose import name is another one.
+IMPORT_NAMES = {"fenics-basix": "basix", "netgen-mesher": "netgen"}
+
+#: Packages that come inside a distribution of another name.
+INSIDE = {"mpl_toolkits"}  # matplotlib
+
+
+#: Modules that hold the public names that are not at the root.
+NAMESPACES = [value for value in (getattr(turgor, name) for name in turgor.__all__) if isinstance(value, ModuleType)]
+
+
+def read(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def test_version_is_the_same_everywhere():
+    assert turgor.__version__ == PROJECT["version"]
+    assert f"\nversion: {PROJECT['version']}\n" in read("CITATION.cff")
+
+
+def test_every_public_name_exists():
+    assert [name for name in turgor.__all__ if not hasattr(turgor, name)] == []
+    for module in NAMESPACES:
+        assert [name for name in module.__all__ if not hasattr(module, name)] == []
+        assert set(module.__all__) <= set(dir(module))
+
+
+def test_a_name_stands_in_one_namespace_only():
+    every = [name for module in NAMESPACES for name in module.__all__]
+    twice = {name for name in every if every.count(name) > 1}
+    assert twice == {"blocked_force"}, "the setup, and what is measured in it"
+
+
+def test_every_law_and_actuator_and_measure_has_a_public_name():
+    for namespace, registry in ((turgor.actuators, ACTUATORS), (turgor.laws, LAWS)):
+        assert {kind.__name__ for kind in registry.values()} <= set(namespace.__all__)
+    assert set(MEASURES) <= set(turgor.measures.__all__)
+
+
+def test_every_public_name_is_in_the_reference():
+    pages = "".join(page.read_text("utf-8") for page in (ROOT / "docs" / "reference").glob("*.md"))
+    shown = set(re.findall(r"auto(?:module|class|function):: ([\w.]+)", pages))
+    missing = set()
+    for stub in (ROOT / "src" / "turgor").rglob("*.pyi"):
+        for module, name in re.findall(
+            r"^from (turgor\.[\w.]+) import (\w+) as", stub.read_text("utf-8"), re.MULTILINE
+        ):
+            value = getattr(import_module(module), name)
+            home = value.__module__ if isinstance(value, type | FunctionType) else module
+            if not {home, f"{home}.{name}"} & shown:
+                missing.add(f"{home}.{name}")
+    assert missing == set()
+
+
+def test_names_of_the_release_before_say_where_they_are_now():
+    table = re.findall(r"^\| `tg\.(\w+)` \| `tg\.([\w.]+)` \|$", read("CHANGELOG.md"), re.MULTILINE)
+    assert len(table) > 120
+    for old, new in table:
+        with pytest.warns(DeprecationWarning, match=rf"turgor\.{old} is turgor\.{new} now"):
+            value = getattr(turgor, old)
+        namespace, name = new.split(".")
+        assert value is getattr(getattr(turgor, namespace), name)
+
+
+def test_a_name_that_is_gone_says_what_to_write_instead():
+    with pytest.raises(AttributeError, match=r"no attribute 'BlockedForce'; write solve\(setups.blocked_force\(model"):
+        turgor.BlockedForce  # noqa: B018
+    with pytest.raises(AttributeError, match=r"no attribute 'Grasp'; write solve\(setups.grasp\(model"):
+        turgor.Grasp  # noqa: B018
+
+
+def test_an_unknown_name_is_refused():
+    with pytest.raises(AttributeError, match="module 'turgor' has no attribute 'nonsense'"):
+        turgor.nonsense  # noqa: B018
+    with pytest.raises(AttributeError, match=r"module 'turgor\.laws' has no attribute 'Model'"):
+        turgor.laws.Model  # noqa: B018
+
+
+def test_documents_and_examples_import_public_names_only():
+    allowed = {"turgor", "turgor.units", *(module.__name__ for module in NAMESPACES)}
+    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.py")]
+    imported = {
+        (page.name, module)
+        for page in pages
+        for module in re.findall(r"^\s*(?:>>> )?(?:from|import) (turgor[\w.]*)", page.read_text("utf-8"), re.MULTILINE)
+    }
+    assert {each for each in imported if each[1] not in allowed} == set()
+
+
+def test_every_line_of_the_stub_is_a_public_name():
+    lines = [node for node in ast.parse(read("src/turgor/__init__.pyi")).body if isinstance(node, ast.ImportFrom)]
+    assert sorted(alias.asname or alias.name for line in lines for alias in line.names) == turgor.__all__
+    assert len(turgor.__all__) < 70
+
+
+def test_dependencies_are_those_that_are_imported():
+    imported = set()
+    for path in SOURCES:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Import):
+                imported |= {alias.name.split(".")[0] for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and not node.level:
+                imported.add(node.module.split(".")[0])
+    names = (re.match(r"[\w-]+", entry)[0] for entry in PROJECT["dependencies"])
+    declared = {IMPORT_NAMES.get(name, name) for name in names}
+    assert imported - {"turgor", *INSIDE, *sys.stdlib_module_names} == declared
+
+
+@pytest.mark.parametrize("lock", ["run", "dev", "docs", "fast"])
+def test_lock_pins_what_the_project_asks_for(lock):
+    lines = read(f"requirements/{lock}.lock").splitlines()
+    pinned = dict(line.split(" ;")[0].split("==") for line in lines)
+    extra = PROJECT["optional-dependencies"].get(lock, [])
+    asked = {re.match(r"[\w-]+", entry)[0] for entry in (*PROJECT["dependencies"], *extra)}
+    assert asked <= set(pinned)
+
+
+def test_locks_agree_with_each_other():
+    run, *others = (set(read(f"requirements/{lock}.lock").splitlines()) for lock in ("run", "dev", "docs", "fast"))
+    for other in others:
+        assert run <= other
+
+
+def test_wheel_holds_data_and_command(tmp_path):
+    build = "import sys, hatchling.build as b; print(b.build_wheel(sys.argv[1]))"
+    run = subprocess.run(
+        [sys.executable, "-c", build, str(tmp_path)], cwd=ROOT, check=True, capture_output=True, text=True
+    )
+    with zipfile.ZipFile(tmp_path / run.stdout.splitlines()[-1]) as wheel:
+        held = {name for name in wheel.namelist() if "__pycache__" not in name}
+        entry = next(name for name in held if name.endswith("entry_points.txt"))
+        assert "turgor = turgor.cli:main" in wheel.read(entry).decode()
+    folder = ROOT / "src"
+    wanted = {
+        path.relative_to(folder).as_posix()
+        for path in folder.rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts and "egg-info" not in str(path)
+    }
+    assert wanted <= held
+    assert {"turgor/py.typed", "turgor/materials/library/data/paper.toml"} <= held

@@ -1,0 +1,141 @@
+"""V24: the tangent is the derivative of the residual: material, geometric, pressure and membrane parts, all columns.
+
+Problem: two cubes of cells at a random, large deformation and mean stress; each case adds one part. A law in
+principal stretches is tested where stretches are equal, too. Residuals at x ± h e_j give the columns by central
+differences.
+Exact: equality for the free unknowns (supports drop the rest, with them the rim terms of pressure on a cut cavity).
+Source: verification case V24. Tolerance: 1e-6 of the largest entry of the tangent, asked for by the table; the
+differences themselves are good to 1e-8 at h = 1e-5, so a tenth of the tolerance is left to them. The
+compressibility of 1e-9 that keeps incompressible tangents regular is far below.
+"""
+
+import numpy as np
+import pytest
+
+import meshes
+import problems
+import turgor as tg
+from turgor.engine.system import System
+from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
+
+SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
+OPEN = tg.Pressure("z1", 4e4)
+OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))
+CASES = {
+    "neo-Hookean, incompressible": (problems.NEO_HOOKE, np.inf, None, ()),
+    "Mooney-Rivlin, compressible": (tg.laws.MooneyRivlin(C10=1e4, C01=9e4), 1e6, None, ()),
+    "Yeoh, incompressible": (tg.Yeoh(C10=1e5, C20=2e4, C30=-1e3), np.inf, None, ()),
+    "Ogden, incompressible": (OGDEN, np.inf, None, ()),
+    "Ogden, compressible": (OGDEN, 1e6, None, ()),
+    "Gent, incompressible": (Gent(mu=2e5, Jm=30.0), np.inf, None, ()),
+    "Arruda-Boyce, incompressible": (ArrudaBoyce(mu=2e5, locking_stretch=2.5), np.inf, None, ()),
+    "generalized Rivlin, compressible": (
+        GeneralizedRivlin.from_names({"C10": 5e4, "C01": 2e4, "C11": 3e3, "C02": -1e2}),
+        1e6,
+        None,
+        (),
+    ),
+    "pressure on an open face": (problems.YEOH, np.inf, None, (OPEN,)),
+    "pressure on all faces": (problems.YEOH, np.inf, None, tuple(tg.Pressure(s, 4e4) for s in meshes.SIDES)),
+    "membrane": (problems.YEOH, np.inf, SHEET, ()),
+    "membrane and pressure": (problems.YEOH, 2e7, SHEET, (OPEN,)),
+}
+
+
+def _system(name):
+    law, kappa, sheet, loads = CASES[name]
+    mesh = meshes.box((0.02, 0.01, 0.01), (2, 1, 1), lambda X: X + 3 * X[:, [1, 2, 0]] ** 2)
+    materials = {"body": problems.rubber(law, kappa)} | ({"y1": sheet} if sheet else {})
+    return System(tg.Model(mesh, materials, [tg.Fixed("x0")], list(loads)))
+
+
+def _deformed(system, seed):
+    """Unknowns of a large smooth deformation with noise on top, and any mean stress."""
+    rng = np.random.default_rng(seed)
+    X = system.model.mesh.points
+    gradient = 0.25 * rng.uniform(-1, 1, (3, 3))
+    u = X @ gradient + 10 * X[:, [2, 0, 1]] * X + rng.normal(0, 1e-4, X.shape)
+    p = rng.uniform(-1, 1, system.model.mesh.vertex_count)
+    return np.concatenate([u.ravel() / system.length, p])
+
+
+def _difference(system, unknowns, h=1e-5):
+    columns = []
+    for j in range(len(unknowns)):
+        step = np.zeros_like(unknowns)
+        step[j] = h
+        columns.append((system.residual(unknowns + step, 1.0) - system.residual(unknowns - step, 1.0)) / (2 * h))
+    return np.array(columns).T
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_tangent_is_the_derivative_of_the_residual(name, record_verification):
+    system = _system(name)
+    unknowns = _deformed(system, seed=17)
+    free = np.flatnonzero(~system.held)
+    exact = _difference(system, unknowns)[np.ix_(free, free)]
+    tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
+    error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
+    record_verification(
+        claim=f"tangent against differences of the residual, {name}: worst entry over the largest",
+        source="V24",
+        expected=0.0,
+        got=error,
+        tolerance="1e-6",
+    )
+    assert error < 1e-6
+
+
+@pytest.mark.parametrize("kappa", [np.inf, 1e6])
+@pytest.mark.parametrize("state", ["rest", "equal stretches", "two equal stretches", "nearly equal stretches"])
+def test_tangent_of_a_law_in_stretches_where_they_are_equal(state, kappa, record_verification):
+    """At rest, blown up, and in uniaxial tension, all turned by some angle, the quotients of the chain rule are 0/0."""
+    mesh = meshes.box((0.02, 0.01, 0.01), (2, 1, 1))
+    system = System(problems.one_material(mesh, OGDEN, kappa, [tg.Fixed("x0")]))
+    stretches = {
+        "rest": (1, 1, 1),
+        "equal stretches": (1.1, 1.1, 1.1),
+        "two equal stretches": (1.5, 0.8, 0.8),
+        "nearly equal stretches": (1.5, 0.8, 0.8 + 4e-6),
+    }[state]
+    Q = problems.rotation((1, 2, 3), 0.7)
+    move = Q @ np.diag(stretches) @ Q.T - np.eye(3) if state != "rest" else np.zeros((3, 3))
+    p = np.random.default_rng(3).uniform(-1, 1, mesh.vertex_count)
+    unknowns = np.concatenate([(mesh.points @ move.T).ravel() / system.length, p])
+    free = np.flatnonzero(~system.held)
+    exact = _difference(system, unknowns)[np.ix_(free, free)]
+    tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
+    error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
+    record_verification(
+        claim=f"tangent against differences, Ogden, {state}, {'in' if np.isinf(kappa) else ''}compressible",
+        source="V24",
+        expected=0.0,
+        got=error,
+        tolerance="1e-6",
+    )
+    assert error < 1e-6
+
+
+def test_mirror_planes_keep_the_pressure_tangent_symmetric(record_verification):
+    """A cavity cut by mirror planes has a symmetric tangent for the unknowns that are free, and the solver uses it."""
+    mesh = meshes.sphere_octant(0.01, 0.015, 1, 1)
+    model = problems.one_material(mesh, problems.YEOH, loads=[tg.Pressure("cavity", 4e4)])
+    system = System(model)
+    rng = np.random.default_rng(2)
+    unknowns = 0.05 * rng.uniform(-1, 1, system.size)
+    unknowns[system.held] = 0
+    free = np.flatnonzero(~system.held)
+    exact = _difference(system, unknowns)[np.ix_(free, free)]
+    tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
+    error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
+    skew = float(np.abs(exact - exact.T).max() / np.abs(exact).max())
+    record_verification(
+        claim="cavity cut by mirror planes: tangent against differences, unsymmetric part of the differences",
+        source="V24",
+        expected=[0.0, 0.0],
+        got=[error, skew],
+        tolerance="1e-6",
+    )
+    assert system.skew_matrix(system.evaluate(unknowns, 1.0)) is None
+    assert error < 1e-6
+    assert skew < 1e-6
