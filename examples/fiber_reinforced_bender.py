@@ -31,5 +31,5 @@ angle, volume = response.column("bending_angle")[-1] / deg, response.column("cav
 growth = 100 * (volume[-1] / volume[0] - 1)
 print(f"{solution.message} Bending angle {angle:.2f} deg; the chamber grew by {growth:.0f} %.")
 
-# %% One number to hold on to.
+# %% One number to remember.
 assert 3.5 < angle < 4.5, "the thread turns pressure into bending"

@@ -1,6 +1,7 @@
 """A bender is filled and emptied twice: how much of the work its rubber keeps, the first time and the second.
 
-The constants in time are stated to show what they do; those of a silicone come from tests, see `turgor.fit_history`.
+The constants in time are stated to show what they do; those of a silicone come from tests, see
+`turgor.experiments.fit_history`.
 """
 
 from dataclasses import replace

@@ -1,6 +1,6 @@
 """Two fingers squeeze a rubber bar; one finger and a quarter of the bar are modeled, and mirror planes add the rest."""
 
-# %% The finger lies above the mirror plane z = 0, its twin below it; the bar, across them, is cut there and at y = 0.
+# %% The finger lies above the mirror plane z = 0, its image below; the bar across them is cut there and at y = 0.
 import numpy as np
 
 import turgor as tg

@@ -1,4 +1,4 @@
-"""Console: what a person sees while a job runs, live on a terminal and line by line elsewhere."""
+"""Console: progress of a job, live on a terminal and line by line elsewhere."""
 
 from collections import deque
 from math import pi
@@ -20,7 +20,7 @@ RECENT_STEPS = 4
 
 
 class Course:
-    """How a solve is going: angle, speed and time left, from the calls of `solve`."""
+    """Progress of a solve: angle, speed and time left, from the calls of `solve`."""
 
     def __init__(self) -> None:
         self.angle: float | None = None
@@ -30,7 +30,7 @@ class Course:
 
     def follow(self, state: State | None) -> None:
         """Take note of an iteration, and of the state where it ended an accepted step."""
-        if not self._accepted:  # the clock starts with the first iteration: compiling says nothing about the rest
+        if not self._accepted:  # the clock starts with the first iteration, because compiling does not predict the rest
             self._accepted.append((0.0, perf_counter()))
         if state is None:
             return
@@ -53,7 +53,7 @@ class Course:
             return None
         (before, began), (now, last) = self._accepted[0], self._accepted[-1]
         if now <= before:
-            return None  # beyond a limit point the load falls: it does not tell how far the end is
+            return None  # beyond a limit point the load falls and does not show how far the end is
         left = (1 - now) * (last - began) / (now - before) - (perf_counter() - last)
         return max(left, 0.0)
 

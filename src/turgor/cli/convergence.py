@@ -1,4 +1,4 @@
-"""Command ``turgor convergence``: solve a job on three meshes and say what they say about the error."""
+"""Command ``turgor convergence``: solve a job on three meshes and estimate the error."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated

@@ -74,7 +74,7 @@ def _table(*columns: str) -> "tuple[Console, Table]":
     from rich.table import Table
 
     console = Console(highlight=False, markup=False)
-    # in a pipe nobody sees the width of a terminal, and a table cut to 80 letters would lose numbers
+    # a pipe has no width, and a table cut to 80 letters would lose numbers
     if not console.is_terminal:
         console = Console(highlight=False, markup=False, width=160)
     table = Table(box=None, pad_edge=False, header_style="")

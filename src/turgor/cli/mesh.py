@@ -1,4 +1,4 @@
-"""Command ``turgor mesh``: mesh the actuator of a job, say what the mesh is like, write and draw it."""
+"""Command ``turgor mesh``: mesh the actuator of a job, describe, write and draw the mesh."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated

@@ -32,13 +32,13 @@ def stored_energy(system: System, unknowns: Array) -> float:
 
 
 def contact_energy(system: System, at: Evaluation) -> float:
-    """Energy of the modeled part in what is pressed into each other, and in the springs of obstacles [J]."""
+    """Energy of the modeled part in contact penetration, and in the springs of obstacles [J]."""
     scaled = system.contact.energy(at.contacts, system.springs(at.unknowns))
     return scaled * system.stress_scale * system.length**3
 
 
 def softening_loss(system: System, at: Evaluation) -> float:
-    """Energy of the modeled part that softening has taken for good, up to an evaluation [J]."""
+    """Energy of the modeled part that softening has dissipated, up to an evaluation [J]."""
     memory = system.remembered(at)
     if memory is None or not memory.largest:
         return 0.0

@@ -50,7 +50,7 @@ class Evaluation:
     isochoric : Isochoric
         What the laws say at all points, scaled.
     contacts : Contacts
-        What touches.
+        The contacts found.
     contact_force : float
         Size of the contact forces on the free nodes.
     sought : (k,) array or None

@@ -36,12 +36,12 @@ class System:
     model : Model
         The question.
     controlled : tuple of str
-        Faces whose pressure is sought: `evaluate` is told it.
+        Faces whose pressure is an unknown, given to `evaluate`.
 
     Attributes
     ----------
     size : int
-        Number of unknowns, prescribed ones included.
+        Number of degrees of freedom (unknowns), prescribed ones included.
     held : (size,) bool array
         Which unknowns are prescribed.
     length, stress : float [m], [Pa]
@@ -205,7 +205,7 @@ class System:
         return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought)
 
     def remembered(self, at: Evaluation) -> Memory | None:
-        """What the rubber remembers at the end of the step that has begun, None where nothing relaxes or softens.
+        """Internal variables at the end of the step that has begun; None where nothing relaxes or softens.
 
         Put it into ``materials.memory`` to accept the step; `CellMaterials.begin_step` begins one.
         """
@@ -235,7 +235,7 @@ class System:
         return None if matrix is None else self._frames.turn_matrix(matrix)
 
     def rubbing(self, at: Evaluation) -> sp.csc_matrix | None:
-        """Unsymmetric part of the tangent from friction, whose limits follow the pressure; None where nothing rubs."""
+        """Unsymmetric part of the tangent from friction, whose limits follow the pressure; None without friction."""
         matrix = self.contact.rubbing(at.contacts, self.size)
         return None if matrix is None else self._frames.turn_matrix(matrix)
 

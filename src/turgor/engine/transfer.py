@@ -12,7 +12,7 @@ from turgor.model.model import Model
 
 Array = NDArray[np.float64]
 
-#: Reference coordinates of parts are told apart to this precision: cuts halve them a few times.
+#: Reference coordinates of parts are distinguished to this precision: cuts halve them a few times.
 PRECISION = 1e-6
 
 
@@ -61,7 +61,7 @@ class Transfer:
         return out
 
     def memory(self, memory: Memory | None) -> Memory | None:
-        """What the rubber remembers, carried by a linear fit in each cell of the coarser mesh."""
+        """Internal variables of the rubber, transferred by a linear fit in each cell of the coarser mesh."""
         if memory is None:
             return None
         stress = {name: np.stack([self._fitted(name, each) for each in every]) for name, every in memory.stress.items()}

@@ -1,4 +1,4 @@
-"""Drive: which columns of a response say what drove the actuator."""
+"""Drive: the columns of a response for what drove the actuator, such as pressure or volume."""
 
 import numpy as np
 

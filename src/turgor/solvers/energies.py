@@ -71,7 +71,7 @@ def unbalanced(states: Sequence[_WithEnergies]) -> tuple[Finding, ...]:
         Finding(
             code="L05",
             severity=Severity.WARNING,
-            message=f"The time integration lost track of {100 * share:.2g} % of the energy.",
+            message=f"The energy balance of the run misses {100 * share:.2g} % of the energy.",
             advice="Ask for a smaller procedure.accuracy, or for a spectral_radius nearer to 1.",
         ),
     )

@@ -73,7 +73,7 @@ def turned_back(run: Run) -> Outcome:
         Status.TURNED_BACK,
         f"The path turned at {_where(top, run.states[0])} and goes back the way it came, down to "
         f"{_where(run.states[-1], run.states[0])} so far"
-        f"{_effort(run.states, run.steps)}: a few cells give way there, and the rest of the body is let off."
+        f"{_effort(run.states, run.steps)}: a few cells give way there, and the rest of the body is unloaded."
         f"{_branches(run.bifurcations)}{distortion_text(run.states[-1])}",
         "Take the path up to the turn; what comes after it depends on the mesh. Refine the mesh where cells are "
         "squeezed, and see up to which stretch the law is stable (first_instability).",

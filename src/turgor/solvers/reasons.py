@@ -36,7 +36,7 @@ TEXTS = {
     Cause.DEEP_PENETRATION: "every update presses walls too deep",
     Cause.SINGULAR_TANGENT: "{detail}",
     Cause.TOO_MANY_ITERATIONS: "no convergence in {value:.0f} iterations",
-    Cause.CONTACT_UNSETTLED: "what touches did not settle in {value:.0f} passes",
+    Cause.CONTACT_UNSETTLED: "contact did not settle in {value:.0f} passes",
     Cause.INERTIA_CORRECTED: "found by inertia correction, where Newton's method failed",
     Cause.INERTIA_CORRECTION_FAILED: "inertia correction found no stable equilibrium",
     Cause.PSEUDO_TRANSIENT_FAILED: "pseudo-transient continuation did not come to rest either",

@@ -279,7 +279,8 @@ def test_the_settings_of_the_mesh_reach_the_job_and_come_back_from_the_lock_file
     assert job.mesh.face_sizes == {"cavity": 1.3 * mm}
     assert job.mesh.wall_cells == 2
     assert read(tmp_path, lock(job)) == job
-    assert read(tmp_path, SMALL.replace('[mesh]\nsize = "3 mm"', "")).mesh_size == 2 * mm
+    free = read(tmp_path, SMALL.replace('[mesh]\nsize = "3 mm"', ""))
+    assert (free.mesh_size, free.mesh.cells) == (2.5 * mm, "hexahedra")
     swept = read(tmp_path, SMALL.replace('size = "3 mm"', 'cells = "hexahedra"'))
     assert (swept.mesh.cells, swept.mesh_size) == ("hexahedra", 2.5 * mm)  # an eighth of the length
     assert read(tmp_path, lock(swept)) == swept

@@ -1,4 +1,4 @@
-"""V25: default meshes see the walls that matter, and a study of a wall is smooth on hexahedra.
+"""V25: default meshes resolve the walls that matter, and a study of a wall is smooth on hexahedra.
 
 Problem 1: half of an omnidirectional actuator (length 60 mm, radius 12.5 mm, wall and webs 2 mm), one of three ring
 sectors under 48 kPa, neo-Hooke C10 = 0.11 MPa: 8 % below its largest pressure, so that errors of the walls grow.

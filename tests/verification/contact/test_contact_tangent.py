@@ -1,4 +1,4 @@
-"""V16, V24: the tangent of contact is the derivative of its forces, and Newton's method feels it.
+"""V16, V24: the tangent of contact is the derivative of its forces, and Newton's method converges quadratically.
 
 Problem: small bodies that press on themselves, on shapes given by a formula, on triangles, on a sprung ball, and that
 stick and slip; at the state of equilibrium with noise on top, along random directions.

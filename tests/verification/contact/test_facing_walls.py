@@ -1,4 +1,4 @@
-"""V16-3: a wall that meets its twin is a wall that meets a rigid plane half way, and one that meets a mirror.
+"""V16-3: a wall meets its mirror image as it meets a rigid plane half way, or a mirror plane.
 
 Problem: a slice of two walls of 1.5 mm with a gap of 1 mm and a half span of 8 mm, which two chambers blow into the
 gap until three quarters of the walls lie flat against each other. Asked four ways: both walls with self-contact; both

@@ -1,4 +1,4 @@
-"""V16: points that touch and let go in turn do not stop a run, and friction has a consistent tangent.
+"""V16: contact that opens and closes in turn does not stop a run, and friction has a consistent tangent.
 
 Problem: a block of 10 × 10 × 5 mm, clamped below, under a plate with µ = 0.5 (and 0.3) that comes down by 1 mm and then
 moves sideways by 4 mm: its edge rolls over, points let go, stick and slip, and the pull falls at once where the edge

@@ -1,4 +1,4 @@
-"""V16: a wall that faces nothing but its own image in a mirror plane is stopped there by itself.
+"""V16: a wall that faces only its own image in a mirror plane is stopped there automatically.
 
 Problem: half of a fork: a leg of 10 × 3 × 20 mm, 1 mm from the mirror plane y = 0, on a foot that reaches the plane;
 pressed towards the plane from outside. Nothing is said about contact.

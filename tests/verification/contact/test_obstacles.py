@@ -1,4 +1,4 @@
-"""V16: every shape of obstacle that shows the body the same surface does the same; a spring carries what pushes on it.
+"""V16: obstacles of different shapes with the same surface have the same effect; a spring carries the contact force.
 
 Problem: a block of 10 × 10 × 5 mm under a plate, where the plate is a plane, the flat side of a box, the flat end of a
 bar, or triangles; under the side of a bar, endless or with ends; under a ball, a box and triangles in a spring.

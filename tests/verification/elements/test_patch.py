@@ -1,4 +1,4 @@
-"""V01.1: a homogeneous deformation of the boundary carries every interior node with it.
+"""V01.1: a homogeneous deformation of the boundary moves every interior node exactly with it.
 
 Problem: unit cube of irregular cells (interior vertex moved by 0.15 in each direction; sides straight, or bent at
 random), boundary displaced by a volume-preserving F̄; neo-Hookean and Yeoh, incompressible and with κ = 1000 μ.

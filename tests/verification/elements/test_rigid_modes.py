@@ -1,4 +1,4 @@
-"""V01.4: a free body has six motions that cost nothing, also under pressure in a closed cavity.
+"""V01.4: a free body has six motions without stiffness, also under pressure in a closed cavity.
 
 Problem: the tangent of a free hollow cube at rest, and in equilibrium under a cavity pressure that stretches it by
 a quarter; incompressible neo-Hookean. Without supports its six rigid motions are the only null vectors: fewer would

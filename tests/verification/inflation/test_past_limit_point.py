@@ -103,7 +103,7 @@ def test_a_maximum_and_a_minimum_within_one_step_are_both_found(record_verificat
     assert 0.47 in [step.load_factor for step in solution.steps if step.increment > 0.13]  # from 0.33 in one step
     expected = [pressure for _, pressure, _ in LIMITS["Mooney-Rivlin"]]
     found = [limit.pressure / problems.MPA for limit in solution.limit_points]
-    claim = "thick sphere, Mooney-Rivlin: maximum and minimum that one step of the volume leaps over [MPa]"
+    claim = "thick sphere, Mooney-Rivlin: maximum and minimum within one step of the volume [MPa]"
     record_verification(claim, "V04, exact", expected, found, "0.02 %, stretch there 0.001")
     assert factors == sorted(factors)
     check_limit_points("Mooney-Rivlin", solution)

@@ -1,4 +1,4 @@
-"""V04: viscous stabilization carries a sphere over its limit point to where the pressure holds it again.
+"""V04: viscous stabilization takes a sphere past its limit point to a stable state at the same pressure.
 
 Problem: the sphere of `test_sphere` under more pressure than its first limit point, of rubbers that stiffen:
 Ogden's Ecoflex asked for 13.6 kPa (limit 12.94 kPa), Yeoh's asked for 120 kPa (limit 109.7 kPa). Under load control it

@@ -1,4 +1,4 @@
-"""A sheet that does not stretch does not care how stiff it is.
+"""The stiffness of an inextensible sheet does not change the bending: membranes do not lock.
 
 Problem: a three-chamber fast PneuNet with the demo's walls and paper, bent by 6 kPa on a coarse mesh, once with the
 paper as it is and once a hundred times as stiff. Paper hardly stretches, so the exact answers differ by a few tenths of

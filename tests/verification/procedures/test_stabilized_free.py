@@ -1,4 +1,4 @@
-"""A block that only contact holds finds its rest under `Stabilized`, on a floor, where a plate pushes it along.
+"""A block that only contact holds comes to rest under `Stabilized`, on a floor, where a plate pushes it along.
 
 Problem: a block of rubber, 10 × 10 × 5 mm, without supports, on a floor or 0.2 mm above it; its weight grows and stays,
 then a plate that stands 0.5 mm beside it moves by 1.5 mm and pushes it, with Coulomb friction of 0.4 or none.

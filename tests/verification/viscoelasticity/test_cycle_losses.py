@@ -1,4 +1,4 @@
-"""V17: a pressure cycle loses what the rubber takes: the loop of pressure and volume, and where its work went.
+"""V17: a pressure cycle loses what the rubber dissipates: the loop of pressure and volume, and its energies.
 
 Problem: a thick sphere and a finger of one chamber, filled and emptied, of rubber with a Prony series, with stress
 softening, with both, with neither.

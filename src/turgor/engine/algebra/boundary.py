@@ -55,7 +55,7 @@ class Held:
             return out
         moved = np.einsum("ki,ki->k", self.normals, out[self.frames.nodes])
         out = self.frames.to_local(out)
-        # the normal component is zero: what the axes bring along it, the direction beside them takes back
+        # the component along the normal must be zero: the first direction compensates those of the held axes
         out[self.frames.nodes, 0] = -moved / np.einsum("ki,ki->k", self.normals, self.frames.axes[:, 0])
         return out
 
@@ -84,7 +84,7 @@ def held_components(model: Model) -> Held:
 def _with_normals(
     mask: NDArray[np.bool_], moving: tuple[tuple[Ints, list[int], Displacement], ...], nodes: Ints, normals: Array
 ) -> Held:
-    """Hold nodes along normals too: their first direction is the part of the normal that no held axis covers."""
+    """Hold nodes along normals too: their first direction is the part of the normal across the held axes."""
     rest = np.where(mask[nodes], 0.0, normals)
     free = np.linalg.norm(rest, axis=1) > 1e-6
     nodes, normals, rest = nodes[free], normals[free], rest[free]

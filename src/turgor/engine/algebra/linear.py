@@ -235,7 +235,7 @@ class UnsymmetricSolver:
         return np.asarray(self._factor.solve(right, refine=1))
 
     def negative_pivots(self, expected: int) -> int | None:
-        """LU does not tell."""
+        """None, because LU factors do not give the inertia."""
         return None
 
 

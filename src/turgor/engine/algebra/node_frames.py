@@ -1,4 +1,4 @@
-"""Frames of nodes: directions of their own for nodes that are held along something other than a coordinate axis.
+"""Frames of nodes: local directions for nodes that are held along other directions than the coordinate axes.
 
 The displacement of such a node is counted along three unit vectors, of which the held ones are prescribed as any other
 component; its rows and columns of the tangent are turned with it. No penalty and no multiplier is needed, and the

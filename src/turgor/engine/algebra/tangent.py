@@ -15,7 +15,7 @@ from turgor.engine.system import System
 
 Array = NDArray[np.float64]
 
-#: Where something rubs, solutions are found to this relative residual, with so many solutions by the factors at most.
+#: With friction, GMRES solves to this relative residual, with at most so many preconditioned steps.
 RUBBING_TOLERANCE, RUBBING_SOLVES = 1e-4, 40
 
 
@@ -127,7 +127,7 @@ class Tangent:
         return out
 
     def _with_rubbing(self, rubbing: sp.csc_matrix, right: Array) -> Array:
-        """Solve with the unsymmetric part of friction too, by GMRES preconditioned with the symmetric factors."""
+        """Solve with the unsymmetric part of friction, by GMRES preconditioned with the symmetric factors."""
         size, active = len(right), self._active
         operator = LinearOperator((size, size), matvec=lambda x: x + active.solve(rubbing @ x), dtype=np.float64)
         first = active.solve(right)

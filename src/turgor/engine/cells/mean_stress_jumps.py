@@ -1,4 +1,4 @@
-"""Where the mean stress may jump, and the numbers of the mean stresses when it does.
+"""Number the mean stresses, with one for each side of a border where the mean stress may jump.
 
 Equilibrium makes the traction continuous across a border between two rubbers, not the mean stress: where the stiffness
 jumps, the mean stress jumps too. A field that is continuous there cannot follow. It pollutes a whole layer of cells on

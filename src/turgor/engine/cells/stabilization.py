@@ -1,10 +1,10 @@
 """Stabilization of hexahedra: moments of the lost volume that are penalized in every cell.
 
 27-node hexahedra with mean stresses at their corners have 24 displacements for each mean stress. Modes that change the
-volume within cells go unseen, and where the rubber is compressed they buckle falsely: a block that is bent exactly
-loses stability at 77°, where its inner face is compressed to 0.85 of its length. The energy gets the term
-½ Σ (∫ φₖ (J − 1 − p/κ) dV)² with functions φₖ that are orthonormal in the cell times √γ. It is consistent: it vanishes
-with the exact solution. The functions are 1, ξ, η, ζ and the products ξη, ηζ, ζξ.
+volume within cells have no energy, and where the rubber is compressed they buckle although the body would not: a block
+in exact flexure loses stability at 77°, where its inner face is compressed to 0.85 of its length. The energy gets the
+term ½ Σ (∫ φₖ (J − 1 − p/κ) dV)² with functions φₖ that are orthonormal in the cell times √γ. It is consistent: it
+vanishes with the exact solution. The functions are 1, ξ, η, ζ and the products ξη, ηζ, ζξ.
 
 Measured with γ = 5 μ on that block, 8 × 16 cells: the first unstable mode comes at 260°, where the inner face is
 compressed to 0.62 and rubber creases; with 1, ξ, η, ζ alone at 174°, with the mean alone at 84°. A penalty on all of

@@ -20,19 +20,19 @@ from turgor.model.obstacles import Obstacle, Plane, RigidSurface
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Sides see each other from this many of their mean lengths.
+#: Sides closer than this many of their mean lengths are candidates for contact.
 REACH = 4.0
 
 #: A point that comes upon a rigid body is inside of it to this share of a mean length; known partners may lie deeper.
 RIGID_DEPTH = 0.5
 
-#: A wall meets its mirror image where it meets the mirror: with the stiffness of both.
+#: A wall meets its mirror image in the mirror plane, with the stiffness of both.
 BOTH_WALLS = 2.0
 
 #: Triangles of a rigid body at most.
 MOST_TRIANGLES = 500_000
 
-#: Rounds in which sides that lie in each other at rest are told to leave each other alone.
+#: Rounds in which contact is switched off between sides that overlap at rest.
 ROUNDS = 4
 
 
@@ -78,7 +78,7 @@ def _mirror_axis(mesh: Mesh, face: str) -> int:
 
 
 def may_touch(model: Model) -> bool:
-    """Whether anything in a model may touch something, so that contact is to be looked for."""
+    """Whether a model has any contact."""
     contact = model.contact
     if model.mesh.cell_type.side.nodes == 8:
         return False

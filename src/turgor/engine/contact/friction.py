@@ -16,15 +16,15 @@ from turgor.engine.contact.surface import Surface
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: What sticks gives way by this share of the length of a side before it slides, whatever the pressure: a point that is
-#: hardly pressed is hardly held.
+#: A sticking point slips elastically by this share of the length of a side before it slides, whatever the pressure; so
+#: the tangential stiffness is in proportion to the pressure.
 ELASTIC_SLIP = 0.005
 
-#: Points nearer than this share of the cell behind them may touch in the next step. They are anchored too, or the
-#: points over which a contact moves within a step would be free of friction in it.
+#: Points nearer than this share of the cell behind them may touch in the next step. They get a friction history too, or
+#: a contact that moves over them within a step would have no friction there.
 NEAR = 0.5
 
-#: Limits that were kept hold where none changes by more than this share of the largest.
+#: Kept limits are valid if none changes by more than this share of the largest.
 SETTLED = 1e-4
 
 

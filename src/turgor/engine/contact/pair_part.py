@@ -19,7 +19,7 @@ Ints = NDArray[np.int64]
 #: A foot point may cross so many sides between two searches.
 WALK = 4
 
-#: Where all is searched anew, a partner is given up for one that is nearer by this share of the cell behind it.
+#: In a global search, a partner is replaced by one that is nearer by this share of the cell behind it.
 NEARER = 1e-3
 
 #: Ties are kept ready for points nearer than this share of the cell behind them.
@@ -118,7 +118,7 @@ class PairPart(PointsPart):
         return position if self.rigid is None else np.vstack([position, self.rigid.points + place])
 
     def look(self, position: Array, place: Array, known: Found | None = None, how: Look = Look.FOLLOW) -> Found:
-        """Find what every point is near to, anew where nothing is known."""
+        """Find the partner of every point, by a global search where none is known."""
         s, p = self.surface, self.partners
         x, normal, growth = points_of(position, s.sides, s.N, s.dN)
         every = self._all(position, place)

@@ -11,12 +11,12 @@ from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Scaled depth that is none.
+#: Scaled depth that counts as zero.
 ROUND_OFF = 1e-12
 
 
 class Look(Enum):
-    """How partners are found where some are known: kept, followed from side to side, or searched for anew."""
+    """How partners of contact are found: kept, followed from side to side, or searched for globally."""
 
     KEEP = "keep"
     FOLLOW = "follow"

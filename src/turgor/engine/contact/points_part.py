@@ -176,7 +176,7 @@ class PointsPart(ABC):
     def stiffened(self, former: Array, before: Found, found: Found) -> float:
         """Energy that raising the penalty from the ``former`` scales (s,) put into what was and is penetrated.
 
-        Exact where forces do their work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
+        Consistent with work by the trapezoidal rule: ½ (k₁ − k₀) g₀ g₁ at every point.
         """
         points = before.also(found)
         i, q = points.T
@@ -186,7 +186,7 @@ class PointsPart(ABC):
         return float(0.5 * (gain * before.gap[i, q] * found.gap[i, q]).sum())
 
     def rubbed(self, position: Array, found: Found) -> float:
-        """Energy that friction has taken since the last state."""
+        """Energy that friction has dissipated since the last state."""
         a = self.bound(found)
         return 0.0 if a is None else friction.taken(a, self._apart(position, found, a), self._weights(a.points))
 

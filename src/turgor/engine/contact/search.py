@@ -1,6 +1,6 @@
 """Search: which side each point of a surface would touch first.
 
-A side is a partner of a point if the two face each other through air, or if the point lies a little inside of it: no
+A side is a partner of a point if the two face each other across a gap, or if the point lies a little inside of it: no
 deeper than a share of the cells there, so that the far face of a wall is not taken for a neighbor. The nearest foot
 point wins.
 """
@@ -19,7 +19,7 @@ Ints = NDArray[np.int64]
 #: Two sides can touch where the cosine between their normals is below this.
 OPPOSED = -0.3
 
-#: A partner is held as long as the foot point is no further than this beyond a smooth edge of it: where two sides join
+#: A partner is kept as long as the foot point is no further than this beyond a smooth edge of it: where two sides join
 #: in a kink, a point right above it would change from one to the other forever.
 HOLD = 0.02
 

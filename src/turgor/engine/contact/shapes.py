@@ -19,7 +19,7 @@ Distances = tuple[Array, Array, Array]
 #: The shapes whose distance is a formula.
 Formula = Plane | Sphere | Cylinder | Box
 
-#: Points nearer than this share of the shape to its center or axis have no direction of their own and get any.
+#: Points nearer than this share of the shape to its center or axis get an arbitrary direction.
 NO_DIRECTION = 1e-12
 
 

@@ -32,7 +32,7 @@ SMOOTH = 0.8
 #: A point is taken to lie inside a side no deeper than this share of the cell behind it.
 DEPTH = 0.25
 
-#: Two sides with a common node look at each other where each lies above the other by this share of their distance.
+#: Two sides with a common node face each other where each lies above the other by this share of their distance.
 ABOVE = 0.1
 
 

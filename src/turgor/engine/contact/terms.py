@@ -21,13 +21,13 @@ Ints = NDArray[np.int64]
 #: One update of Newton's method deepens no penetration by more than this share of the cell behind the surface.
 DEEPER = 0.04
 
-#: Only where it would deepen one by this factor more, it is shortened.
+#: An update is shortened only if it would deepen a penetration by this factor more.
 MARGIN = 1.5
 
 #: The shortest share of an update that the limit on penetration asks for at once.
 SHORTEST = 0.1
 
-#: Share of an update that is taken where a point was near nothing and is deep inside something after it.
+#: Share of an update that is taken if a point without partner would be deep inside a body after it.
 UNSEEN = 0.5
 
 #: The stiffness of a side grows by this factor at once at most, and altogether.
@@ -76,7 +76,7 @@ class ContactTerms:
 
     @property
     def rubs(self) -> bool:
-        """Whether friction holds anything."""
+        """Whether friction acts anywhere."""
         return any(part.friction_history is not None and len(part.friction_history.points) > 0 for part in self.parts)
 
     @property
@@ -92,9 +92,9 @@ class ContactTerms:
     def look(
         self, position: Array, springs: Array, factor: float, known: Contacts | None = None, how: Look = Look.FOLLOW
     ) -> Contacts:
-        """Find what touches at a position and load factor; ``springs`` are the unknowns of sprung bodies, in rows.
+        """Find the contacts at a position and load factor; ``springs`` are the unknowns of sprung bodies, in rows.
 
-        A whole search is made once in a step; in between, points follow their ``known`` partners from side to side:
+        A global search is made once in a step; in between, points follow their ``known`` partners from side to side:
         by default those of the last search.
         """
         known = known or self._known

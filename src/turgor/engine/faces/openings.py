@@ -1,4 +1,4 @@
-"""Openings: what closes a surface that is open at an inlet, so that it encloses a volume."""
+"""Openings: caps over the inlets of a surface, so that it encloses a volume."""
 
 import numpy as np
 from numpy.typing import NDArray

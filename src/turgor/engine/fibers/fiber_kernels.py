@@ -1,4 +1,4 @@
-"""Fibers on the sides of cells: pieces of thread that stretch with the surface, and give way where they are pushed.
+"""Fibers on the sides of cells: pieces of thread that stretch with the surface and go slack in compression.
 
 A piece follows its surface through t = Σ gₐ xₐ, the current tangent per reference length; its stretch is λ = |t|, its
 tension N = E A (λ − 1), its energy ½ E A (λ − 1)² for each reference length. Smeared fibers are pieces at the

@@ -3,8 +3,8 @@
 Each truss lies in one side of a cell, so that it adds nothing to the sparsity of the tangent. It stretches like the
 surface in its middle, as interpolated from the integration points of membranes: elsewhere the strains of a quadratic
 side are too noisy for threads that hardly stretch, which would go slack and tight at random. A thread that crosses a
-side is two trusses, one that cuts off a corner is one. With one truss a crossing the side bulges between the threads
-into shapes that no truss feels, and with ten sides around the tube of V20 it twists 4 % too little.
+side is two trusses, one that cuts off a corner is one. With one truss per crossing the side could bulge between the
+threads without stretching any truss, and with ten sides around the tube of V20 it would twist 4 % too little.
 """
 
 from dataclasses import dataclass

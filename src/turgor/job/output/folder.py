@@ -1,4 +1,4 @@
-"""Folder of results: claimed before anything is computed, so that no run ends with nowhere to write."""
+"""Folder of results: made before anything is computed, so that every run can write its results."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -1,4 +1,4 @@
-"""What is to be said about the materials of a run: doubts about their constants, laws used beyond their tests."""
+"""Findings about the materials of a run: doubtful constants, and laws used beyond their tests."""
 
 from collections.abc import Iterable
 
@@ -26,8 +26,8 @@ def constants_in_doubt(model: Model) -> tuple[Finding, ...]:
 def laws_beyond_their_tests(solution: Solution) -> tuple[Finding, ...]:
     """M01 for every region of which more than 1 % of the volume is stretched beyond the tests of its law.
 
-    Single points do not count: at sharp edges they stretch farther with every finer mesh. Looked at are the end, where
-    a pressure turns, and where the actuator moved farthest.
+    Single points do not count, because the stretch at sharp edges grows with every finer mesh. The check uses the last
+    state, the extrema of the pressure, and the state with the largest displacement.
     """
     model, turns = solution.model, kinks(solution.model)
     largest = dict.fromkeys(model.region_materials, 1.0)

@@ -1,4 +1,4 @@
-"""Outcome: what a run found and where it wrote it."""
+"""Outcome: the results of a run, and the files that hold them."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Versions: which programs made a result."""
+"""Versions of the programs that made a result."""
 
 import platform
 from importlib.metadata import PackageNotFoundError, version

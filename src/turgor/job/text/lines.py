@@ -1,4 +1,4 @@
-"""Lines: where each key of a TOML text stands, because `tomllib` does not tell."""
+"""Lines: find the line of each key of a TOML text, which `tomllib` does not report."""
 
 import re
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""What the columns of a testing machine's table are: their role, their unit, and the stress measure they state."""
+"""Columns of a testing machine's table: their role, their unit, and the stress measure they state."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -87,14 +87,14 @@ class Column:
 
 
 def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> tuple[Column, ...]:
-    """Tell the role and unit of every column that matters.
+    """Find the role and unit of every column that matters.
 
     Parameters
     ----------
     names : sequence of str
         Names of the columns with their units, such as ``"Force (N)"`` or ``"grip_length_mm"``.
     roles : mapping of str to str
-        Roles that the user stated, with the name of their column; these are believed.
+        Roles that the user stated, with the name of their column; they take precedence.
     file : str
         Name of the file, for messages.
 

@@ -12,7 +12,7 @@ HALF_CYCLE = 0.2
 
 
 def half_cycles(test: MaterialTest) -> tuple[slice, ...]:
-    """Split a test where the stretch turns round: loading, unloading, loading and so on.
+    """Split a test where the stretch reverses: loading, unloading, loading and so on.
 
     Parameters
     ----------

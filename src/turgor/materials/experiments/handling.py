@@ -1,4 +1,4 @@
-"""Handling of tests: each edit is a function that returns a new test and says what it did; none happens unasked."""
+"""Handling of tests: each edit is a function that returns a new test and records what it did."""
 
 from collections.abc import Sequence
 
@@ -10,9 +10,9 @@ from turgor.materials.experiments.material_test import Array, Edit, MaterialTest
 
 
 def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> MaterialTest:
-    """Set the zero of length where the specimen is taut: where the stress first stays above a threshold.
+    """Count the stretch from the length at which the specimen is taut: where the stress first stays above a threshold.
 
-    Points before it go, and stretches are counted from the length there. The initial area stays as it was measured.
+    Points before it are removed. The initial area stays as it was measured.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> M
     if test.nominal_stress.max() <= stress:
         raise TurgorError(f"test '{test.name}' never exceeds {stress:g} Pa; choose a smaller preload.")
     rising = np.flatnonzero(test.nominal_stress > stress)
-    # from noise of one sign the first point above says little: take the first that is followed by more
+    # noise may lift a single point above the threshold: take the first point that is followed by more
     start = next(int(i) for i in rising if (test.nominal_stress[i : i + 5] > stress).all())
     if not len(below) or start == 0:
         return _note(test, f"No slack below {stress:g} Pa.")
@@ -41,12 +41,12 @@ def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> M
 
 
 def rest_below(test: MaterialTest, stress: float) -> MaterialTest:
-    """Count the stretch of a cyclic test from where it is taut, and let it rest, free of stress, below that length.
+    """Count the stretch of a cyclic test from the taut length, and set the stress below that length to zero.
 
-    Cycles between grips may go back behind the length at which the specimen carries a load. It is taken from the last
-    loading curve, where the stress first stays above a threshold. Shorter ones become stretch 1 without stress; these
-    points stay, because time goes on in them, and no fit is held against them. A rubber that relaxes by much more than
-    silicone is slack before it is back at its length, which is then found too large.
+    Cycles between grips may unload the specimen below the length at which it carries a load. That length is taken from
+    the last loading curve, where the stress first stays above a threshold. Shorter lengths become stretch 1 without
+    stress. These points stay, because time passes in them, but no fit uses them. A rubber that relaxes much more than
+    silicone is slack before it is back at its length, and the length is then found too large.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
 
 
 def remove_tail(test: MaterialTest, *, drop: float = 0.2) -> MaterialTest:
-    """Take away what comes after the specimen broke: the points behind the peak, where the stress then falls.
+    """Remove the points after the specimen broke: those after the peak, if the stress then falls.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def crop(test: MaterialTest, low: float, high: float) -> MaterialTest:
 
 
 def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
-    """Average a test over equal intervals of stretch, so that dense regions weigh no more than others.
+    """Average a test over equal intervals of stretch, so that dense regions have no more weight than others.
 
     Parameters
     ----------
@@ -183,7 +183,7 @@ def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
 def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") -> MaterialTest:
     """Average replicates at equal stretches, with their standard deviation as a band.
 
-    The mean ends where the first specimen ends: a mean over those that are left would jump there.
+    The mean ends where the first specimen ends, because a mean over the remaining ones would jump there.
 
     Parameters
     ----------

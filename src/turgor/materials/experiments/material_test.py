@@ -1,4 +1,4 @@
-"""MaterialTest: one experiment on a rubber, what was measured, and what was done to the numbers since."""
+"""MaterialTest: one experiment on a rubber, its measured values, and every change made to them."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -17,13 +17,13 @@ Array = NDArray[np.float64]
 #: The tests of a rubber; pure shear is another name for planar tension.
 MODES = ("uniaxial", "equibiaxial", "planar", "simple_shear", "biaxial")
 
-#: How far a stretch may step back, as a share of its whole range, before it counts as turning round.
+#: How far a stretch may step back, as a share of its whole range, before it counts as a reversal.
 JITTER = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Edit:
-    """One thing that was done to a test, with the points that it took away.
+    """One change of a test, with the points that it removed.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class MaterialTest:
-    """One experiment on a rubber: mode, stretch and nominal stress, where they came from, and what was done to them.
+    """One experiment on a rubber: mode, stretch and nominal stress, their source, and every change made to them.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ class MaterialTest:
         return np.concatenate([P[:, 0, 0], P[:, 1, 1]])
 
     def first_turn(self) -> int | None:
-        """Return the first point at which the stretch has turned round, None where it runs one way.
+        """Return the first point at which the stretch reverses; None if it does not.
 
         Examples
         --------
@@ -175,7 +175,7 @@ class MaterialTest:
         return int(np.argmax(back)) if back.any() else None
 
     def keeping(self, keep: NDArray[np.bool_], text: str) -> "MaterialTest":
-        """Return the test with some of its points, the others put into an edit.
+        """Return the test with some of its points; the removed ones are recorded as an edit.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Reading tests: from the table of a testing machine to stretch and nominal stress, nothing guessed."""
+"""Read tests: from the table of a testing machine to stretch and nominal stress, without guessing."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -14,7 +14,7 @@ from turgor.materials.experiments.specimen import Specimen
 from turgor.materials.experiments.table_text import Table, read_table
 from turgor.source import Source
 
-#: Words of a file name that tell its mode; the longer ones first.
+#: Words of a file name that state its mode; the longer ones first.
 _MODE_WORDS = (
     ("equibiaxial", "equibiaxial"),
     ("equi_biaxial", "equibiaxial"),
@@ -36,7 +36,7 @@ def read_test(
     columns: Mapping[str, str] | Sequence[str] | None = None,
     cyclic: bool = False,
 ) -> MaterialTest:
-    r"""Read one test from the table of a testing machine; what the file does not say is asked, not guessed.
+    r"""Read one test from the table of a testing machine; nothing that the file does not say is guessed.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ def read_test(
     columns : mapping of str to str, or sequence of str, optional
         Column by role, such as ``{"force": "Load cell 2 (N)"}``; or the names of all columns, for files without any.
     cyclic : bool
-        Whether the stretch may turn round; choose a cycle then with `select_cycle`.
+        Whether the stretch may reverse; then choose a cycle with `select_cycle`.
 
     Returns
     -------
@@ -89,7 +89,7 @@ def read_tests(
     columns: Mapping[str, str] | Sequence[str] | None = None,
     cyclic: bool = False,
 ) -> tuple[MaterialTest, ...]:
-    """Read every specimen of a file: rows told apart by a column 'specimen', or columns that repeat side by side.
+    """Read every specimen of a file: by a column 'specimen', or from columns that repeat side by side.
 
     Parameters
     ----------
@@ -204,7 +204,7 @@ def _test(
 
 
 def _time(table: Table, column: Column | None) -> tuple[Array | None, str]:
-    """Time since the first row, and what is to be said about it; None where there is none that can be used."""
+    """Time since the first row, and a remark about its column; None where there is no usable time."""
     if column is None:
         return None, ""
     time = table.seconds(column.index)

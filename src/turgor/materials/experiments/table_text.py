@@ -1,4 +1,4 @@
-"""Tables of a testing machine as text: separator, decimal comma, header lines and numbers, told apart by looks."""
+"""Tables of a testing machine as text: find separator, decimal comma, header lines and numbers."""
 
 import re
 from dataclasses import dataclass

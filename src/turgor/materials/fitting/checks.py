@@ -1,4 +1,4 @@
-"""Checks of fitted laws: where they were fitted (M01), to which tests (M02), how far their order carries (M03)."""
+"""Checks of fitted laws: their fitted range (M01), their tests (M02), the stretch that their order can follow (M03)."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -21,7 +21,7 @@ def check_stretch_range(material: Material, stretch: tuple[float, float]) -> tup
     Parameters
     ----------
     material : Material
-        Its ``stretch_range`` is what is looked at; without one nothing can be said.
+        Its ``stretch_range`` is compared; without one there is no finding.
     stretch : (float, float) [-]
         Smallest and largest stretch of the use.
 
@@ -86,7 +86,7 @@ def check_modes(law: Any, modes: Sequence[str]) -> tuple[Finding, ...]:
 
 
 def check_order(law: Any, stretch: float, *, reinforced: bool = False) -> tuple[Finding, ...]:
-    """M03: a neo-Hookean or Mooney–Rivlin law is wanted where rubber stiffens more than it can follow.
+    """M03: a neo-Hookean or Mooney–Rivlin law is used at stretches where rubber stiffens more than the law.
 
     Parameters
     ----------
@@ -95,7 +95,8 @@ def check_order(law: Any, stretch: float, *, reinforced: bool = False) -> tuple[
     stretch : float [-]
         Largest stretch of the use.
     reinforced : bool
-        Whether fibers or chambers keep the actuator from ballooning; laws of low order serve longer then.
+        Whether fibers or chambers keep the actuator from ballooning; laws of low order are then good to larger
+        stretches.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Linear least squares under linear inequalities, exactly: what keeps a fitted law stable."""
+"""Linear least squares with linear inequalities, solved exactly; they keep a fitted law stable."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,7 @@ def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, ND
     x : (n,) array
         The solution.
     active : (k,) array of bool
-        Which inequalities hold it back.
+        Which inequalities are active.
 
     Examples
     --------

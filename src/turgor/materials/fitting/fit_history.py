@@ -1,4 +1,4 @@
-"""Fitting what happens in time: a Prony series from relaxation tests, stress softening from cyclic ones, or both."""
+"""Fit a Prony series to relaxation tests, stress softening to cyclic tests, or both."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -84,7 +84,7 @@ def fit_history(
         Fitted before, to first loading curves.
     tests : MaterialTest or sequence of MaterialTest
         With time, uniaxial, equibiaxial or planar: relaxation, cycles, any history. Points at stretch 1 without any
-        stress, as from `rest_below`, are not held against the fit.
+        stress, as from `rest_below`, are not used.
     terms : int
         Terms of the Prony series; terms that come out as zero are left out.
     stress_softening : bool

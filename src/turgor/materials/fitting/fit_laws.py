@@ -157,7 +157,7 @@ class _Search:
         return np.where(np.asarray(shapes) < 0, -1.0, 1.0) if self.spec.sign == "shape" else signs
 
     def coefficients(self, shapes: Shapes) -> tuple[Array, Array]:
-        """Best coefficients for given shapes, and the inequalities that hold them back as rows."""
+        """Best coefficients for given shapes, and the active inequalities as rows."""
         found, active = solve_constrained(self._columns(shapes), self.points.target, self.G, self.h)
         if self.spec.sign != "slope" and len(self.G):
             found = np.where(active, 0.0, np.maximum(found, 0.0))
@@ -205,7 +205,7 @@ class _Search:
         return np.asarray(np.clip(sizes * signs, low + 1e-6, high - 1e-6))
 
     def uncertainty(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[Array, Array]:
-        """Standard errors and correlations from the Jacobian, in the directions that no constraint holds."""
+        """Standard errors and correlations from the Jacobian, in the directions without an active constraint."""
         J = [self._columns(shapes) * self._signs(shapes)]
         for k, value in enumerate(shapes):
             step = 1e-5 * max(1.0, abs(value))
@@ -224,7 +224,7 @@ class _Search:
         )
 
     def bounds_hit(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[str, ...]:
-        """What holds the parameters back, in words."""
+        """Bounds and constraints that are active, in words."""
         hit = []
         for name, value, (low, high) in zip(self.spec.shapes, shapes, self.bounds, strict=True):
             for bound in (low, high):

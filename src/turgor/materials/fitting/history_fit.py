@@ -1,4 +1,4 @@
-"""HistoryFit: a rubber fitted to what happened in time, and how far the tests determine it."""
+"""HistoryFit: a rubber fitted to tests over time, and how well the tests determine its parameters."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ POINTS = 400
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class HistoryFit:
-    """A rubber whose viscoelasticity and softening were fitted, and how far the tests determine them.
+    """A rubber whose viscoelasticity and softening were fitted, and how well the tests determine them.
 
     Parameters
     ----------
@@ -26,8 +26,8 @@ class HistoryFit:
     values : mapping of str to float
         Parameters in SI: ``scale`` of the law, ``g1``, ``tau1`` and so on, ``r``, ``m``, ``beta``.
     errors : mapping of str to float
-        Their standard errors from the scatter about the curve; 0 for one held by a bound. Deviations of neighboring
-        points belong together, so these are too small.
+        Their standard errors from the scatter about the curve; 0 for one at a bound. Deviations of neighboring points
+        are correlated, so these errors are too small.
     bounds_hit : tuple of str
         Parameters that a bound holds: the tests do not determine them.
     undetermined : tuple of str
@@ -48,7 +48,7 @@ class HistoryFit:
     quality: tuple[FitResidual, ...]
 
     def predict(self, tests: MaterialTest | Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
-        """Compare the rubber with tests that it may not have seen.
+        """Compare the rubber with tests, such as tests that were not fitted.
 
         Parameters
         ----------

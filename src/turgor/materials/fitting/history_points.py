@@ -1,4 +1,4 @@
-"""The points of tests with time as one linear system: the stress of a law, softened, and what relaxes of it."""
+"""The points of tests with time as one linear system: the softened stress of a law, and its relaxing parts."""
 
 from collections.abc import Sequence
 

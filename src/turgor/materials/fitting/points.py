@@ -141,7 +141,7 @@ def modulus_row(spec: LawSpec) -> Array:
 
 
 def within(test: MaterialTest, stretch: tuple[float, float] | None) -> MaterialTest | None:
-    """Return the part of a test within a range of stretch, None where there is next to nothing."""
+    """Return the part of a test within a range of stretch; None where it has fewer than two points."""
     if stretch is None or test.mode == "simple_shear":
         return test
     low, high = stretch

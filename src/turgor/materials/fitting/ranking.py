@@ -1,4 +1,4 @@
-"""Ranking laws on the same tests, and saying in words what the numbers mean."""
+"""Rank laws on the same tests, and say in words what the numbers mean."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

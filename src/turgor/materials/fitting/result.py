@@ -1,4 +1,4 @@
-"""Fit: a fitted law with all that says how far it can be trusted."""
+"""Fit: a fitted law with its errors, its range and its findings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -88,7 +88,7 @@ class Fit:
     correlation : (n, n) array [-]
         Correlations of the parameters; ±1 means that the tests determine only a combination.
     bounds_hit : tuple of str
-        What held the parameters back, in words.
+        Active bounds and constraints, in words.
     quality : tuple of FitResidual
         Error of every test.
     aic : float
@@ -136,7 +136,7 @@ class Fit:
 
     @property
     def undetermined(self) -> tuple[str, str] | None:
-        """The two parameters that are tied most to each other, where that leaves one of them open; None elsewhere."""
+        """The two most correlated parameters, if the tests determine only a combination of them; None otherwise."""
         off = np.abs(self.correlation - np.diag(np.diag(self.correlation)))
         i, j = np.unravel_index(int(np.argmax(off)), off.shape)
         names = self.spec.names

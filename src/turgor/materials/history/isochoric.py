@@ -1,4 +1,4 @@
-"""Isochoric stresses in the reference configuration: what a viscoelastic or softened rubber adds to its law.
+"""Isochoric stresses in the reference configuration, of rubber that relaxes or softens.
 
 Symmetric tensors are arrays (..., 6) of the components 11 22 33 12 23 13. With C̄ = J^(−2/3) C, a constant tensor h has
 the energy ½ h : C̄; its stress and tangent are written here once, for a homogeneous test and for any array of points.

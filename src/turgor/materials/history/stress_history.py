@@ -62,8 +62,8 @@ class StressHistory:
 def stress_history(material: Material, mode: HistoryMode, time: ArrayLike, stretch: ArrayLike) -> StressHistory:
     """Compute the stress of an incompressible rubber along a history of stretch.
 
-    The specimen has been at rest before the first time: a first stretch other than 1 is a sudden one, and so is a
-    change between two equal times. Between the times the stress of the law counts as linear, an error of second order.
+    The specimen is at rest before the first time: a first stretch other than 1 is a sudden one, and so is a change
+    between two equal times. Between the times the stress of the law is taken as linear, with an error of second order.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The checks behind `turgor.materials.library.doubts`: each looks at one record and yields what it doubts."""
+"""The checks behind `turgor.materials.library.doubts`: each takes one record and yields its doubts."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
@@ -34,7 +34,7 @@ USUAL_RANGE: Mapping[str, tuple[float, float]] = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Doubt:
-    """One reason not to trust a record.
+    """One reason to doubt a record.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def _unstable(case: Case) -> Iterator[Doubt]:
 
 
 def _borrowed(case: Case) -> Iterator[Doubt]:
-    """The same constants under two names: the name whose properties they contradict has borrowed them."""
+    """Find the same constants under two materials; the one whose properties they contradict has borrowed them."""
     record = case.record
     lenders = [other for other in case.others if other.material_name != record.material_name and _same(record, other)]
     if not lenders:

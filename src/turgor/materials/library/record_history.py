@@ -1,4 +1,4 @@
-"""Viscoelasticity and stress softening in files: the tables of a record, a job or a lock file, and their words."""
+"""Viscoelasticity and stress softening in files: read, write and describe their tables."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -84,7 +84,7 @@ def history_tables(series: Prony | None, mullins: Mullins | None) -> dict[str, d
 
 
 def describe_history(series: Prony | None, mullins: Mullins | None) -> Iterator[tuple[str, str]]:
-    """Yield what relaxes and what softens in words: a heading, and the numbers.
+    """Yield viscoelasticity and softening in words: a heading, and the numbers.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A library material in words: what is printed, what turgor computes with, where it comes from, what is doubtful."""
+"""Describe a library material in words: printed and canonical constants, sources, and doubts."""
 
 from collections.abc import Iterator, Sequence
 from math import inf
@@ -37,7 +37,7 @@ def describe_material(name: str, record: str | None = None) -> str:
       canonical: E = 103 GPa, nu = 0.34
       source: B. Wang, K. C. Aw, M. Biglari-Abhari, A. McDaid, in Proc. IEEE/ASME Int. Conf. on Advanced \
 Intelligent Mechatronics, IEEE, Piscataway, NJ 2016, pp. 83–88
-      quoted in: Table 3 of the review, references 144
+      quoted in: Table 3 of Xavier, Fleming and Yong 2021, references 144
       doubts: none known
     """
     chosen = records(name) if record is None else (find_record(name, record),)
@@ -124,7 +124,7 @@ def _lines(record: Record) -> Iterator[str]:
         yield f"also in: {text}"
     if record.quoted_in:
         numbers = f", references {', '.join(map(str, record.references))}" if record.references else ""
-        yield f"quoted in: {record.quoted_in} of the review{numbers}"
+        yield f"quoted in: {record.quoted_in} of Xavier, Fleming and Yong 2021{numbers}"
     yield from _doubt_lines(find_doubts(record))
 
 

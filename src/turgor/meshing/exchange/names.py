@@ -197,7 +197,9 @@ def _name_rest(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> lis
     held = ", ".join(f"'{name}' ({volume:.5g} mm³)" for name, volume in zip(names, volumes, strict=True))
     if mirrors:
         held = _listed(names)
-    return [_note(f"Closed inner surfaces without a name became {held}.", "Name them yourself if they are none.")]
+    return [
+        _note(f"Closed inner surfaces without a name became {held}.", "Name them yourself if they are not cavities.")
+    ]
 
 
 def _group(groups: Mapping[str, Ints], name: str, what: str) -> Ints:

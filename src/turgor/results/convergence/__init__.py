@@ -1,1 +1,1 @@
-"""Convergence: what results on several meshes say about the error."""
+"""Convergence: estimate the error from results on several meshes."""

@@ -1,4 +1,4 @@
-"""What three meshes say about the value that no mesh reaches: observed order, extrapolated value, error estimate."""
+"""Richardson's extrapolation from three meshes: observed order, extrapolated value, error estimate."""
 
 from dataclasses import dataclass
 from math import isfinite, log
@@ -11,8 +11,8 @@ from turgor.errors import TurgorError
 
 Array = NDArray[np.float64]
 
-#: Orders between which a sequence counts as converging: below, the meshes are too coarse to say anything; above the
-#: highest order that quadratic cells can show (4, in energy), a fast sequence is luck and is extrapolated with this.
+#: Orders between which a sequence counts as converging. Below them the meshes are too coarse. Above the highest order
+#: of quadratic cells (4, in energy) a sequence is fast by chance, and is extrapolated with order 4.
 LEAST_ORDER, MOST_ORDER = 0.5, 4.0
 
 #: The error is this many times the distance to the extrapolated value (Roache 1994, for three or more meshes).
@@ -24,7 +24,7 @@ EQUAL = 1e-7
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Extrapolation:
-    """What a sequence of values on finer and finer meshes says.
+    """Extrapolation of a sequence of values on finer and finer meshes.
 
     Parameters
     ----------

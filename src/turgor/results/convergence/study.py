@@ -1,4 +1,4 @@
-"""Convergence: one number on finer and finer meshes, and what they say about the value that no mesh reaches."""
+"""Convergence: one measure on finer and finer meshes, extrapolated to a mesh size of zero."""
 
 from dataclasses import dataclass
 from math import floor, log10
@@ -14,7 +14,7 @@ from turgor.source import Source
 
 Array = NDArray[np.float64]
 
-#: What is to be thought of a sequence, by the word that `extrapolate` has for it.
+#: What a sequence means, by the word that `extrapolate` gives it.
 _WORDS = {
     "converging": "",
     "equal": " The values are equal on all meshes.",
@@ -33,7 +33,7 @@ _WORDS = {
 class Convergence:
     """One measure on finer and finer meshes.
 
-    The meshes are unstructured, so a size is what was aimed at, not what came out. The order is therefore observed
+    The meshes are unstructured, so their edges are only about as long as the size. The order is therefore observed
     against the effective size, the size of the first mesh times the cube root of the ratio of the numbers of cells.
 
     Parameters

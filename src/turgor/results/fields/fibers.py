@@ -103,10 +103,10 @@ def piece_tension(fibers: Fibers, stretch: Array) -> Array:
 def smooth_tension(pieces: Pieces, tension: Array) -> Array:
     """Average tensions over the sides of cells around each piece, weighted by length or area.
 
-    Threads hardly stretch, and the strains of a quadratic side are not that exact: along a thread tensions jump from
-    truss to truss, and one that crosses the middle of a side holds twice what its neighbor near the edge does. Their
-    average is right. Each node of the mesh gets the average of the sides around it, by hand of the winding, and each
-    side the average of its corners, which spreads over two sides in every direction.
+    Threads hardly stretch, and the strains of a quadratic side are not exact enough for them. Along a thread the
+    tension jumps from truss to truss, and in the middle of a side it is twice as large as near the edge. The average is
+    right. Each node of the mesh gets the average of the sides around it, by hand of the winding, and each side the
+    average of its corners. This averages over two sides in every direction.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What measures, files and pictures need of a state, each field computed once and only if it is asked for."""
+"""Fields of a state for measures, files and pictures; each is computed once, when it is first used."""
 
 from functools import cached_property
 from typing import NamedTuple
@@ -27,7 +27,7 @@ class MirrorPlane(NamedTuple):
 
 
 class MeshFacts:
-    """What the states of one path share: the mirror planes, the walls that may meet, and the threads at rest."""
+    """Facts that the states of one path share: mirror planes, walls that may meet, and threads at rest."""
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh

@@ -1,4 +1,4 @@
-"""What lies beside the body in ParaView: discrete threads and obstacles, in files of their own."""
+"""Files for ParaView of discrete threads and obstacles, beside that of the body."""
 
 from collections.abc import Mapping
 

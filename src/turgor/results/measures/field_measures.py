@@ -1,8 +1,8 @@
 """Measures of stress and stretch: what 99 % of the volume stay below, in the solid and in each region, and the maxima.
 
-The maximum over the quadrature points is no number of the actuator: at a sharp edge, at a clamped rim, or where two
-materials meet, the exact stress is infinite, so that every finer mesh finds more. What 99 % of the volume stay below
-does not depend on a few cells, and has a limit.
+The maximum over the quadrature points does not converge: at a sharp edge, at a clamped rim, or where two materials
+meet, the exact stress is unbounded, so every finer mesh gives a larger value. The value that 99 % of the volume stay
+below does not depend on a few cells, and converges.
 """
 
 import re

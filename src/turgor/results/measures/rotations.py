@@ -1,4 +1,4 @@
-"""Rotations: how a face turned as a whole, and how much of that is twist."""
+"""Rotations: the rotation of a face as a whole, and its twist about x."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""Winding force: how hard threads hold a body around its axis, as a force per length along it."""
+"""Winding force: the force of threads around the axis of a body, per length along it."""
 
 from dataclasses import replace
 from math import pi

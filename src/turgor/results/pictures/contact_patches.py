@@ -1,4 +1,4 @@
-"""Contact patches in pictures: what touches, seen through the actuator."""
+"""Contact patches in pictures: the surfaces in contact, seen through the actuator."""
 
 from dataclasses import replace
 

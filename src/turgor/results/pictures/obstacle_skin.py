@@ -1,4 +1,4 @@
-"""Obstacles in pictures: gray bodies that let through what is behind them."""
+"""Obstacles in pictures: gray, half transparent bodies."""
 
 from collections.abc import Mapping
 

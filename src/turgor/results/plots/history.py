@@ -1,4 +1,4 @@
-"""Plots of rubbers over time: loops of cyclic tests, relaxation, and what a law alone leaves over."""
+"""Plots of rubbers over time: loops of cyclic tests, relaxation, and the difference from the law alone."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ _POINTS = 3000
 
 
 def history_figure(material: Material, tests: Sequence[MaterialTest], *, title: str = "") -> Figure:
-    """Draw a rubber against tests over time: stress against stretch and against time, and what the law leaves over.
+    """Draw a rubber against tests over time: stress against stretch and time, and the difference from the law alone.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""Report: the page that says in words, numbers and pictures what a run found."""
+"""Report: one page with the words, numbers and pictures of a run."""

@@ -27,7 +27,7 @@ def procedure(of: Procedure) -> Rows:
 
 
 def ending(status: Status) -> str:
-    """Say how a solve ended. "Converged" would read as converged in the mesh, which a single solve cannot tell.
+    """Say how a solve ended. "Converged" could be read as converged in the mesh, which a single solve cannot show.
 
     Examples
     --------

@@ -6,7 +6,7 @@ import numpy as np
 
 from turgor.response import COLUMN_UNITS, Column, Response
 
-#: Errors smaller than this, in the unit that is shown, are next to nothing, and so is what they belong to.
+#: Errors smaller than this, in the unit that is shown, count as zero, and so do their values.
 NOT_SHOWN = 1e-6
 
 

@@ -1,4 +1,4 @@
-"""What a mesh is like, as lines of text: counts, sizes, shapes of the cells."""
+"""Describe a mesh as lines of text: counts, sizes, shapes of the cells."""
 
 import numpy as np
 from numpy.typing import NDArray

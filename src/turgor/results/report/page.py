@@ -1,4 +1,4 @@
-"""Report: one self-contained HTML page that says what was asked, what came out, and how far to trust it."""
+"""Report: one self-contained HTML page with the question, the results, and the findings about them."""
 
 import struct
 from base64 import b64encode
@@ -44,7 +44,7 @@ class Picture:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Report:
-    """What a report tells.
+    """Content of a report.
 
     Parameters
     ----------

@@ -34,7 +34,7 @@ def _resisting(fibers: Fibers) -> list[Finding]:
     what = []
     if fibers.compression > 0:
         share = "all" if fibers.compression == 1 else f"{100 * fibers.compression:.3g} %"
-        what.append(f"keep {share} of their stiffness when they are pushed")
+        what.append(f"keep {share} of their stiffness in compression")
     if fibers.bending:
         what.append("resist bending")
     if not what:

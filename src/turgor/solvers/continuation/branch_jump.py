@@ -22,7 +22,7 @@ def move_ratio(points: Sequence[tuple[float, Array]]) -> float:
     Returns
     -------
     float
-        0 where there are fewer than three points, the load does not rise, or the last step is next to nothing.
+        0 where there are fewer than three points, the load does not rise, or the last step is nearly zero.
 
     Examples
     --------

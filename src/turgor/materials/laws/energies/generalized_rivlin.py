@@ -13,7 +13,7 @@ _NAME = re.compile(r"C(\d)(\d)")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GeneralizedRivlin:
-    """Generalized Rivlin (polynomial) law W = Σ Cij (Ī₁ − 3)ⁱ (Ī₂ − 3)ʲ, any order; review Eq. 11.
+    """Generalized Rivlin (polynomial) law W = Σ Cij (Ī₁ − 3)ⁱ (Ī₂ − 3)ʲ, of any order.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ class GeneralizedRivlin:
         return cls(coefficients=tuple(_named(name, value) for name, value in coefficients.items()))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa], review Eq. 11."""
+        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 11."""
         return sum(C * (I1 - 3) ** i * (I2 - 3) ** j for i, j, C in self.coefficients)
 
     @property

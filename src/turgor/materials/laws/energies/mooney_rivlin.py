@@ -8,7 +8,7 @@ from turgor.materials.laws.common import require_finite, require_positive_shear_
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MooneyRivlin:
-    """Mooney–Rivlin law W = C10 (Ī₁ − 3) + C01 (Ī₂ − 3), good to strains of about 200 %; review Eq. 12.
+    """Mooney–Rivlin law W = C10 (Ī₁ − 3) + C01 (Ī₂ − 3), good to strains of about 200 %.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ class MooneyRivlin:
         require_finite(self, (("C10", self.C10), ("C01", self.C01)))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa], review Eq. 12."""
+        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 12."""
         return self.C10 * (I1 - 3) + self.C01 * (I2 - 3)
 
     @property

@@ -8,7 +8,7 @@ from turgor.materials.laws.common import require_finite, require_positive_shear_
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NeoHooke:
-    """Neo-Hookean law W = C10 (Ī₁ − 3), good to strains of about 50 %; review Eq. 15.
+    """Neo-Hookean law W = C10 (Ī₁ − 3), good to strains of about 50 %.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ class NeoHooke:
         require_finite(self, (("C10", self.C10),))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa], review Eq. 15."""
+        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 15."""
         return self.C10 * (I1 - 3)
 
     @property

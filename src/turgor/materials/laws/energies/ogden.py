@@ -10,7 +10,7 @@ from turgor.materials.laws.common import numbers, require_finite, require_positi
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ogden:
-    """Ogden law W = Σ (μᵢ/αᵢ) (λ̄₁^αᵢ + λ̄₂^αᵢ + λ̄₃^αᵢ − 3), good to strains of 700 %; review Eq. 13.
+    """Ogden law W = Σ (μᵢ/αᵢ) (λ̄₁^αᵢ + λ̄₂^αᵢ + λ̄₃^αᵢ − 3), good to strains of 700 %.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ class Ogden:
         return tuple(m * a / 2 for m, a in zip(self.mu, self.alpha, strict=True)), self.alpha
 
     def energy_of_stretches(self, l1: Any, l2: Any, l3: Any) -> Any:
-        """Strain energy density [Pa], review Eq. 13."""
+        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 13."""
         return sum(m / a * (l1**a + l2**a + l3**a - 3) for m, a in zip(self.mu, self.alpha, strict=True))
 
     @property

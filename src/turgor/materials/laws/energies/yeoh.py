@@ -8,7 +8,7 @@ from turgor.materials.laws.common import require_finite, require_positive_shear_
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Yeoh:
-    """Yeoh law W = C10 (Ī₁ − 3) + C20 (Ī₁ − 3)² + C30 (Ī₁ − 3)³, good to strains of 400 % and more; review Eq. 14.
+    """Yeoh law W = C10 (Ī₁ − 3) + C20 (Ī₁ − 3)² + C30 (Ī₁ − 3)³, good to strains of 400 % and more.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class Yeoh:
         require_finite(self, (("C10", self.C10), ("C20", self.C20), ("C30", self.C30)))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa], review Eq. 14."""
+        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 14."""
         x = I1 - 3
         return self.C10 * x + self.C20 * x**2 + self.C30 * x**3
 

@@ -8,7 +8,7 @@ from turgor.materials.laws.common import numbers, require_finite, require_positi
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class YeohN:
-    """Yeoh law of any order W = Σ Cᵢ₀ (Ī₁ − 3)ⁱ; review Eq. 14 with any number of terms.
+    """Yeoh law W = Σ Cᵢ₀ (Ī₁ − 3)ⁱ, with any number of terms.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ class YeohN:
         require_finite(self, ((f"C{i}0", value) for i, value in enumerate(self.coefficients, 1)))
 
     def energy(self, I1: Any, I2: Any) -> Any:
-        """Strain energy density [Pa], review Eq. 14."""
+        """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 14."""
         x = I1 - 3
         return sum(C * x**i for i, C in enumerate(self.coefficients, 1))
 
