@@ -6,7 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.additions import Addition
 from turgor.engine.cells.cell_materials import Isochoric
+from turgor.engine.cells.memory import History
 from turgor.engine.contact.terms import Contacts
 from turgor.engine.faces.face_terms import FaceStresses
 
@@ -55,6 +57,10 @@ class Evaluation:
         Size of the contact forces on the free nodes.
     sought : (k,) array or None
         Scaled pressures of the controlled faces.
+    history : History
+        What the rubber brought into the step.
+    addition : Addition or None
+        Forces besides those of the model.
     """
 
     unknowns: Array
@@ -64,4 +70,6 @@ class Evaluation:
     isochoric: Isochoric
     contacts: Contacts
     contact_force: float
-    sought: Array | None = None
+    sought: Array | None
+    history: History
+    addition: Addition | None = None

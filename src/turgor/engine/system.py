@@ -12,7 +12,7 @@ from turgor.engine.algebra.additions import Addition
 from turgor.engine.algebra.boundary import held_components
 from turgor.engine.algebra.pattern import Pattern, build_pattern
 from turgor.engine.cells.cell_terms import CellTerms
-from turgor.engine.cells.memory import Memory
+from turgor.engine.cells.memory import History, Memory
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.surface import whole_surface
@@ -55,11 +55,7 @@ class System:
         What may touch what.
     full_force : float
         Scaled size of the loads' forces on the free nodes at their largest, at rest: a measure of what is small.
-    addition : Addition or None
-        Forces besides those of the model, such as inertia; a procedure puts them here.
     """
-
-    addition: Addition | None = None
 
     def __init__(self, model: Model, controlled: tuple[str, ...] = ()) -> None:
         mesh = model.mesh
@@ -175,13 +171,18 @@ class System:
         sought: Array | None = None,
         known: Contacts | None = None,
         how: Look = Look.FOLLOW,
+        history: History | None = None,
+        addition: Addition | None = None,
     ) -> Evaluation | None:
         """Residual at a point; None where a cell is turned inside out.
 
         ``sought`` are scaled pressures of the controlled faces; `ContactTerms.look` explains ``known`` and ``how``.
+        ``history`` is what the rubber brings into the step, that of a sudden step from rest by default; ``addition``
+        are forces besides those of the model, such as inertia.
         """
         u, p = self.split(unknowns)
-        laws = self.rubber.laws(u)
+        history = history or self.materials.rest
+        laws = self.rubber.laws(u, history)
         if laws is None:
             return None
         internal = self._summed(self.rubber.forces(u, p, laws))
@@ -195,23 +196,27 @@ class System:
         internal[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         outer = np.zeros(self.size)
         outer[: 3 * self.node_count] = self._frames.to_local(external + self._dead.at(load_factor)).ravel()
-        if self.addition is not None:
-            internal += self.addition.forces(unknowns)
+        if addition is not None:
+            internal += addition.forces(unknowns)
         total = internal - outer
         if not np.isfinite(total).all():
             return None
         free = ~self.held[: 3 * self.node_count]
         pressed = float(np.linalg.norm(self._frames.to_local(pressing).ravel()[free]))
-        return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought)
+        return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought, history, addition)
+
+    def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
+        """What the rubber brings into a step of a length [s] from a state with a memory, at rest where that is None.
+
+        0 is a sudden step, infinite an infinitely slow one.
+        """
+        return self.materials.history(memory, step)
 
     def remembered(self, at: Evaluation) -> Memory | None:
-        """What the rubber remembers at the end of the step that has begun, None where nothing relaxes or softens.
-
-        Put it into ``materials.memory`` to accept the step; `CellMaterials.begin_step` begins one.
-        """
+        """What the rubber remembers at the end of the step of an evaluation, None where nothing relaxes or softens."""
         if not self.materials.remembers:
             return None
-        return self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]))
+        return self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]), at.history)
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
@@ -224,8 +229,8 @@ class System:
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
         self._frames.turn_tangent(self.pattern, data, self.node_count)
-        if self.addition is not None:
-            data += self.layout.spread(self.addition.data(at.unknowns))
+        if at.addition is not None:
+            data += self.layout.spread(at.addition.data(at.unknowns))
         return data
 
     def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
@@ -250,16 +255,16 @@ class System:
         cells = self.rubber.stresses(there, change, at.isochoric)
         return Stresses(cells, self.faces.stresses(self.points + there[0], change[0]))
 
-    def residual(self, unknowns: Array, load_factor: float) -> Array:
+    def residual(self, unknowns: Array, load_factor: float, history: History | None = None) -> Array:
         """Residual (size,) at a point, for checks of the tangent."""
-        evaluation = self.evaluate(unknowns, load_factor)
+        evaluation = self.evaluate(unknowns, load_factor, history=history)
         if evaluation is None:
             raise TurgorError("a cell is turned inside out at these unknowns.")
         return evaluation.residual
 
-    def tangent(self, unknowns: Array, load_factor: float) -> sp.csc_matrix:
+    def tangent(self, unknowns: Array, load_factor: float, history: History | None = None) -> sp.csc_matrix:
         """Full tangent (size, size) at a point without supports, its unsymmetric parts included."""
-        evaluation = self.evaluate(unknowns, load_factor)
+        evaluation = self.evaluate(unknowns, load_factor, history=history)
         if evaluation is None:
             raise TurgorError("a cell is turned inside out at these unknowns.")
         data = self.tangent_data(evaluation)  # first: contact may change the pattern

@@ -7,6 +7,7 @@ from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.engine.cells import kernels, kernels_geometry
 from turgor.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.engine.cells.element import element_of
+from turgor.engine.cells.memory import History
 from turgor.engine.cells.stabilization import volume_penalty
 from turgor.errors import TurgorError
 from turgor.model.model import Model
@@ -85,7 +86,7 @@ class CellTerms:
             kernels_geometry.deformation_gradients(self.element.shape, self.cells, u, self.element.tables.dN, self.Jinv)
         )
 
-    def laws(self, u: Array) -> Isochoric | None:
+    def laws(self, u: Array, history: History) -> Isochoric | None:
         """What the laws say at displacements (n, 3); None where a cell is turned inside out."""
         e, r = self.element, self.element.tables
         I1, I2, _ = kernels_geometry.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
@@ -93,7 +94,7 @@ class CellTerms:
             return None
         chosen = self.cells[self.materials.gradient_cells]
         F = kernels_geometry.deformation_gradients(e.shape, chosen, u, r.dN, self._gradient_Jinv)
-        return self.materials.isochoric(I1, I2, F)
+        return self.materials.isochoric(I1, I2, F, history)
 
     def _response(self, laws: Isochoric) -> kernels.Response:
         return kernels.Response(laws.derivatives, self.materials.rows, laws.stress, laws.tangent)
