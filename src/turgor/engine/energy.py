@@ -28,9 +28,9 @@ def stored_energy(system: System, unknowns: Array, history: History | None = Non
     lost = J - 1 - mean * compliance
     density = rubber.energy(I1, I2, F, history or rubber.rest) / system.stress_scale + 0.5 * mean**2 * compliance
     position = system.points + u
-    faces = system.faces.membrane_energy(position) + system.faces.fiber_energy(position)
+    terms = system.terms.energy(position)
     penalty = float(penalty_energy(system.rubber.penalty, system.dV, lost).sum())
-    return (float((system.dV * density).sum()) + penalty + faces) * system.stress_scale * system.length**3
+    return (float((system.dV * density).sum()) + penalty + terms) * system.stress_scale * system.length**3
 
 
 def contact_energy(system: System, at: Evaluation) -> float:

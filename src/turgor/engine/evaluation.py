@@ -10,7 +10,6 @@ from turgor.engine.algebra.additions import Addition
 from turgor.engine.cells.cell_materials import Isochoric
 from turgor.engine.cells.memory import History
 from turgor.engine.contact.terms import Contacts
-from turgor.engine.faces.face_terms import FaceStresses
 
 Array = NDArray[np.float64]
 
@@ -22,18 +21,20 @@ class Stresses:
     Parameters
     ----------
     cells : (c, q, 6) array
-    faces : FaceStresses
-        Those of membranes and fibers.
+    terms : sequence of array
+        Those of each term, such as membranes and fibers.
     """
 
     cells: Array
-    faces: FaceStresses
+    terms: Sequence[Array]
 
     @staticmethod
     def combine(parts: "Sequence[tuple[float, Stresses]]") -> "Stresses":
         """Weighted sum, for extrapolation."""
         cells = sum(weight * part.cells for weight, part in parts)
-        return Stresses(np.asarray(cells), FaceStresses.combine([(weight, part.faces) for weight, part in parts]))
+        weights, columns = [weight for weight, _ in parts], zip(*(part.terms for _, part in parts), strict=True)
+        terms = [np.asarray(sum(w * a for w, a in zip(weights, column, strict=True))) for column in columns]
+        return Stresses(np.asarray(cells), terms)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

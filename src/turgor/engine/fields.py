@@ -12,7 +12,8 @@ from turgor.engine.cells.element import Element, element_of, tables_with
 from turgor.engine.cells.memory import Memory
 from turgor.engine.cells.reference import reference_nodes, smooth_basis, tables_at
 from turgor.engine.cells.stabilization import penalty_energy, volume_penalty
-from turgor.engine.faces.face_terms import FaceTerms
+from turgor.engine.term import Setting
+from turgor.engine.terms import Terms
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.refining.region_nodes import RegionNodes
 from turgor.model.model import Model
@@ -174,8 +175,6 @@ def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory:
     penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
     lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])
     held = np.zeros((len(mesh.points), 3), dtype=bool)
-    sheets = FaceTerms(model, mesh.points, held, 1.0, 1.0)
+    terms = Terms(Setting(model, mesh.points, held, 1.0, 1.0))
     position = mesh.points + displacement
-    return (
-        float((weight * density).sum() + lost.sum()) + sheets.membrane_energy(position) + sheets.fiber_energy(position)
-    )
+    return float((weight * density).sum() + lost.sum()) + terms.energy(position)

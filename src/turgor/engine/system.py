@@ -20,7 +20,8 @@ from turgor.engine.contact.terms import Contacts, ContactTerms
 from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
 from turgor.engine.evaluation import Stresses as Stresses
 from turgor.engine.faces.dead_loads import dead_forces
-from turgor.engine.faces.face_terms import FaceTerms
+from turgor.engine.term import Configuration, Setting
+from turgor.engine.terms import Terms
 from turgor.errors import TurgorError
 from turgor.model.drive import extremes
 from turgor.model.model import Model
@@ -49,7 +50,7 @@ class System:
     rubber : CellTerms
         What the cells add; its ``cells``, ``element``, ``Jinv``, ``dV``, ``materials`` and ``mean_stress_volumes`` are
         attributes of the system, too.
-    faces : FaceTerms
+    terms : Terms
         What pressures, membranes and fibers add.
     contact : ContactTerms
         What may touch what.
@@ -76,12 +77,13 @@ class System:
         bodies = self.contact.bodies.held
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
         self.size = len(self.held)
-        self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress_scale, controlled)
+        along_axes = supports.along_axes
+        self.terms = Terms(Setting(model, self.points, along_axes, self.length, self.stress_scale, controlled))
         self._dead = dead_forces(model, self.points, self.dV, self.element.tables.N, (self.length, self.stress_scale))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
-        base = build_pattern(self.rubber.unknowns, self.size, *self.faces.couplings)
+        base = build_pattern(self.rubber.unknowns, self.size, *self.terms.couplings)
         self.rubber.locate(base)
-        self.faces.locate(base)
+        self.terms.locate(base)
         self.layout = Layout(base, self.held)
 
     def _contact_terms(self) -> ContactTerms:
@@ -92,7 +94,7 @@ class System:
 
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
-        _, external = self.faces.forces(self.points, load_factor, np.ones(len(self.controlled)))
+        _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
         forces = self._frames.to_local(external + self._dead.at(load_factor))
         return float(np.linalg.norm(forces.ravel()[~self.held[: 3 * self.node_count]]))
 
@@ -119,7 +121,8 @@ class System:
 
     def external(self, unknowns: Array, load_factor: float, sought: Array | None = None) -> Array:
         """Scaled external forces (size,) on a body that is held still, whatever is inside out."""
-        _, forces = self.faces.forces(self.points + self.split(unknowns)[0], load_factor, sought)
+        position = self.points + self.split(unknowns)[0]
+        _, forces = self.terms.forces(Configuration(position, load_factor, sought))
         return self.joined(forces + self._dead.at(load_factor))
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
@@ -187,7 +190,7 @@ class System:
             return None
         internal = self._summed(self.rubber.forces(u, p, laws))
         position = self.points + u
-        forces, external = self.faces.forces(position, load_factor, sought)
+        forces, external = self.terms.forces(Configuration(position, load_factor, sought))
         springs = self.springs(unknowns)
         contacts = self.contact.look(position, springs, load_factor, known, how)
         pressing, bodies = self.contact.forces(contacts, springs)
@@ -223,8 +226,8 @@ class System:
         u, p = self.split(at.unknowns)
         data = np.zeros(len(self.layout.base.indices))
         self.rubber.add_tangents(data, u, p, at.isochoric, None if geometric is None else geometric.cells)
-        given = None if geometric is None else geometric.faces
-        self.faces.add_tangents(data, self.points + u, at.load_factor, given, at.sought)
+        given = None if geometric is None else geometric.terms
+        self.terms.add_tangents(data, Configuration(self.points + u, at.load_factor, at.sought), given)
         self.contact.prepare(self.layout, at.contacts)
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
@@ -236,7 +239,7 @@ class System:
     def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
         """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""
         u, _ = self.split(at.unknowns)
-        matrix = self.faces.skew_matrix(self.points + u, at.load_factor, self.size, at.sought)
+        matrix = self.terms.skew_matrix(Configuration(self.points + u, at.load_factor, at.sought), self.size)
         return None if matrix is None else self._frames.turn_matrix(matrix)
 
     def rubbing(self, at: Evaluation) -> sp.csc_matrix | None:
@@ -253,7 +256,7 @@ class System:
         there = self.split(at.unknowns)
         change = self.split(np.zeros(self.size) if update is None else update)
         cells = self.rubber.stresses(there, change, at.isochoric)
-        return Stresses(cells, self.faces.stresses(self.points + there[0], change[0]))
+        return Stresses(cells, self.terms.stresses(self.points + there[0], change[0]))
 
     def residual(self, unknowns: Array, load_factor: float, history: History | None = None) -> Array:
         """Residual (size,) at a point, for checks of the tangent."""

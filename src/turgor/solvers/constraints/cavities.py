@@ -35,7 +35,7 @@ class CavityPressures:
     def columns(self, at: Evaluation) -> Array:
         """Minus the force of a unit pressure in each cavity."""
         position = self.system.points + self.system.split(at.unknowns)[0]
-        forces = self.system.faces.unit_forces(position, len(self.system.controlled))
+        forces = self.system.terms.unit_forces(position, len(self.system.controlled))
         return np.array([-self.system.joined(force) for force in forces])
 
     def unstable(self, modes: int | None, stiffness: Array) -> int | None:

@@ -130,7 +130,7 @@ def _found_pressures(model: Model, state: State) -> dict[str, float]:
 
 
 def _check(system: System, count: int) -> None:
-    if not system.faces.symmetric:
+    if not system.terms.symmetric:
         raise TurgorError(
             "a pressure acts on an open surface and has no potential there, so that its modes are not those of an "
             "elastic body; close the cavity, or leave the pressure out."
