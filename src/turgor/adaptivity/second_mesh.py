@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.algebra.linear import SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.cells.memory import History
 from turgor.engine.chambers import Chambers
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import Evaluation, System
@@ -15,7 +16,7 @@ from turgor.engine.transfer import Transfer
 from turgor.meshing.refining.refinement import Refinement
 from turgor.model.model import Model
 from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget
-from turgor.solvers.constraints.constraint import Constraint
+from turgor.solvers.constraints.constraint import Constraint, Target
 from turgor.solvers.constraints.load_factor import LoadFactor, WorkTarget
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.scalar_control.cavity_control import asked_cavities
@@ -31,6 +32,9 @@ from turgor.solvers.solution import State
 from turgor.solvers.states import acting_pressures, touches
 
 Array = NDArray[np.float64]
+
+#: The equations on the second mesh, their tangent, and the internal variables of the step.
+Equations = tuple[System, Tangent, History]
 
 #: Relative residual on the second mesh where pressures are unknown.
 SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
@@ -73,13 +77,12 @@ class SecondMesh:
         """
         controlled = _controlled(state, procedure)
         system, tangent = self._equations(state.model, controlled)
-        system.materials.memory = self.transfer.memory(state.memory)
-        system.materials.begin_step(0.0 if state.memory is not None else inf)
+        history = system.history(self.transfer.memory(state.memory), 0.0 if state.memory is not None else inf)
         start = self._start(system, state)
         try:
             if controlled or isinstance(procedure, ArcLength | Auto):
-                return _at_volume(system, tangent, start, state, controlled)
-            return _at_load(system, tangent, start, state, exact)
+                return _at_volume((system, tangent, history), start, state, controlled)
+            return _at_load((system, tangent, history), start, state, exact)
         except (SingularTangentError, np.linalg.LinAlgError):
             return None
 
@@ -124,9 +127,10 @@ def _controlled(state: State, procedure: OneProcedure) -> tuple[str, ...]:
     return asked_cavities(state.model, procedure)
 
 
-def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, exact: bool) -> State | None:
+def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -> State | None:
     """Equilibrium at the load factor of the state, with the accuracy that the estimate needs."""
-    at = system.evaluate(unknowns, state.load_factor)
+    system, tangent, history = equations
+    at = system.evaluate(unknowns, state.load_factor, history=history)
     if at is None:
         return None
     if any(touch.area > 0 for touch in state.touches.values()):
@@ -140,7 +144,7 @@ def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, ex
         right = -at.residual - coupling
         right[system.held] = jump
         update = tangent.solve(right)
-        at = system.evaluate(at.unknowns + update, state.load_factor)
+        at = system.evaluate(at.unknowns + update, state.load_factor, history=history)
         whole += update[: len(whole)]
         size, total = float(np.linalg.norm(update[: len(whole)])), float(np.linalg.norm(whole))
         if at is None or total > FAR * size_of_state:
@@ -154,7 +158,8 @@ def _at_load(system: System, tangent: Tangent, unknowns: Array, state: State, ex
 def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -> State | None:
     """Equilibrium by the Newton's method of a solve: with contact, or where simple updates diverge."""
     start = Start(at.unknowns, system.stresses(at), evaluation=at)
-    result = newton_with_contact(load_control(system), tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
+    constraint = load_control(system, history=at.history)
+    result = newton_with_contact(constraint, tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
     if not result.converged or result.evaluation is None:
         return None
     moved = (result.evaluation.unknowns - at.unknowns)[: 3 * system.node_count]
@@ -163,24 +168,25 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -
     return _state(system, result.evaluation, state, result.unstable_modes)
 
 
-def _at_volume(
-    system: System, tangent: Tangent, unknowns: Array, state: State, controlled: tuple[str, ...]
-) -> State | None:
+def _at_volume(equations: Equations, unknowns: Array, state: State, controlled: tuple[str, ...]) -> State | None:
     """Equilibrium with the volumes of the state; pressures, or the load factor, are unknown."""
+    system, tangent, history = equations
     if controlled:
         chambers = Chambers(system, controlled)
         volumes = chambers.volumes(unknowns)
-        constraint = Constraint(CavityPressures(system), VolumeTarget(chambers, volumes, np.zeros_like(volumes)))
+        target: Target = VolumeTarget(chambers, volumes, np.zeros_like(volumes))
+        constraint = Constraint.of(CavityPressures(system), target, history=history)
         scalars = np.array([state.pressures[name] for name in controlled]) / system.stress_scale
         parameter = state.load_factor
     else:
         weights = {load.face: load.pressure for load in state.model.pressures}
         if not weights:
-            return _at_load(system, tangent, unknowns, state, exact=True)
+            return _at_load(equations, unknowns, state, exact=True)
         chambers = Chambers(system, tuple(weights))
         shares = np.array(list(weights.values())) / max(map(abs, weights.values()))
         now, rest = (float(shares @ chambers.volumes(x)) for x in (unknowns, np.zeros(system.size)))
-        constraint = Constraint(LoadFactor(system), WorkTarget(chambers, shares, rest, now))
+        target = WorkTarget(chambers, shares, rest, now)
+        constraint = Constraint.of(LoadFactor(system), target, history=history)
         scalars, parameter = np.array([state.load_factor]), 1.0
     start = Start(unknowns, None, scalars)
     result = newton(constraint, tangent, start, parameter, SETTINGS, _unheard)
@@ -201,7 +207,7 @@ def _state(system: System, at: Evaluation, state: State, modes: int | None = Non
         unstable_modes=modes,
         touches=touches(system, at),
         pressures={**state.pressures, **acting_pressures(system, at)},
-        memory=system.materials.memory,
+        memory=at.history.memory,
     )
 
 

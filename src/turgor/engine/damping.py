@@ -36,34 +36,36 @@ class StrainRateDamping:
             viscosity[model.mesh.regions[name]] = 2 * time * material.law.shear_modulus / system.stress_scale
         self._viscosity = viscosity
         self._rows = np.arange(len(viscosity))
+        e, r = system.element, system.element.tables
+        no_bulk = np.full(len(viscosity), 0.0 if e.modes else np.inf)  # the loops add no mean stress of their own
+        no_penalty = np.zeros((*system.dV.shape, 0))
+        self._cells = kernels.Cells(
+            e.shape, e.modes, system.cells, e.mean, r.dN, r.M, system.Jinv, system.dV, no_bulk, no_penalty
+        )
+        self._mean = np.zeros(max(e.mean_count, 1))
+        self._no_law = np.zeros((5, *system.dV.shape))
 
     def forces(self, unknowns: Array) -> Array:
         """Forces of the viscous stress (size,)."""
-        system, e, r = self._system, self._system.element, self._system.element.tables
-        u = system.split(unknowns)[0]
-        none = np.zeros(system.dV.shape)
-        by_cell = kernels.residual(
-            e.shape, e.modes, system.cells, e.mean, u, np.zeros(max(e.mean_count, 1)), r.dN, r.M, system.Jinv,
-            system.dV, none, none, self._rows, self._stress(unknowns), self._no_bulk(),
-            self._no_penalty(),
-        )  # fmt: skip
-        return system.gathered(by_cell[:, : 3 * len(e.shape)])
+        u, none = self._system.split(unknowns)[0], np.zeros((1, 1, 21))
+        by_cell = kernels.residual(self._cells, u, self._mean, self._response(unknowns, none))
+        return self._system.gathered(by_cell[:, : 3 * len(self._cells.shape)])
 
     def data(self, unknowns: Array) -> Array:
         """Symmetric part of the derivative that matters: the viscosity, and the stress as it turns."""
-        system, e, r = self._system, self._system.element, self._system.element.tables
-        u = system.split(unknowns)[0]
-        count, points = system.dV.shape
-        material = np.empty((count, points, 21))
-        material[:] = (self._rate * self._viscosity)[:, None, None] * _deviator_moduli()
+        system, u = self._system, self._system.split(unknowns)[0]
+        moduli = np.empty((*system.dV.shape, 21))
+        moduli[:] = (self._rate * self._viscosity)[:, None, None] * _deviator_moduli()
         packed = kernels.tangent(
-            e.shape, e.modes, system.cells, e.mean, u, np.zeros(max(e.mean_count, 1)), r.dN, r.M, system.Jinv,
-            system.dV, np.zeros((5, count, points)), self._rows, self._stress(unknowns), material,
-            (self._no_bulk(), self._no_penalty()), np.zeros((1, 1, 6)), False,
-        )  # fmt: skip
+            self._cells, u, self._mean, self._response(unknowns, moduli), np.zeros((1, 1, 6)), False
+        )
         rows, _ = np.tril_indices(system.cell_size)
-        chosen = np.flatnonzero(rows < 3 * len(e.shape))
+        chosen = np.flatnonzero(rows < 3 * len(self._cells.shape))
         return system.scattered(chosen, packed[:, chosen])
+
+    def _response(self, unknowns: Array, moduli: Array) -> kernels.Response:
+        """The viscous stress in place of what laws say."""
+        return kernels.Response(self._no_law, self._rows, self._stress(unknowns), moduli)
 
     def _stress(self, unknowns: Array) -> Array:
         """Viscous stress (c, q, 6)."""
@@ -76,14 +78,6 @@ class StrainRateDamping:
         rate = 0.5 * (product + np.swapaxes(product, -1, -2))
         rate -= np.trace(rate, axis1=-2, axis2=-1)[..., None, None] / 3 * np.eye(3)
         return np.ascontiguousarray(self._viscosity[:, None, None] * rate[..., FIRST, SECOND])
-
-    def _no_bulk(self) -> Array:
-        """Compliance (c,) with which the kernels add no mean stress of their own."""
-        return np.full(len(self._viscosity), 0.0 if self._system.element.modes else np.inf)
-
-    def _no_penalty(self) -> Array:
-        """Functions (c, q, 0) of a penalty that there is none of."""
-        return np.zeros((*self._system.dV.shape, 0))
 
 
 def _deviator_moduli() -> Array:

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.cells import kernels_geometry
+from turgor.engine.cells.memory import History
 from turgor.engine.cells.stabilization import penalty_energy
 from turgor.engine.evaluation import Evaluation
 from turgor.engine.system import System
@@ -11,10 +12,11 @@ from turgor.engine.system import System
 Array = NDArray[np.float64]
 
 
-def stored_energy(system: System, unknowns: Array) -> float:
+def stored_energy(system: System, unknowns: Array, history: History | None = None) -> float:
     """Strain energy of cells, membranes and fibers of the modeled part [J].
 
-    What `turgor.engine.fields.strain_energy` gives, without building the geometry again.
+    What `turgor.engine.fields.strain_energy` gives, without building the geometry again. ``history`` is that
+    of the step, where the rubber relaxes or softens.
     """
     e, r, rubber = system.element, system.element.tables, system.materials
     u, p = system.split(unknowns)
@@ -24,11 +26,11 @@ def stored_energy(system: System, unknowns: Array) -> float:
     compliance = rubber.compliance[:, None]
     mean = np.einsum("qm,cm->cq", r.M, p[e.mean]) if e.modes else (J - 1) / compliance
     lost = J - 1 - mean * compliance
-    density = rubber.energy(I1, I2, F) / system.stress_scale + 0.5 * mean**2 * compliance
+    density = rubber.energy(I1, I2, F, history or rubber.rest) / system.stress_scale + 0.5 * mean**2 * compliance
     position = system.points + u
-    faces = system.faces.membrane_energy(position) + system.faces.fiber_energy(position)
+    terms = system.terms.energy(position)
     penalty = float(penalty_energy(system.rubber.penalty, system.dV, lost).sum())
-    return (float((system.dV * density).sum()) + penalty + faces) * system.stress_scale * system.length**3
+    return (float((system.dV * density).sum()) + penalty + terms) * system.stress_scale * system.length**3
 
 
 def contact_energy(system: System, at: Evaluation) -> float:

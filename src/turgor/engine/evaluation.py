@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.additions import Addition
 from turgor.engine.cells.cell_materials import Isochoric
+from turgor.engine.cells.memory import History
 from turgor.engine.contact.terms import Contacts
-from turgor.engine.faces.face_terms import FaceStresses
 
 Array = NDArray[np.float64]
 
@@ -20,18 +21,20 @@ class Stresses:
     Parameters
     ----------
     cells : (c, q, 6) array
-    faces : FaceStresses
-        Those of membranes and fibers.
+    terms : sequence of array
+        Those of each term, such as membranes and fibers.
     """
 
     cells: Array
-    faces: FaceStresses
+    terms: Sequence[Array]
 
     @staticmethod
     def combine(parts: "Sequence[tuple[float, Stresses]]") -> "Stresses":
         """Weighted sum, for extrapolation."""
         cells = sum(weight * part.cells for weight, part in parts)
-        return Stresses(np.asarray(cells), FaceStresses.combine([(weight, part.faces) for weight, part in parts]))
+        weights, columns = [weight for weight, _ in parts], zip(*(part.terms for _, part in parts), strict=True)
+        terms = [np.asarray(sum(w * a for w, a in zip(weights, column, strict=True))) for column in columns]
+        return Stresses(np.asarray(cells), terms)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,6 +58,10 @@ class Evaluation:
         Size of the contact forces on the free nodes.
     sought : (k,) array or None
         Scaled pressures of the controlled faces.
+    history : History
+        What the rubber brought into the step.
+    addition : Addition or None
+        Forces besides those of the model.
     """
 
     unknowns: Array
@@ -64,4 +71,6 @@ class Evaluation:
     isochoric: Isochoric
     contacts: Contacts
     contact_force: float
-    sought: Array | None = None
+    sought: Array | None
+    history: History
+    addition: Addition | None = None

@@ -12,7 +12,8 @@ from turgor.engine.cells.element import Element, element_of, tables_with
 from turgor.engine.cells.memory import Memory
 from turgor.engine.cells.reference import reference_nodes, smooth_basis, tables_at
 from turgor.engine.cells.stabilization import penalty_energy, volume_penalty
-from turgor.engine.faces.face_terms import FaceTerms
+from turgor.engine.term import Setting
+from turgor.engine.terms import Terms
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.refining.region_nodes import RegionNodes
 from turgor.model.model import Model
@@ -56,14 +57,6 @@ def _geometry(mesh: Mesh, points: int) -> tuple[Array, Array]:
     return kernels_geometry.reference_geometry((0,) * nodes, mesh.points, mesh.cells, r.dN, r.weights)
 
 
-def _materials(model: Model, points: int, memory: Memory | None) -> CellMaterials:
-    """The laws in SI units, at a state that remembers; a sudden step at a state gives its own stress."""
-    materials = CellMaterials(model, 1.0, points)
-    materials.memory = memory
-    materials.begin_step(0.0)
-    return materials
-
-
 def _mean_stress(model: Model, element: Element, J: Array, mean_stress: Array, compliance: Array) -> Array:
     """Mean stress (c, q) at the integration points."""
     if not element.modes:
@@ -92,9 +85,9 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: M
     I1 = np.trace(B, axis1=-2, axis2=-1)
     I2 = 0.5 * (I1**2 - np.einsum("cqij,cqij->cq", B, B))
     j = J ** (-2 / 3)
-    materials = _materials(model, len(r.weights), memory)
+    materials = CellMaterials(model, 1.0, len(r.weights))
     chosen = F[materials.gradient_cells]
-    laws = materials.isochoric(j * I1, j * j * I2, chosen)
+    laws = materials.isochoric(j * I1, j * j * I2, chosen, materials.history(memory))  # a sudden step: its own stress
     W1, W2 = laws.derivatives[:2]
     identity = np.eye(3)
     mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
@@ -174,16 +167,14 @@ def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory:
     r = element.tables
     Jinv, weight = _geometry(mesh, len(r.weights))
     I1, I2, J = kernels_geometry.kinematics(element.shape, mesh.cells, displacement, r.dN, Jinv)
-    materials = _materials(model, len(r.weights), memory)
+    materials = CellMaterials(model, 1.0, len(r.weights))
     mean = _mean_stress(model, element, J, mean_stress, materials.compliance)
     chosen = materials.gradient_cells
     F = kernels_geometry.deformation_gradients(element.shape, mesh.cells[chosen], displacement, r.dN, Jinv[chosen])
-    density = materials.energy(I1, I2, F) + 0.5 * mean**2 * materials.compliance[:, None]
+    density = materials.energy(I1, I2, F, materials.history(memory)) + 0.5 * mean**2 * materials.compliance[:, None]
     penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
     lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])
     held = np.zeros((len(mesh.points), 3), dtype=bool)
-    sheets = FaceTerms(model, mesh.points, held, 1.0, 1.0)
+    terms = Terms(Setting(model, mesh.points, held, 1.0, 1.0))
     position = mesh.points + displacement
-    return (
-        float((weight * density).sum() + lost.sum()) + sheets.membrane_energy(position) + sheets.fiber_energy(position)
-    )
+    return float((weight * density).sum() + lost.sum()) + terms.energy(position)

@@ -12,7 +12,7 @@ from turgor.engine.algebra.additions import Addition
 from turgor.engine.algebra.boundary import held_components
 from turgor.engine.algebra.pattern import Pattern, build_pattern
 from turgor.engine.cells.cell_terms import CellTerms
-from turgor.engine.cells.memory import Memory
+from turgor.engine.cells.memory import History, Memory
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.surface import whole_surface
@@ -20,7 +20,8 @@ from turgor.engine.contact.terms import Contacts, ContactTerms
 from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
 from turgor.engine.evaluation import Stresses as Stresses
 from turgor.engine.faces.dead_loads import dead_forces
-from turgor.engine.faces.face_terms import FaceTerms
+from turgor.engine.term import Configuration, Setting
+from turgor.engine.terms import Terms
 from turgor.errors import TurgorError
 from turgor.model.drive import extremes
 from turgor.model.model import Model
@@ -49,17 +50,13 @@ class System:
     rubber : CellTerms
         What the cells add; its ``cells``, ``element``, ``Jinv``, ``dV``, ``materials`` and ``mean_stress_volumes`` are
         attributes of the system, too.
-    faces : FaceTerms
+    terms : Terms
         What pressures, membranes and fibers add.
     contact : ContactTerms
         What may touch what.
     full_force : float
         Scaled size of the loads' forces on the free nodes at their largest, at rest: a measure of what is small.
-    addition : Addition or None
-        Forces besides those of the model, such as inertia; a procedure puts them here.
     """
-
-    addition: Addition | None = None
 
     def __init__(self, model: Model, controlled: tuple[str, ...] = ()) -> None:
         mesh = model.mesh
@@ -80,12 +77,13 @@ class System:
         bodies = self.contact.bodies.held
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
         self.size = len(self.held)
-        self.faces = FaceTerms(model, self.points, supports.along_axes, self.length, self.stress_scale, controlled)
+        along_axes = supports.along_axes
+        self.terms = Terms(Setting(model, self.points, along_axes, self.length, self.stress_scale, controlled))
         self._dead = dead_forces(model, self.points, self.dV, self.element.tables.N, (self.length, self.stress_scale))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
-        base = build_pattern(self.rubber.unknowns, self.size, *self.faces.couplings)
+        base = build_pattern(self.rubber.unknowns, self.size, *self.terms.couplings)
         self.rubber.locate(base)
-        self.faces.locate(base)
+        self.terms.locate(base)
         self.layout = Layout(base, self.held)
 
     def _contact_terms(self) -> ContactTerms:
@@ -96,7 +94,7 @@ class System:
 
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
-        _, external = self.faces.forces(self.points, load_factor, np.ones(len(self.controlled)))
+        _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
         forces = self._frames.to_local(external + self._dead.at(load_factor))
         return float(np.linalg.norm(forces.ravel()[~self.held[: 3 * self.node_count]]))
 
@@ -123,7 +121,8 @@ class System:
 
     def external(self, unknowns: Array, load_factor: float, sought: Array | None = None) -> Array:
         """Scaled external forces (size,) on a body that is held still, whatever is inside out."""
-        _, forces = self.faces.forces(self.points + self.split(unknowns)[0], load_factor, sought)
+        position = self.points + self.split(unknowns)[0]
+        _, forces = self.terms.forces(Configuration(position, load_factor, sought))
         return self.joined(forces + self._dead.at(load_factor))
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
@@ -175,18 +174,23 @@ class System:
         sought: Array | None = None,
         known: Contacts | None = None,
         how: Look = Look.FOLLOW,
+        history: History | None = None,
+        addition: Addition | None = None,
     ) -> Evaluation | None:
         """Residual at a point; None where a cell is turned inside out.
 
         ``sought`` are scaled pressures of the controlled faces; `ContactTerms.look` explains ``known`` and ``how``.
+        ``history`` is what the rubber brings into the step, that of a sudden step from rest by default; ``addition``
+        are forces besides those of the model, such as inertia.
         """
         u, p = self.split(unknowns)
-        laws = self.rubber.laws(u)
+        history = history or self.materials.rest
+        laws = self.rubber.laws(u, history)
         if laws is None:
             return None
         internal = self._summed(self.rubber.forces(u, p, laws))
         position = self.points + u
-        forces, external = self.faces.forces(position, load_factor, sought)
+        forces, external = self.terms.forces(Configuration(position, load_factor, sought))
         springs = self.springs(unknowns)
         contacts = self.contact.look(position, springs, load_factor, known, how)
         pressing, bodies = self.contact.forces(contacts, springs)
@@ -195,43 +199,47 @@ class System:
         internal[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         outer = np.zeros(self.size)
         outer[: 3 * self.node_count] = self._frames.to_local(external + self._dead.at(load_factor)).ravel()
-        if self.addition is not None:
-            internal += self.addition.forces(unknowns)
+        if addition is not None:
+            internal += addition.forces(unknowns)
         total = internal - outer
         if not np.isfinite(total).all():
             return None
         free = ~self.held[: 3 * self.node_count]
         pressed = float(np.linalg.norm(self._frames.to_local(pressing).ravel()[free]))
-        return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought)
+        return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought, history, addition)
+
+    def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
+        """What the rubber brings into a step of a length [s] from a state with a memory, at rest where that is None.
+
+        0 is a sudden step, infinite an infinitely slow one.
+        """
+        return self.materials.history(memory, step)
 
     def remembered(self, at: Evaluation) -> Memory | None:
-        """Internal variables at the end of the step that has begun; None where nothing relaxes or softens.
-
-        Put it into ``materials.memory`` to accept the step; `CellMaterials.begin_step` begins one.
-        """
+        """Internal variables at the end of the step of an evaluation; None where nothing relaxes or softens."""
         if not self.materials.remembers:
             return None
-        return self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]))
+        return self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]), at.history)
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
         u, p = self.split(at.unknowns)
         data = np.zeros(len(self.layout.base.indices))
         self.rubber.add_tangents(data, u, p, at.isochoric, None if geometric is None else geometric.cells)
-        given = None if geometric is None else geometric.faces
-        self.faces.add_tangents(data, self.points + u, at.load_factor, given, at.sought)
+        given = None if geometric is None else geometric.terms
+        self.terms.add_tangents(data, Configuration(self.points + u, at.load_factor, at.sought), given)
         self.contact.prepare(self.layout, at.contacts)
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
         self._frames.turn_tangent(self.pattern, data, self.node_count)
-        if self.addition is not None:
-            data += self.layout.spread(self.addition.data(at.unknowns))
+        if at.addition is not None:
+            data += self.layout.spread(at.addition.data(at.unknowns))
         return data
 
     def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
         """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""
         u, _ = self.split(at.unknowns)
-        matrix = self.faces.skew_matrix(self.points + u, at.load_factor, self.size, at.sought)
+        matrix = self.terms.skew_matrix(Configuration(self.points + u, at.load_factor, at.sought), self.size)
         return None if matrix is None else self._frames.turn_matrix(matrix)
 
     def rubbing(self, at: Evaluation) -> sp.csc_matrix | None:
@@ -248,18 +256,18 @@ class System:
         there = self.split(at.unknowns)
         change = self.split(np.zeros(self.size) if update is None else update)
         cells = self.rubber.stresses(there, change, at.isochoric)
-        return Stresses(cells, self.faces.stresses(self.points + there[0], change[0]))
+        return Stresses(cells, self.terms.stresses(self.points + there[0], change[0]))
 
-    def residual(self, unknowns: Array, load_factor: float) -> Array:
+    def residual(self, unknowns: Array, load_factor: float, history: History | None = None) -> Array:
         """Residual (size,) at a point, for checks of the tangent."""
-        evaluation = self.evaluate(unknowns, load_factor)
+        evaluation = self.evaluate(unknowns, load_factor, history=history)
         if evaluation is None:
             raise TurgorError("a cell is turned inside out at these unknowns.")
         return evaluation.residual
 
-    def tangent(self, unknowns: Array, load_factor: float) -> sp.csc_matrix:
+    def tangent(self, unknowns: Array, load_factor: float, history: History | None = None) -> sp.csc_matrix:
         """Full tangent (size, size) at a point without supports, its unsymmetric parts included."""
-        evaluation = self.evaluate(unknowns, load_factor)
+        evaluation = self.evaluate(unknowns, load_factor, history=history)
         if evaluation is None:
             raise TurgorError("a cell is turned inside out at these unknowns.")
         data = self.tangent_data(evaluation)  # first: contact may change the pattern

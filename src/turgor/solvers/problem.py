@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.cells.memory import History, Memory
 from turgor.engine.system import System
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.restart import Restart
@@ -20,6 +21,8 @@ class Problem:
     listeners : Listeners
     restart : Restart or None
         What the former stage left; None where it begins at rest.
+    history : History or None
+        What the rubber brings into the first step.
     states, steps, limits : list
         What is found.
     """
@@ -28,6 +31,7 @@ class Problem:
     tangent: Tangent
     listeners: Listeners = field(default_factory=Listeners)
     restart: Restart | None = None
+    history: History | None = None
     states: list[State] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
     limits: list[LimitPoint] = field(default_factory=list)
@@ -36,3 +40,8 @@ class Problem:
     def start(self) -> State | None:
         """The state at which it begins; None at rest."""
         return None if self.restart is None else self.restart.state
+
+    @property
+    def memory(self) -> Memory | None:
+        """Internal variables at the start; None where nothing relaxes or softens."""
+        return None if self.history is None else self.history.memory

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.cells.memory import History
 from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.system import System
 from turgor.solvers.pressures import pressures_of
@@ -49,13 +50,15 @@ class Restart:
         )
 
     def restore(self, system: System) -> None:
-        """Give it to the system of the next stage, of the same mesh; its loads may bring other walls together."""
+        """Give what contacts know to the next stage, of the same mesh; its loads may bring other walls together."""
         for part in system.contact.parts:
             for known in self.contacts:
                 if known.name == part.name and np.array_equal(known.sides, part.surface.sides):
                     part.friction_history, part.penalty_scale = known.anchors, known.boost
-        system.materials.memory = self.state.memory
-        system.materials.begin_step(0.0)  # which leaves the stress of the state as it was
+
+    def history(self, system: System) -> History:
+        """What the rubber brings into a sudden step, which leaves the stress of the state as it was."""
+        return system.history(self.state.memory, 0.0)
 
     def pressures(self, system: System) -> Array:
         """Scaled pressures (k,) of the controlled faces."""

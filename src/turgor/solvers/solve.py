@@ -92,12 +92,13 @@ def _solved(
         compiling = compile_kernels(options.notify, cell.nodes, mixed, cell.side.nodes if may_touch(model) else 0)
         setup = perf_counter()
         system = System(model, method.controlled(model, procedure))
-        system.materials.begin_step(inf)  # slow enough to relax, unless the procedure knows its time
+        history = system.history(step=inf)  # slow enough to relax, unless the procedure knows its time
         tangent = Tangent(system, options.linear_solver, threads, options.iteration)
         setup = perf_counter() - setup
-        problem = Problem(system=system, tangent=tangent, listeners=listeners, restart=restart)
         if restart is not None:
             restart.restore(system)
+            history = restart.history(system)
+        problem = Problem(system=system, tangent=tangent, listeners=listeners, restart=restart, history=history)
         outcome = method.follow(problem, procedure)
     clock = tangent.clock
     timing = Timing(

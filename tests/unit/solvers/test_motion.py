@@ -85,4 +85,3 @@ def test_a_motion_begins_in_a_state() -> None:
     assert first.strain > 0
     assert max(state.energies.kinetic for state in states) > 0.5 * first.strain
     assert imbalance(states) < 0.02
-    assert system.addition is None

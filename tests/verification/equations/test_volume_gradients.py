@@ -69,7 +69,7 @@ def test_a_pressure_pushes_along_the_gradient(name, record_verification):
     mesh, names, supports, _ = CASES[name]
     system = System(Model(mesh, {"body": RUBBER}, supports, []), tuple(names))
     gradients = Chambers(system, names).gradients(np.zeros(system.size))
-    forces = system.faces.unit_forces(system.points, len(names))
+    forces = system.terms.unit_forces(system.points, len(names))
     pushed = np.array([mesh.symmetry_factor * system.joined(force) for force in forces])
     worst = np.abs(pushed - gradients)[:, ~system.held].max()
     claim = f"{name}: force of a unit pressure against the gradient of the volume, largest difference"

@@ -47,7 +47,7 @@ def test_equal_pressures_are_one_pressure(record_verification):
     for loads in asked.values():
         model = problems.one_material(mesh, problems.YEOH, supports=[tg.Fixed("x0")], loads=loads)
         system = System(model)
-        assert system.faces.symmetric
+        assert system.terms.symmetric
         at = np.random.default_rng(5).normal(0, 1e-2, system.size)
         ends.append(system.residual(at, 0.7))
     for name, end in list(zip(asked, ends, strict=True))[1:]:
@@ -123,7 +123,7 @@ def test_tangent_of_two_histories_is_the_derivative_of_the_residual(load_factor,
     mesh = meshes.with_faces(mesh, part=mesh.face("cavity_2")[:-2])
     loads = [tg.Pressure("cavity_1", 50 * kPa, history=UP_AND_DOWN), tg.Pressure("part", -20 * kPa, history=THEN)]
     system = System(problems.one_material(mesh, problems.YEOH, supports=[tg.Fixed("x0")], loads=loads))
-    assert not system.faces.symmetric
+    assert not system.terms.symmetric
     rng = np.random.default_rng(11)
     gradient = 0.2 * rng.uniform(-1, 1, (3, 3))
     unknowns = np.concatenate([(mesh.points @ gradient).ravel() / system.length, rng.uniform(-1, 1, mesh.vertex_count)])

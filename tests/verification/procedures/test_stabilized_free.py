@@ -8,8 +8,6 @@ Source: statics. Tolerance: 1e-5 for the weight; 0.5 % for the push, since point
 limit; 2 % for what friction takes.
 """
 
-from math import inf
-
 import numpy as np
 import pytest
 
@@ -45,7 +43,6 @@ def block(friction=0.0, gap=0.0, supports=()):
 def stabilized(model):
     """States, outcome and number of steps of the procedure."""
     system = System(model, ())
-    system.materials.begin_step(inf)
     states, steps = [], []
     problem = Problem(system=system, tangent=Tangent(system, "rslab", 1), states=states, steps=steps)
     outcome = follow_viscously(problem, tg.Stabilized())

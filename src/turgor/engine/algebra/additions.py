@@ -15,8 +15,8 @@ Array = NDArray[np.float64]
 class Addition(Protocol):
     """Scaled forces that depend on the unknowns, and their derivative on the pattern of the tangent.
 
-    A system adds them to its residual and to its tangent as long as its attribute ``addition`` holds one. Forces are
-    along the directions of the nodes, as the unknowns are, and zero at the mean stresses.
+    `System.evaluate` takes them and adds them to its residual, `System.tangent_data` to its tangent. Forces are along
+    the directions of the nodes, as the unknowns are, and zero at the mean stresses.
     """
 
     def forces(self, unknowns: Array) -> Array:

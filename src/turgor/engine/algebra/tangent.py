@@ -64,7 +64,7 @@ class Tangent:
         self._general: UnsymmetricSolver | None = None
         self._analyzed = system.pattern
         self._rubbing: sp.csc_matrix | None = None
-        if system.faces.symmetric:
+        if system.terms.symmetric:
             self._symmetric = linear_solver(solver, system.pattern, threads)
         else:
             self._general = UnsymmetricSolver(threads)

@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells import spectral
 from turgor.engine.cells.known_stress import add_known_stress
-from turgor.engine.cells.memory import Memory, RegionMemory, invariant_stress
+from turgor.engine.cells.memory import History, Memory, RegionMemory, invariant_stress, joined_memory
 from turgor.materials.history.softening import INVARIANT_PAIRS
 from turgor.materials.laws.derivatives import STRETCH_PAIRS, energy_and_derivatives, stretch_derivatives
 from turgor.materials.laws.laws import InvariantLaw, Law, StretchLaw
+from turgor.materials.material import Material
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -40,17 +41,21 @@ class Isochoric:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Region:
-    """Cells of one material, their rows among the gradient cells, and what they remember."""
+    """Cells of one material, and their rows among the gradient cells."""
 
     name: str
     cells: Ints
     rows: Ints
-    law: Law
-    memory: RegionMemory | None
+    material: Material
 
     @property
-    def relaxes(self) -> bool:
-        return self.memory is not None and self.memory.stress is not None
+    def law(self) -> Law:
+        assert isinstance(self.material.law, Law)
+        return self.material.law
+
+    @property
+    def remembers(self) -> bool:
+        return self.material.viscoelasticity is not None or self.material.stress_softening is not None
 
 
 class CellMaterials:
@@ -73,6 +78,8 @@ class CellMaterials:
         that relax.
     rows : (c,) array of int
         Place of each cell among them; −1 for the cells that invariants are enough for.
+    rest : History
+        That of a sudden step from rest.
     """
 
     def __init__(self, model: Model, stress: float, points: int) -> None:
@@ -92,40 +99,28 @@ class CellMaterials:
         self._spectral = np.flatnonzero(in_stretches[self.gradient_cells])
         self._regions = []
         for name, cells, material in regions:
-            assert isinstance(material.law, Law)
-            remembers = material.viscoelasticity is not None or material.stress_softening is not None
-            memory = RegionMemory(material, (len(cells), points)) if remembers else None
-            self._regions.append(_Region(name, cells, self.rows[cells], material.law, memory))
-        self._remembering = [region for region in self._regions if region.memory is not None]
+            self._regions.append(_Region(name, cells, self.rows[cells], material))
+        self._points = points
+        self._remembering = [region for region in self._regions if region.remembers]
+        self.rest = self.history()
 
     @property
     def remembers(self) -> bool:
         """Whether any rubber relaxes or softens."""
         return bool(self._remembering)
 
-    @property
-    def memory(self) -> Memory | None:
-        """Internal variables of the last converged state; set them to continue from another state."""
-        pairs = [(region.name, region.memory) for region in self._regions]
-        return _memory(
-            {name: memory.stress for name, memory in pairs if memory and memory.stress is not None},
-            {name: memory.largest for name, memory in pairs if memory and memory.largest is not None},
+    def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
+        """What a state with a memory, at rest where that is None, brings into a step of a length [s]."""
+        return History(
+            {
+                region.name: RegionMemory.of(
+                    region.material, (len(region.cells), self._points), memory, region.name, step
+                )
+                for region in self._remembering
+            }
         )
 
-    @memory.setter
-    def memory(self, memory: Memory | None) -> None:
-        for region in self._remembering if memory is not None else ():
-            assert region.memory is not None and memory is not None
-            region.memory.stress = memory.stress.get(region.name)
-            region.memory.largest = memory.largest.get(region.name)
-
-    def begin_step(self, step: float) -> None:
-        """Begin a step of a length [s] from what is remembered; 0 is a sudden one, infinite an infinitely slow one."""
-        for region in self._remembering:
-            assert region.memory is not None
-            region.memory.begin_step(step)
-
-    def isochoric(self, I1: Array, I2: Array, F: Array) -> Isochoric:
+    def isochoric(self, I1: Array, I2: Array, F: Array, history: History) -> Isochoric:
         """Evaluate all laws.
 
         Parameters
@@ -134,20 +129,22 @@ class CellMaterials:
             Isochoric invariants.
         F : (s, q, 3, 3) array
             Deformation gradients of `gradient_cells`.
+        history : History
         """
         out = np.zeros((5, *I1.shape)) if len(self._spectral) else np.empty((5, *I1.shape))
         for region in self._regions:
             if isinstance(region.law, InvariantLaw):
                 found = energy_and_derivatives(region.law, I1[region.cells], I2[region.cells])
-                for k, values in enumerate(_response(region, found, INVARIANT_PAIRS)):
+                for k, values in enumerate(_response(history, region, found, INVARIANT_PAIRS)):
                     out[k, region.cells] = values / self._stress
-        stress, tangent = self._in_stretches(F)
+        stress, tangent = self._in_stretches(F, history)
         for region in self._remembering:
-            if region.memory is not None and region.memory.known is not None:
-                add_known_stress(F, region.rows, region.memory.known, self._stress, stress, tangent)
+            known = history.regions[region.name].known
+            if known is not None:
+                add_known_stress(F, region.rows, known, self._stress, stress, tangent)
         return Isochoric(out, stress, tangent)
 
-    def _in_stretches(self, F: Array) -> tuple[Array, Array]:
+    def _in_stretches(self, F: Array, history: History) -> tuple[Array, Array]:
         """Stress and tangent in the gradient cells whose law is one in stretches; zero in the others."""
         among, count = self._spectral, len(self.gradient_cells)
         bar, directions, scale = spectral.principal_stretches(F if len(among) == count else F[among])
@@ -156,7 +153,7 @@ class CellMaterials:
             if isinstance(region.law, StretchLaw):
                 at = np.searchsorted(among, region.rows)
                 derivatives = stretch_derivatives(region.law, *bar[:, at])
-                for k, values in enumerate(_response(region, derivatives, STRETCH_PAIRS)):
+                for k, values in enumerate(_response(history, region, derivatives, STRETCH_PAIRS)):
                     W[k, at] = values / self._stress
         found = spectral.spectral_response(bar, directions, scale, W[:3], W[3:])
         if len(among) == count:
@@ -165,7 +162,7 @@ class CellMaterials:
         stress[among], tangent[among] = found
         return stress, tangent
 
-    def energy(self, I1: Array, I2: Array, F: Array) -> Array:
+    def energy(self, I1: Array, I2: Array, F: Array, history: History) -> Array:
         """Isochoric strain energy density (c, q) [Pa] that can be got back; arguments as in `isochoric`.
 
         Of a rubber that relaxes or softens it is what infinitely slow unloading gives back.
@@ -173,35 +170,36 @@ class CellMaterials:
         out = np.empty(I1.shape)
         for region in self._regions:
             W = self._law_energy(region, I1, I2, F)
-            out[region.cells] = W if region.memory is None else region.memory.recoverable(W)
+            out[region.cells] = history.regions[region.name].recoverable(W) if region.remembers else W
         return out
 
-    def remembered(self, F: Array) -> Memory | None:
-        """What the state at the end of the step that has begun remembers.
+    def remembered(self, F: Array, history: History) -> Memory | None:
+        """What the state at the end of a step remembers.
 
         Parameters
         ----------
         F : (c, q, 3, 3) array
             Deformation gradients of all cells.
+        history : History
+            What the step began with.
         """
         stress, largest = {}, {}
         for region in self._remembering:
-            assert region.memory is not None
-            here = F[region.cells]
-            S, W = _own_stress(region, here)
-            if region.relaxes:
-                stress[region.name] = region.memory.next_stress(S, here)
-            if region.memory.largest is not None:
-                largest[region.name] = region.memory.next_largest(W)
-        return _memory(stress, largest)
+            here, its = F[region.cells], history.regions[region.name]
+            S, W = _own_stress(region, here, its)
+            if its.stress is not None:
+                stress[region.name] = its.next_stress(S, here)
+            if its.largest is not None:
+                largest[region.name] = its.next_largest(W)
+        return joined_memory(stress, largest)
 
     def softening_loss(self, memory: Memory) -> Array:
         """Energy density (c, q) [Pa] that softening has taken, as infinitely slow cycles would measure it."""
         count, points = len(self.rows), next(iter(memory.largest.values())).shape[1]
         out = np.zeros((count, points))
         for region in self._remembering:
-            if region.memory is not None and region.name in memory.largest:
-                out[region.cells] = region.memory.lost(memory.largest[region.name])
+            if region.name in memory.largest:
+                out[region.cells] = self.rest.regions[region.name].lost(memory.largest[region.name])
         return out
 
     def _law_energy(self, region: _Region, I1: Array, I2: Array, F: Array) -> Array:
@@ -213,26 +211,21 @@ class CellMaterials:
 
 
 def _response(
-    region: _Region, values: tuple[Array, ...], pairs: tuple[tuple[int, int], ...]
+    history: History, region: _Region, values: tuple[Array, ...], pairs: tuple[tuple[int, int], ...]
 ) -> Sequence[Array] | Array:
     """First and second derivatives of the energy in the step; ``values`` are the law's, its energy first."""
-    return values[1:] if region.memory is None else region.memory.response(values, pairs)
+    return history.regions[region.name].response(values, pairs) if region.remembers else values[1:]
 
 
-def _own_stress(region: _Region, F: Array) -> tuple[Array, Array]:
+def _own_stress(region: _Region, F: Array, memory: RegionMemory) -> tuple[Array, Array]:
     """Isochoric stress (c, q, 6) of the softened law and energy density (c, q) of the law [Pa]."""
-    assert region.memory is not None
     bar, directions, scale = spectral.principal_stretches(F)
     if isinstance(region.law, StretchLaw):
         values = stretch_derivatives(region.law, *bar)
-        W = np.ascontiguousarray(region.memory.softened(values, STRETCH_PAIRS))
+        W = np.ascontiguousarray(memory.softened(values, STRETCH_PAIRS))
         return spectral.spectral_response(bar, directions, scale, W[:3], W[3:])[0], values[0]
     I1 = (bar**2).sum(axis=0)
     I2 = (bar[0] * bar[1]) ** 2 + (bar[1] * bar[2]) ** 2 + (bar[0] * bar[2]) ** 2
     values = energy_and_derivatives(region.law, I1, I2)
-    first = region.memory.softened(values, INVARIANT_PAIRS)
+    first = memory.softened(values, INVARIANT_PAIRS)
     return invariant_stress(first[0], first[1], F), values[0]
-
-
-def _memory(stress: dict[str, Array], largest: dict[str, Array]) -> Memory | None:
-    return Memory(stress=stress, largest=largest) if stress or largest else None

@@ -7,6 +7,7 @@ from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.engine.cells import kernels, kernels_geometry
 from turgor.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.engine.cells.element import element_of
+from turgor.engine.cells.memory import History
 from turgor.engine.cells.stabilization import volume_penalty
 from turgor.errors import TurgorError
 from turgor.model.model import Model
@@ -59,6 +60,10 @@ class CellTerms:
         self.mean_stress_volumes = np.bincount(e.mean.ravel(), shares.ravel(), minlength=e.mean_count)
         self.materials = CellMaterials(model, stress, len(r.weights))
         self.penalty = volume_penalty(model, r, self.dV, self.materials.compliance, stress)
+        self._loops = kernels.Cells(
+            e.shape, e.modes, self.cells, e.mean, r.dN, r.M, self.Jinv, self.dV, self.materials.compliance, self.penalty
+        )
+        self._regular = self._loops._replace(compliance=np.maximum(self.materials.compliance, REGULARIZATION))
         chosen = self.materials.gradient_cells
         self._gradient_Jinv = self.Jinv if len(chosen) == len(self.cells) else self.Jinv[chosen]
         self.unknowns = _unknowns(self.cells, e.mean, len(points))
@@ -81,7 +86,7 @@ class CellTerms:
             kernels_geometry.deformation_gradients(self.element.shape, self.cells, u, self.element.tables.dN, self.Jinv)
         )
 
-    def laws(self, u: Array) -> Isochoric | None:
+    def laws(self, u: Array, history: History) -> Isochoric | None:
         """What the laws say at displacements (n, 3); None where a cell is turned inside out."""
         e, r = self.element, self.element.tables
         I1, I2, _ = kernels_geometry.kinematics(e.shape, self.cells, u, r.dN, self.Jinv)
@@ -89,30 +94,22 @@ class CellTerms:
             return None
         chosen = self.cells[self.materials.gradient_cells]
         F = kernels_geometry.deformation_gradients(e.shape, chosen, u, r.dN, self._gradient_Jinv)
-        return self.materials.isochoric(I1, I2, F)
+        return self.materials.isochoric(I1, I2, F, history)
+
+    def _response(self, laws: Isochoric) -> kernels.Response:
+        return kernels.Response(laws.derivatives, self.materials.rows, laws.stress, laws.tangent)
 
     def forces(self, u: Array, p: Array, laws: Isochoric) -> Array:
         """Gradient of the energy of every cell (c, s) at displacements (n, 3) and mean stresses (m,)."""
-        e, r, W = self.element, self.element.tables, laws.derivatives
-        return np.asarray(
-            kernels.residual(
-                e.shape, e.modes, self.cells, e.mean, u, p, r.dN, r.M, self.Jinv, self.dV, W[0], W[1],
-                self.materials.rows, laws.stress, self.materials.compliance, self.penalty,
-            )
-        )  # fmt: skip
+        return np.asarray(kernels.residual(self._loops, u, p, self._response(laws)))
 
     def add_tangents(self, data: Array, u: Array, p: Array, laws: Isochoric, geometric: Array | None) -> None:
         """Add the Hessians of all cells to the tangent, with stresses (c, q, 6) of their own in its geometric part."""
-        e, r = self.element, self.element.tables
-        compliance, penalty = np.maximum(self.materials.compliance, REGULARIZATION), self.penalty
-        nothing = np.zeros((1, 1, 6))
+        response, nothing = self._response(laws), np.zeros((1, 1, 6))
         for chunk in self._chunks():
-            packed = kernels.tangent(
-                e.shape, e.modes, self.cells[chunk], e.mean[chunk], u, p, r.dN, r.M, self.Jinv[chunk], self.dV[chunk],
-                np.ascontiguousarray(laws.derivatives[:, chunk]), self.materials.rows[chunk], laws.stress, laws.tangent,
-                (compliance[chunk], penalty[chunk]),
-                nothing if geometric is None else geometric[chunk], geometric is not None,
-            )  # fmt: skip
+            stresses = nothing if geometric is None else geometric[chunk]
+            cells, part = self._regular.part(chunk), response.part(chunk)
+            packed = kernels.tangent(cells, u, p, part, stresses, geometric is not None)
             scatter_add(data, self._positions[chunk].ravel(), packed.ravel())
 
     def add_entries(self, data: Array, entries: Integers, values: Array) -> None:
@@ -122,13 +119,7 @@ class CellTerms:
 
     def stresses(self, at: tuple[Array, Array], update: tuple[Array, Array], laws: Isochoric) -> Array:
         """Stresses (c, q, 6) linearized about displacements and mean stresses for an update of both."""
-        e, r = self.element, self.element.tables
-        return np.asarray(
-            kernels.extrapolated_stress(
-                e.shape, e.modes, self.cells, e.mean, *at, *update, r.dN, r.M, self.Jinv, self.dV, laws.derivatives,
-                self.materials.rows, laws.stress, laws.tangent, self.materials.compliance, self.penalty,
-            )
-        )  # fmt: skip
+        return np.asarray(kernels.extrapolated_stress(self._loops, *at, *update, self._response(laws)))
 
 
 def _unknowns(cells: Integers, mean: Integers, node_count: int) -> Integers:

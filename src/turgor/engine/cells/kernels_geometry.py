@@ -1,7 +1,6 @@
 """Compiled loops over quadratic cells: geometry at rest, deformation gradients and invariants.
 
-numba notices a change of the functions here in this file alone: whoever changes one that `turgor.engine.cells.kernels`
-takes from here changes that file too, a word of a comment will do, or old code stays in its cache.
+Loops in other files that call functions of this one name it in `turgor.engine.compiled.calls`.
 """
 
 import numpy as np

@@ -28,12 +28,11 @@ def touch_kernels(nodes: int, mixed: bool = True) -> None:
     rows = np.zeros(1, dtype=np.int64)
     W = np.ones((5, *dV.shape))
     compliance, penalty = np.ones(1), np.zeros((*dV.shape, 0))
-    cell = (shape, modes, cells, mean)
-    kernels.residual(*cell, u, p, r.dN, r.M, Jinv, dV, W[0], W[1], rows, more, compliance, penalty)
-    kernels.extrapolated_stress(*cell, u, p, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, compliance, penalty)
-    packed = kernels.tangent(
-        *cell, u, p, r.dN, r.M, Jinv, dV, W, rows, more, material, (compliance, penalty), np.zeros((1, 1, 6)), False
-    )
+    loops = kernels.Cells(shape, modes, cells, mean, r.dN, r.M, Jinv, dV, compliance, penalty)
+    laws = kernels.Response(W, rows, more, material)
+    kernels.residual(loops, u, p, laws)
+    kernels.extrapolated_stress(loops, u, p, u, p, laws)
+    packed = kernels.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
     unknowns = 3 * nodes + len(modes)
     rows, columns = np.tril_indices(unknowns)
     pattern = build_pattern(np.arange(unknowns)[None], unknowns)

@@ -1,17 +1,17 @@
 """Internal variables of rubber that relaxes or softens, at the Gauss points of each region.
 
-A step in time has a length Δt. `RegionMemory.begin_step` fixes what the history contributes to it, and until the next
-call the response is a plain function of the deformation, whatever is tried: Newton's method, predictors and line
-searches may evaluate it in any order. What a state will remember is computed from its evaluation alone, and takes
-effect when it is put into ``memory``. The formulas are in `turgor.materials.history.viscoelastic` and
-`turgor.materials.history.softening`.
+A step in time has a length Δt. A `History` holds the internal variables of the last converged state and what they
+contribute to a step of that length. With it the response is a plain function of the deformation, whatever is tried:
+Newton's method, predictors and line searches may evaluate it in any order. What a state will remember is computed from
+its evaluation alone (`turgor.engine.system.System.remembered`). The formulas are in
+`turgor.materials.history.viscoelastic` and `turgor.materials.history.softening`.
 
 Δt = 0 is a sudden step, and at a state it gives that state's own stress. Δt = ∞ is a step as slow as can be, to the
 relaxed equilibrium.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import inf
 
 import numpy as np
@@ -44,68 +44,64 @@ class Memory:
     largest: Mapping[str, Array]
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class RegionMemory:
-    """Internal variables of one region, and what they contribute to the step that has begun.
+    """Internal variables of one region at the last converged state, and what they contribute to a step.
 
     Parameters
     ----------
     material : Material
         What it is made of.
-    shape : (int, int)
-        Its cells, and the points of each.
-
-    Attributes
-    ----------
+    step : float [s]
+        Length of the step; 0 is a sudden one, infinite an infinitely slow one.
     stress : (n + 1, c, q, 6) array or None [Pa]
         See `Memory`; None where the material does not relax.
     largest : (c, q) array or None [Pa]
         See `Memory`; None where the material does not soften.
+    factor : float
+        Of the stress of the law in the step.
     known : (c, q, 6) array or None [Pa]
-        Scaled isochoric stress that is known before the step that has begun, None where there is none.
+        Scaled isochoric stress that is known before the step, None where there is none.
     """
 
     material: Material
-    shape: tuple[int, int]
-    stress: Array | None = field(init=False, default=None)
-    largest: Array | None = field(init=False, default=None)
-    known: Array | None = field(init=False, default=None)
-    _step: float = field(init=False, default=0.0)
-    _factor: float = field(init=False, default=1.0)
-    _before: Array | None = field(init=False, default=None)
+    step: float
+    stress: Array | None = None
+    largest: Array | None = None
+    factor: float = 1.0
+    known: Array | None = None
 
-    def __post_init__(self) -> None:
-        if self.material.viscoelasticity is not None:
-            self.stress = memory_at_rest(self.material.viscoelasticity, self.shape)
-        if self.material.stress_softening is not None:
-            self.largest = np.zeros(self.shape)
-        self.begin_step(0.0)
-
-    def begin_step(self, step: float) -> None:
-        """Fix what the history contributes to a step of a length [s]."""
-        self._step, self._before = step, self.largest
-        series = self.material.viscoelasticity
-        if series is not None and self.stress is not None:
-            self._factor = step_factor(series, step)
-            self.known = None if step == inf else remembered_stress(series, step, self.stress)
+    @staticmethod
+    def of(material: Material, shape: tuple[int, int], memory: Memory | None, name: str, step: float) -> "RegionMemory":
+        """That of a region of (c, q) cells and points, by its name in a memory; at rest where that is None."""
+        stress = None if memory is None else memory.stress.get(name)
+        largest = None if memory is None else memory.largest.get(name)
+        series, factor, known = material.viscoelasticity, 1.0, None
+        if series is not None:
+            stress = memory_at_rest(series, shape) if stress is None else stress
+            factor = step_factor(series, step)
+            known = None if step == inf else remembered_stress(series, step, stress)
+        if material.stress_softening is not None:
+            largest = np.zeros(shape) if largest is None else largest
+        return RegionMemory(material, step, stress, largest, factor, known)
 
     def softened(self, values: Sequence[Array], pairs: Pairs) -> Sequence[Array] | Array:
         """First and second derivatives of the energy with softening; ``values`` are the law's, its energy first."""
         mullins = self.material.stress_softening
-        if mullins is None or self._before is None:
+        if mullins is None or self.largest is None:
             return values[1:]
-        return softened_derivatives(*softening(mullins, values[0], self._before), values[1:], pairs)
+        return softened_derivatives(*softening(mullins, values[0], self.largest), values[1:], pairs)
 
     def response(self, values: Sequence[Array], pairs: Pairs) -> Sequence[Array] | Array:
         """Derivatives that the step has, besides `known`; ``values`` as in `softened`."""
         softened = self.softened(values, pairs)
-        return softened if self._factor == 1.0 else self._factor * np.stack(list(softened))
+        return softened if self.factor == 1.0 else self.factor * np.stack(list(softened))
 
     def next_stress(self, S: Array, F: Array) -> Array:
         """What is remembered of the stress at the end of the step; ``S`` (c, q, 6) [Pa] is that of the softened law."""
         series = self.material.viscoelasticity
         assert series is not None and self.stress is not None
-        return next_memory(series, self._step, self.stress, scaled_stress(S, right_cauchy_green(F)))
+        return next_memory(series, self.step, self.stress, scaled_stress(S, right_cauchy_green(F)))
 
     def next_largest(self, energy: Array) -> Array:
         """Largest energy density at the end of the step."""
@@ -126,6 +122,34 @@ class RegionMemory:
             top = np.maximum(self.largest, energy)
             out = energy - softening_dissipation(mullins, top) + _lost_above(self.material, energy, top)
         return out if series is None else np.asarray(series.instantaneous * series.relaxed * out)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class History:
+    """Converged history of the rubber: what it brings into a step, an argument of `System.evaluate`.
+
+    `turgor.engine.system.System.history` makes one.
+
+    Parameters
+    ----------
+    regions : mapping of str to RegionMemory
+        Of each region that relaxes or softens.
+    """
+
+    regions: Mapping[str, RegionMemory]
+
+    @property
+    def memory(self) -> Memory | None:
+        """Internal variables of the state from which the step goes; None where nothing relaxes or softens."""
+        return joined_memory(
+            {name: each.stress for name, each in self.regions.items() if each.stress is not None},
+            {name: each.largest for name, each in self.regions.items() if each.largest is not None},
+        )
+
+
+def joined_memory(stress: Mapping[str, Array], largest: Mapping[str, Array]) -> Memory | None:
+    """The memory of all regions, None where there is none."""
+    return Memory(stress=stress, largest=largest) if stress or largest else None
 
 
 def _lost_above(material: Material, energy: Array, top: Array) -> Array:

@@ -73,8 +73,12 @@ def curvature(apart, d, h):
 
 
 @njit(cache=True)
-def foot_point(point, corners, r, s, N, D, H, x, d, h):
-    """Foot (r, s) of a point on the surface that extends a side, from a first guess; the work arrays end there."""
+def foot_point(point, corners, guess, values, frame):
+    """Foot (r, s) of a point on the surface that extends a side, from a first guess (r, s).
+
+    ``values`` (N, D, H) as in `shapes` and ``frame`` (x, d, h) as in `place` are filled there.
+    """
+    (r, s), (N, D, H), (x, d, h) = guess, values, frame
     apart = np.empty(3)
     for _ in range(STEPS):
         shapes(r, s, N, D, H)

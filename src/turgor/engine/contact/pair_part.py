@@ -126,7 +126,7 @@ class PairPart(PointsPart):
             return Found(x, normal, growth, *self._search(x, normal, position, every), place)
         walk = 0 if how is Look.KEEP else WALK
         partner, at, gap = follow_partners(
-            x, normal, every, p.sides, known.partner, known.at, p.around, p.overhang, walk
+            (x, normal), every, p.sides, known.partner, known.at, p.around, p.overhang, walk
         )
         if how is Look.ANEW:
             others, places, gaps = self._search(x, normal, position, every)
@@ -144,7 +144,7 @@ class PairPart(PointsPart):
         grid = Grid.of(others[0], p.reach + float(own[1].max() + others[1].max()))
         cubes = (grid.low, grid.edge, grid.counts, grid.start, grid.order)
         allowed = (p.overhang, p.depth)
-        return find_partners(x, normal, every, p.sides, (own, others), cubes, allowed, p.reach, p.strangers)
+        return find_partners((x, normal), every, p.sides, (own, others), cubes, allowed, p.reach, p.strangers)
 
     def _springs(self, points: Ints, partner: Ints) -> Array:
         """Pressure per depth (k,) at points: that of the softer side, times the penalty scale of the point's own."""
@@ -164,7 +164,7 @@ class PairPart(PointsPart):
         partner, at = found.partner[i, q], found.at[i, q]
         spring = self._springs(points, partner) * self._weights(points)
         local = pairs.press_forces(
-            every, self.surface.sides, self.partners.sides, self.surface.N, points, partner, at, spring
+            every, (self.surface.sides, self.partners.sides), self.surface.N, points, partner, at, spring
         )
         return nodal(self._nodes(points, partner, len(position)), local, len(every))
 
@@ -177,7 +177,7 @@ class PairPart(PointsPart):
         sides = (self.surface.sides, self.partners.sides)
         at = np.ascontiguousarray(found.at[points[:, 0], points[:, 1]])
         every = self._all(position, found.place)
-        local = pairs.press_tangents(every, *sides, self.surface.N, points, partner, at, spring, start)
+        local = pairs.press_tangents(every, sides, self.surface.N, points, partner, at, spring, start)
         return Ties(self.tied_unknowns(keys), local)
 
     def _apart(self, position: Array, found: Found, a: FrictionHistory) -> Array:
@@ -227,7 +227,7 @@ class PairPart(PointsPart):
         every = self._all(position, new.place)
         p = self.partners
         open_before = np.where((old.gap >= 0) & (new.gap >= 0) & (new.partner != old.partner), old.partner, -1)
-        _, at, gap = follow_partners(new.x, new.normal, every, p.sides, open_before, old.at, p.around, p.overhang, 0)
+        _, at, gap = follow_partners((new.x, new.normal), every, p.sides, open_before, old.at, p.around, p.overhang, 0)
         inside = (at.min(axis=2) > -0.1) & (at.max(axis=2) < 1.1)
         if self.partners.corners == 3:
             inside &= at.sum(axis=2) < 1.1

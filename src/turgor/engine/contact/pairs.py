@@ -9,12 +9,19 @@ on the two sides are opposite and on one line, and the turning of the normal nee
 import numpy as np
 from numba import njit, prange
 
+from turgor.engine.compiled import calls
+from turgor.engine.contact import closest
 from turgor.engine.contact.closest import curvature, place, shapes
 
 
 @njit(cache=True, parallel=True)
-def press_forces(position, primary, secondary, N1, points, partner, at, spring):
-    """Nodal forces (k, n1 + n2, 3) on primary, then secondary side, of the k points ``(side, q)`` pressed together."""
+@calls(closest)
+def press_forces(position, sides, N1, points, partner, at, spring):
+    """Nodal forces (k, n1 + n2, 3) on primary, then secondary side, of the k points ``(side, q)`` pressed together.
+
+    ``sides`` are the primary and the secondary ones.
+    """
+    primary, secondary = sides
     n1, n2 = primary.shape[1], secondary.shape[1]
     out = np.zeros((len(points), n1 + n2, 3))
     for k in prange(len(points)):
@@ -35,8 +42,10 @@ def press_forces(position, primary, secondary, N1, points, partner, at, spring):
 
 
 @njit(cache=True, parallel=True)
-def press_tangents(position, primary, secondary, N1, points, partner, at, spring, start):
+@calls(closest)
+def press_tangents(position, sides, N1, points, partner, at, spring, start):
     """Tangents (g, m, m), m = 3 (n1 + n2), summed over the points start[g] to start[g + 1] that share both sides."""
+    primary, secondary = sides
     n1, n2 = primary.shape[1], secondary.shape[1]
     nodes = n1 + n2
     out = np.zeros((len(start) - 1, 3 * nodes, 3 * nodes))
@@ -97,6 +106,7 @@ def tie_tangents(weights, matrices, start):
 
 
 @njit(cache=True)
+@calls(closest)
 def shares_at(count, at):
     """Shape functions (k, count) of a side with ``count`` nodes at places (k, 2)."""
     out = np.empty((len(at), count))
@@ -107,6 +117,7 @@ def shares_at(count, at):
 
 
 @njit(cache=True)
+@calls(closest)
 def normals_at(position, sides, partner, at):
     """Unit normals (k, 3) of sides at places on them."""
     count = sides.shape[1]

@@ -11,6 +11,8 @@ import numpy as np
 from numba import njit, prange
 from numpy.typing import NDArray
 
+from turgor.engine.compiled import calls
+from turgor.engine.contact import closest
 from turgor.engine.contact.closest import foot_point, overhang
 
 Array = NDArray[np.float64]
@@ -134,14 +136,17 @@ def points_of(position, sides, N, dN):
 
 
 @njit(cache=True, parallel=True)
-def find_partners(x, n, position, sides, about, grid, allowed, reach, apart):
+@calls(closest)
+def find_partners(looking, position, sides, about, grid, allowed, reach, apart):
     """Nearest partner of every point: side (s, q), −1 for none; its place (s, q, 2); signed gap (s, q), inf for none.
 
-    ``about`` holds centers, radii and normals of the sides of the points, then of the partner sides; ``grid`` low,
-    edge, counts, start, order; ``allowed`` the overhang allowed over each edge of a side and the depth allowed behind
-    it; ``apart`` lists for each side of the points, in rows, the sides that it never touches (start, list).
+    ``looking`` holds positions and normals of the points; ``about`` holds centers, radii and normals of their sides,
+    then of the partner sides; ``grid`` low, edge, counts, start, order; ``allowed`` the overhang allowed over each edge
+    of a side and the depth allowed behind it; ``apart`` lists for each side of the points, in rows, the sides that it
+    never touches (start, list).
     """
     (center, radius, normal), (others, radii, normals) = about  # a parallel loop takes arrays, no tuples of tuples
+    x, n = looking
     low, edge, counts, start, order = grid
     overhanging, depth = allowed
     first, never = apart
@@ -219,6 +224,7 @@ def _near_point(p, u, other, depth, reach, near, some, far):
 
 
 @njit(cache=True)
+@calls(closest)
 def _nearest(point, position, sides, radii, allowed, reach):
     """Partner, place and gap of a point: the nearest foot of all that are allowed."""
     p, u, some, far, bound = point
@@ -236,7 +242,7 @@ def _nearest(point, position, sides, radii, allowed, reach):
             if nearest > min(bound + 2 * wide * radii[j], best) or (wide == 1 and nearest <= bound):
                 continue
             _corners(position, sides[j], corners)
-            r, s = foot_point(p, corners, 0.33, 0.33, N, D, H, y, d, h)
+            r, s = foot_point(p, corners, (0.33, 0.33), (N, D, H), (y, d, h))
             out, over = overhang(nodes, r, s)
             if out > overhanging[j, over]:
                 continue
@@ -263,12 +269,14 @@ def _listed(value, low, high, rows):
 
 
 @njit(cache=True, parallel=True)
-def follow_partners(x, n, position, sides, partner, at, around, overhanging, walk):
+@calls(closest)
+def follow_partners(looking, position, sides, partner, at, around, overhanging, walk):
     """Foot points near those that are known: side (s, q), place (s, q, 2) and signed gap (s, q).
 
     Where the foot has left its side, the sides around (start, list) are tried, as far as ``walk`` times; a point that
     then has none keeps its partner with a gap of inf.
     """
+    x, n = looking
     first, neighbors = around
     count, points = partner.shape
     nodes = sides.shape[1]
@@ -283,7 +291,7 @@ def follow_partners(x, n, position, sides, partner, at, around, overhanging, wal
                 continue
             p = x[k, q]
             _corners(position, sides[j], corners)
-            r, s = foot_point(p, corners, at[k, q, 0], at[k, q, 1], N, D, H, y, d, h)
+            r, s = foot_point(p, corners, (at[k, q, 0], at[k, q, 1]), (N, D, H), (y, d, h))
             least, edge = overhang(nodes, r, s)
             _unit_cross(d[0], d[1], unit)
             place[k, q, 0], place[k, q, 1] = r, s
@@ -295,7 +303,7 @@ def follow_partners(x, n, position, sides, partner, at, around, overhanging, wal
                 for o in range(first[j], first[j + 1]):
                     m = neighbors[o]
                     _corners(position, sides[m], corners)
-                    r, s = foot_point(p, corners, 0.33, 0.33, N, D, H, y, d, h)
+                    r, s = foot_point(p, corners, (0.33, 0.33), (N, D, H), (y, d, h))
                     out, over = overhang(nodes, r, s)
                     _unit_cross(d[0], d[1], unit)
                     opposed = unit[0] * n[k, q, 0] + unit[1] * n[k, q, 1] + unit[2] * n[k, q, 2]

@@ -6,8 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.chambers import Chambers
-from turgor.engine.contact.part import Look
-from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Conditions, Place
 
@@ -30,21 +28,14 @@ class CavityPressures:
         """The parameter itself."""
         return parameter
 
-    def evaluate(
-        self,
-        unknowns: Array,
-        parameter: float,
-        scalars: Array,
-        known: Contacts | None = None,
-        how: Look = Look.FOLLOW,
-    ) -> Evaluation | None:
-        """The equations at the pressures that are sought."""
-        return self.system.evaluate(unknowns, parameter, scalars, known, how)
+    def pressures(self, scalars: Array) -> Array | None:
+        """The scalars themselves."""
+        return scalars
 
     def columns(self, at: Evaluation) -> Array:
         """Minus the force of a unit pressure in each cavity."""
         position = self.system.points + self.system.split(at.unknowns)[0]
-        forces = self.system.faces.unit_forces(position, len(self.system.controlled))
+        forces = self.system.terms.unit_forces(position, len(self.system.controlled))
         return np.array([-self.system.joined(force) for force in forces])
 
     def unstable(self, modes: int | None, stiffness: Array) -> int | None:

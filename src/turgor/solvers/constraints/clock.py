@@ -3,8 +3,6 @@
 from dataclasses import dataclass, replace
 from math import inf
 
-from turgor.engine.system import System
-
 
 @dataclass(frozen=True, slots=True)
 class Clock:
@@ -30,10 +28,9 @@ class Clock:
         """Time at a parameter [s], None where there is no duration."""
         return None if self.duration is None else parameter * self.duration
 
-    def begin(self, system: System, parameter: float) -> None:
-        """Let the rubber relax for a step from the last state to a parameter."""
-        step = inf if self.duration is None else max(parameter - self.began, 0.0) * self.duration
-        system.materials.begin_step(step)
+    def step_to(self, parameter: float) -> float:
+        """Length of a step from the last state to a parameter [s]; infinite where there is no duration."""
+        return inf if self.duration is None else max(parameter - self.began, 0.0) * self.duration
 
     def onward(self, parameter: float) -> "Clock":
         """The clock beyond a state."""

@@ -4,12 +4,14 @@ The scalars are the pressures of cavities or the load factor, the conditions are
 length. Both may depend on a parameter that orders the states of the path. Load control has neither.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.additions import Addition
+from turgor.engine.cells.memory import History, Memory
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
@@ -40,15 +42,8 @@ class Sought(Protocol):
     def load_factor(self, parameter: float, scalars: Array) -> float:
         """How much of the other loads acts."""
 
-    def evaluate(
-        self,
-        unknowns: Array,
-        parameter: float,
-        scalars: Array,
-        known: Contacts | None = None,
-        how: Look = Look.FOLLOW,
-    ) -> Evaluation | None:
-        """The equations of equilibrium; None where a cell is turned inside out."""
+    def pressures(self, scalars: Array) -> Array | None:
+        """Scaled pressures of the controlled faces; None where there are none."""
 
     def columns(self, at: Evaluation) -> Array:
         """Derivative (k, size) of the residual by the scalars."""
@@ -93,12 +88,59 @@ class Target(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Constraint:
-    """Scalar unknowns, their conditions, and the time that the path takes."""
+    """Scalar unknowns, their conditions, the time that the path takes, and what acts in the present step.
+
+    Parameters
+    ----------
+    sought : Sought
+    target : Target
+    clock : Clock
+    memory : Memory or None
+        Internal variables of the last converged state; None at rest.
+    history : History or None
+        Internal variables and length of the present step.
+    addition : Addition or None
+        Forces besides those of the model, such as inertia.
+    """
 
     sought: Sought
     target: Target
     clock: Clock = field(default_factory=Clock)
+    memory: Memory | None = None
+    history: History | None = None
+    addition: Addition | None = None
+
+    @staticmethod
+    def of(
+        sought: Sought,
+        target: Target,
+        clock: Clock | None = None,
+        history: History | None = None,
+        addition: Addition | None = None,
+    ) -> "Constraint":
+        """A constraint whose first step has a history."""
+        memory = None if history is None else history.memory
+        return Constraint(sought, target, clock or Clock(), memory, history, addition)
+
+    def begun(self, parameter: float) -> "Constraint":
+        """The constraint in a step to a parameter, in which the rubber relaxes."""
+        history = self.sought.system.history(self.memory, self.clock.step_to(parameter))
+        return replace(self, history=history)
+
+    def evaluate(
+        self,
+        unknowns: Array,
+        parameter: float,
+        scalars: Array,
+        known: Contacts | None = None,
+        how: Look = Look.FOLLOW,
+    ) -> Evaluation | None:
+        """The equations of equilibrium; None where a cell is turned inside out."""
+        sought, factor = self.sought, self.sought.load_factor(parameter, scalars)
+        return sought.system.evaluate(
+            unknowns, factor, sought.pressures(scalars), known, how, self.history, self.addition
+        )
 
     def onward(self, last: Place, now: Place) -> "Constraint":
         """The constraint for the step beyond a state that was found after another one."""
-        return Constraint(self.sought, self.target.onward(last, now), self.clock.onward(now.parameter))
+        return replace(self, target=self.target.onward(last, now), clock=self.clock.onward(now.parameter))

@@ -6,8 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.chambers import Chambers
-from turgor.engine.contact.part import Look
-from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Conditions, Place
 
@@ -30,16 +28,9 @@ class LoadFactor:
         """The scalar itself."""
         return float(scalars[0])
 
-    def evaluate(
-        self,
-        unknowns: Array,
-        parameter: float,
-        scalars: Array,
-        known: Contacts | None = None,
-        how: Look = Look.FOLLOW,
-    ) -> Evaluation | None:
-        """The equations at the load factor that is sought."""
-        return self.system.evaluate(unknowns, float(scalars[0]), None, known, how)
+    def pressures(self, scalars: Array) -> Array | None:
+        """None is sought."""
+        return None
 
     def columns(self, at: Evaluation) -> Array:
         """Minus the forces of all loads, which are straight in the load factor."""

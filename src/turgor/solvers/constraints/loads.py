@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.contact.part import Look
-from turgor.engine.contact.terms import Contacts
+from turgor.engine.algebra.additions import Addition
+from turgor.engine.cells.memory import History
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.clock import Clock
 from turgor.solvers.constraints.constraint import Conditions, Constraint, Place
@@ -29,16 +29,9 @@ class GivenLoads:
         """The parameter itself."""
         return parameter
 
-    def evaluate(
-        self,
-        unknowns: Array,
-        parameter: float,
-        scalars: Array,
-        known: Contacts | None = None,
-        how: Look = Look.FOLLOW,
-    ) -> Evaluation | None:
-        """The equations at a load factor."""
-        return self.system.evaluate(unknowns, parameter, None, known, how)
+    def pressures(self, scalars: Array) -> Array | None:
+        """None is sought."""
+        return None
 
     def columns(self, at: Evaluation) -> Array:
         """None, as an array (0, size)."""
@@ -62,6 +55,14 @@ class NoConditions:
         return self
 
 
-def load_control(system: System, duration: float | None = None) -> Constraint:
-    """Return the constraint of load control, which takes a duration [s] at load factor 1 where it takes time."""
-    return Constraint(GivenLoads(system), NoConditions(), Clock(duration))
+def load_control(
+    system: System,
+    duration: float | None = None,
+    history: History | None = None,
+    addition: Addition | None = None,
+) -> Constraint:
+    """Return the constraint of load control, which takes a duration [s] at load factor 1 where it takes time.
+
+    ``history`` is what the rubber brings into the step, ``addition`` the forces besides those of the model.
+    """
+    return Constraint.of(GivenLoads(system), NoConditions(), Clock(duration), history, addition)

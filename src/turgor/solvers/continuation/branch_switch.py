@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.chambers import Chambers
+from turgor.solvers.constraints.clock import Clock
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget, LoadFactor, WorkTarget, displacement_of
 from turgor.solvers.continuation.branch_jump import move_ratio_to
@@ -22,6 +23,7 @@ from turgor.solvers.continuation.scalar_control.arc_length import (
     check_still,
     displacement_scale,
     from_rest,
+    slowly,
     start_of,
 )
 from turgor.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
@@ -82,14 +84,14 @@ class Watch:
     @staticmethod
     def at_rest(problem: Problem, history: Sequence[Point]) -> "Watch":
         """Compute how the body moves for a small load, so that a branch jump in the first step is found, too."""
-        at = problem.system.evaluate(start_of(problem), 0.0)
+        at = problem.system.evaluate(start_of(problem), 0.0, history=problem.history)
         assert at is not None
         return Watch(problem, history, rate=rate_at(problem.system, problem.tangent, at)[0])
 
     def __call__(self, state: State) -> str | None:
         """End load control with a reason: of its own, or of the caller."""
         system, last = self.problem.system, self.history[-1]
-        at = system.evaluate(last.unknowns, last.parameter)
+        at = system.evaluate(last.unknowns, last.parameter, history=last.history)
         assert at is not None
         rate, modes = rate_at(system, self.problem.tangent, at)
         if modes is not None and modes != state.unstable_modes:
@@ -139,7 +141,7 @@ def continue_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
         lengths = STEP_CUT * procedure.first_step, LONGEST_ARC * procedure.max_step
         return from_rest(problem, procedure, lengths, ends)
     watch.good.restore(system)
-    system.materials.begin_step(inf)
+    problem = slowly(problem, watch.good.state.memory)
     unknowns, load = unknowns_of(system, watch.good.state), watch.good.state.load_factor
     faces = [load.face for load in system.model.pressures]
     other = len(faces) < len(system.model.loads) or not set(faces) <= set(system.model.mesh.cavities)
@@ -184,7 +186,8 @@ def _by_volume(problem: Problem, procedure: Auto, unknowns: Array, load: float) 
         return float(weights @ chambers.volumes(now.unknowns)) - rest >= procedure.past * (turn - rest)
 
     ends = bounds(Bounds(procedure.max_stretch), enough)
-    run = scalar_run(problem, procedure, Constraint(LoadFactor(system), target), stepping, Goal(nothing, ends))
+    constraint = Constraint.of(LoadFactor(system), target, history=problem.history)
+    run = scalar_run(problem, procedure, constraint, stepping, Goal(nothing, ends))
     run.size = displacement_scale(problem, unknowns, load)
     begin(run, 0.0, unknowns, np.array([load]))
     return run
@@ -207,7 +210,8 @@ def _by_arc(problem: Problem, procedure: Auto, volume: Run) -> Run:
         targets=(inf,),
     )
     goal = Goal(nothing, volume.task.finished)
-    run = scalar_run(problem, procedure, Constraint(LoadFactor(system), target), stepping, goal)
+    constraint = replace(volume.constraint, target=target, clock=Clock())
+    run = scalar_run(problem, procedure, constraint, stepping, goal)
     run.size = volume.size
     run.bifurcations += volume.bifurcations
     begin(run, 0.0, last.unknowns, last.scalars)

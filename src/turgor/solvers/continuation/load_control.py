@@ -79,9 +79,9 @@ def load_run(
         finished=_full_load,
         kinks=turns,
     )
-    constraint = load_control(system, procedure.duration)
+    constraint = load_control(system, procedure.duration, problem.history)
     run = Run(task, constraint, StepControl.of(procedure, turns), history=[] if history is None else history)
-    rest = system.evaluate(unknowns_of(system, problem.start), 0.0)
+    rest = system.evaluate(unknowns_of(system, problem.start), 0.0, history=problem.history)
     assert rest is not None
     run.history.append(plain_point(run, rest, (0.0, np.empty(0)), None))
     run.states.append(run.history[-1].state)
@@ -180,7 +180,7 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     """Find the point at a load against viscous forces; None where that fails or the point is in doubt."""
     task, system, last = run.task, run.task.system, run.history[-1]
     anchors, began = system.contact.friction_history, perf_counter()
-    run.constraint.clock.begin(system, load)
+    run.constraint = run.constraint.begun(load)
     report = task.problem.listeners.reporter(len(run.steps) + 1, load)
     result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
     why = why_rejected(system, run.states, run.history, result) if result.converged else None

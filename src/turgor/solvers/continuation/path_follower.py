@@ -5,6 +5,7 @@ Newton's method starts, whether a result is the next point of the path, and what
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from time import perf_counter
 
 from turgor.solvers.continuation.limit_points import insert_limit_points
@@ -49,7 +50,7 @@ def _advance(run: Run) -> Outcome | None:
     task, system, last, began = run.task, run.task.system, run.history[-1], perf_counter()
     parameter = task.strategy.next_parameter(run)
     shorter, anchors = run.stepping.failed(parameter - last.parameter), system.contact.friction_history
-    run.constraint.clock.begin(system, parameter)
+    run.constraint = run.constraint.begun(parameter)
     start = task.strategy.predict(run, parameter)
     load = run.constraint.sought.load_factor(parameter, start.scalars)
     result = solve_at(run, parameter, start, task.problem.listeners.reporter(len(run.steps) + 1, load))
@@ -92,7 +93,7 @@ def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
     ending = ending or task.finished(before, now, run)
     state = now.state if ending is None else ending.state
     run.states.append(state)
-    system.materials.memory = state.memory
+    run.constraint = replace(run.constraint, memory=state.memory)
     reason = task.problem.listeners.accepted(len(run.steps), state, result)
     if reason is not None:
         return stopped_by(system.model, state, reason)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.cells.memory import History
 from turgor.engine.system import Evaluation, Stresses, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.loads import load_control
@@ -42,6 +43,8 @@ class Point:
     slope : (k,) array or None
         Of the scalars.
     state : State
+    history : History or None
+        What the rubber brought into the step to it.
     """
 
     parameter: float
@@ -51,6 +54,7 @@ class Point:
     change: Array | None
     slope: Array | None
     state: State
+    history: History | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -204,7 +208,7 @@ def nothing(_: float) -> dict[str, float]:
 
 def solve_at(run: Run, parameter: float, start: Start, report: Report) -> NewtonResult:
     """Find the state at a parameter, with all that touches."""
-    run.constraint.clock.begin(run.task.system, parameter)
+    run.constraint = run.constraint.begun(parameter)
     return newton_with_contact(run.constraint, run.task.tangent, start, parameter, run.task.settings, report)
 
 
@@ -212,8 +216,8 @@ def begin(run: Run, parameter: float, unknowns: Array, scalars: Array) -> None:
     """Make a known equilibrium the first point of a run, and a state if there is none yet."""
     timed = run.constraint.clock.duration is not None
     if timed:
-        run.constraint.clock.begin(run.task.system, parameter)
-    at = run.constraint.sought.evaluate(unknowns, parameter, scalars)
+        run.constraint = run.constraint.begun(parameter)
+    at = run.constraint.evaluate(unknowns, parameter, scalars)
     assert at is not None
     point = point_at(run, at, parameter, scalars, ahead=timed)
     run.history.append(point)
@@ -236,7 +240,7 @@ def plain_point(run: Run, at: Evaluation, place: tuple[float, Array], modes: int
         driven=run.task.driven(parameter),
         time=run.constraint.clock.time_of(parameter),
     )
-    return Point(parameter, at.unknowns, scalars, system.stresses(at), None, None, state)
+    return Point(parameter, at.unknowns, scalars, system.stresses(at), None, None, state, at.history)
 
 
 def between(points: Sequence[Point], parameter: float) -> Start:
@@ -273,7 +277,8 @@ def fixed_load(run: Run, before: Point, after: Point, load_factor: float) -> Sta
     share = (load_factor - low) / (high - low)
     near = between([before, after], before.parameter + share * (after.parameter - before.parameter))
     start = Start(near.unknowns, near.stresses)
-    result = newton(load_control(system), tangent, start, load_factor, run.task.settings, silent)
+    constraint = load_control(system, history=run.constraint.history)
+    result = newton(constraint, tangent, start, load_factor, run.task.settings, silent)
     if not result.converged or result.evaluation is None:
         return None
     return state_of(system, result.evaluation, result.unstable_modes)

@@ -74,7 +74,8 @@ class Accelerations:
         step = DIFFERENCE / float(np.abs(velocity).max())
         volumes = []
         for k in (-1.0, 0.0, 1.0):
-            at = self._system.evaluate(self._at.unknowns + k * step * velocity, self._at.load_factor)
+            there = self._at.unknowns + k * step * velocity
+            at = self._system.evaluate(there, self._at.load_factor, history=self._at.history)
             if at is None:
                 return np.zeros(self._system.size - self._displacements)
             volumes.append(at.residual[self._displacements :])

@@ -109,14 +109,12 @@ def natural_frequencies(
         system = System(model, tuple(found))
         _check(system, count)
         unknowns = np.zeros(system.size)
-        system.materials.memory = None if state is None else state.memory
-        system.materials.begin_step(0.0)
+        history = system.history(None if state is None else state.memory)  # a sudden step
         if state is not None:
             unknowns = system.unknowns(state.displacement, state.mean_stress)
         load_factor = 0.0 if state is None else state.load_factor
-        at = system.evaluate(
-            unknowns, load_factor, np.array(list(found.values())) / system.stress_scale if found else None
-        )
+        pressures = np.array(list(found.values())) / system.stress_scale if found else None
+        at = system.evaluate(unknowns, load_factor, pressures, history=history)
         if at is None:
             raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
         stiffness, mass = system.tangent_data(at), mass_data(system)
@@ -132,7 +130,7 @@ def _found_pressures(model: Model, state: State) -> dict[str, float]:
 
 
 def _check(system: System, count: int) -> None:
-    if not system.faces.symmetric:
+    if not system.terms.symmetric:
         raise TurgorError(
             "a pressure acts on an open surface and has no potential there, so that its modes are not those of an "
             "elastic body; close the cavity, or leave the pressure out."

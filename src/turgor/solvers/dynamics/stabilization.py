@@ -8,11 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.additions import Linear
+from turgor.engine.cells.memory import History
 from turgor.engine.energy import contact_energy, softening_loss, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
 from turgor.model.drive import kinks
 from turgor.solvers.checks.supports import free_motions
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import step_loop
 from turgor.solvers.continuation.step_control import StepControl
@@ -50,6 +52,7 @@ class _Run:
     rate: Array
     viscous: Array
     energies: Energies
+    history: History
     free: bool = False
     softened: float = 0.0
     raised: int = 0
@@ -71,38 +74,35 @@ def follow_viscously(problem: Problem, procedure: Stabilized) -> Outcome:
     """Step from load factor 0 to 1 and let the actuator come to rest; what is found is added to the problem's lists."""
     system = problem.system
     run = _begin(problem, procedure)
-    try:
-        return step_loop(
-            lambda: _advance(run),
-            lambda: len(problem.steps) >= procedure.max_steps and run.at.load_factor < 1.0,
-            lambda: too_many_steps(system.model, problem.states[-1], procedure),
-            lambda: interrupted(system.model, problem.states[-1]),
-        )
-    finally:
-        system.addition = None
+    return step_loop(
+        lambda: _advance(run),
+        lambda: len(problem.steps) >= procedure.max_steps and run.at.load_factor < 1.0,
+        lambda: too_many_steps(system.model, problem.states[-1], procedure),
+        lambda: interrupted(system.model, problem.states[-1]),
+    )
 
 
 def _begin(problem: Problem, procedure: Stabilized) -> _Run:
     system, tangent, start, turns = problem.system, problem.tangent, problem.start, kinks(problem.system.model)
     unknowns = unknowns_of(system, start)
-    system.materials.memory = None if start is None else start.memory
-    system.materials.begin_step(inf)
-    at = system.evaluate(unknowns, 0.0)
+    history = system.history(None if start is None else start.memory, inf)
+    at = system.evaluate(unknowns, 0.0, history=history)
     assert at is not None
     even = np.full(
         len(system.cells), system.stress_scale / system.length**2
     )  # a scaled mass of 1 for a scaled volume of 1
     mass = mass_data(system, even)
-    strain = stored_energy(system, unknowns) + contact_energy(system, at)
+    strain = stored_energy(system, unknowns, history) + contact_energy(system, at)
     free = free_motions(system.model) > 0
     run = _Run(
         problem=problem, procedure=procedure, control=StepControl.of(procedure, turns), kinks=turns,
         mass=mass, viscosity=procedure.stabilization * initial_stiffness(system, tangent, at, mass, free), at=at,
         free=free, pushed=pushing(system, at), rate=np.zeros(system.size), viscous=np.zeros(system.size),
         energies=Energies(kinetic=0.0, strain=strain, dissipated=0.0, work=strain),
+        history=history,
     )  # fmt: skip
     run.softened = softening_loss(system, at)
-    problem.states.append(replace(_state(run, at, None), memory=system.materials.memory))
+    problem.states.append(replace(_state(run, at, None), memory=history.memory))
     return run
 
 
@@ -143,11 +143,10 @@ def _attempt(run: _Run, load: float, length: float) -> NewtonResult:
     """Solve for a load with the viscous forces of a step of a length."""
     system, began = run.system, perf_counter()
     report = run.problem.listeners.reporter(len(run.steps) + 1, load)
-    system.materials.begin_step(inf)
-    system.addition = _drag(run, length)
+    constraint = load_control(system, history=run.history, addition=_drag(run, length))
     settings = NewtonSettings(tolerance=run.procedure.tolerance, max_iterations=run.procedure.max_iterations)
     result = newton_with_contact(
-        load_control(system), run.problem.tangent, _start(run, load, length), load, settings, report
+        constraint, run.problem.tangent, _start(run, constraint, load, length), load, settings, report
     )
     run.steps.append(
         Step(
@@ -163,11 +162,11 @@ def _attempt(run: _Run, load: float, length: float) -> NewtonResult:
     return result
 
 
-def _start(run: _Run, load: float, length: float) -> Start:
+def _start(run: _Run, constraint: Constraint, load: float, length: float) -> Start:
     """Start Newton's method from the extrapolated or the last state, whichever has the smaller residual."""
     system, best, smallest = run.system, run.at.unknowns, np.inf
     for trial in (run.at.unknowns + length * run.rate, run.at.unknowns):
-        at = system.evaluate(trial, load)
+        at = constraint.evaluate(trial, load, np.empty(0))
         residual = np.inf if at is None else relative_residual(system, at)
         if residual < smallest:
             best, smallest = trial, residual
@@ -176,9 +175,9 @@ def _start(run: _Run, load: float, length: float) -> Start:
 
 def _too_far(run: _Run, result: NewtonResult) -> bool:
     """Whether a step jumped so far that its work is inaccurate; it is then marked as rejected."""
-    at, addition = result.evaluation, run.system.addition
-    assert at is not None and addition is not None
-    after = _energies(run, at, addition.forces(at.unknowns))
+    at = result.evaluation
+    assert at is not None and at.addition is not None
+    after = _energies(run, at, at.addition.forces(at.unknowns))
     lost = abs(after.missing - run.energies.missing)
     moved = np.abs(at.unknowns - run.at.unknowns)[: 3 * run.system.node_count].max()
     most = max(after.strain, run.energies.strain, after.dissipated if run.free else 0.0)  # a fall strains little
@@ -192,15 +191,15 @@ def _too_far(run: _Run, result: NewtonResult) -> bool:
 def _accept(run: _Run, result: NewtonResult, length: float) -> Outcome | None:
     """Take a step, count its energies, and return how the run ends if the caller wants that."""
     at, system = result.evaluation, run.system
-    assert at is not None and system.addition is not None
-    viscous = system.addition.forces(at.unknowns)
+    assert at is not None and at.addition is not None
+    viscous = at.addition.forces(at.unknowns)
     run.energies = _energies(run, at, viscous)
     run.softened = softening_loss(system, at)
     run.rate = (at.unknowns - run.at.unknowns) / length
     held = at.load_factor == run.at.load_factor
     run.at, run.pushed, run.viscous = at, pushing(system, at), viscous
     state = _state(run, at, None)
-    system.materials.memory = state.memory
+    run.history = system.history(state.memory, inf)
     system.contact.accept(at.contacts)  # after the state has been read
     if held:
         run.states.pop()  # while the load is held, only the last state counts
@@ -213,8 +212,7 @@ def _come_to_rest(run: _Run) -> Outcome:
     """Hold the load until the viscous forces have faded."""
     length = run.procedure.first_step
     for _ in range(HOLDS):
-        run.system.addition = None
-        at = run.system.evaluate(run.at.unknowns, 1.0)
+        at = run.system.evaluate(run.at.unknowns, 1.0, history=run.history)
         assert at is not None
         if relative_residual(run.system, at) <= run.procedure.tolerance:
             break
@@ -232,11 +230,10 @@ def _come_to_rest(run: _Run) -> Outcome:
     else:
         return restless(run.states[-1])
     run.at = at
-    if run.free:  # where nothing holds it, the tangent is singular by itself
-        run.system.addition = _drag(run, 1.0)
-    run.problem.tangent.factor(at)
+    # where nothing holds it, the tangent is singular by itself
+    run.problem.tangent.factor(replace(at, addition=_drag(run, 1.0)) if run.free else at)
     last = _state(run, at, run.problem.tangent.unstable_modes())
-    run.states[-1] = replace(last, memory=run.system.materials.memory)
+    run.states[-1] = replace(last, memory=run.history.memory)
     return came_to_rest(run.states, run.steps)
 
 
@@ -250,7 +247,7 @@ def _energies(run: _Run, at: Evaluation, viscous: Array) -> Energies:
     lasting = taken_by_friction(system, at) + softening_loss(system, at) - run.softened
     return Energies(
         kinetic=0.0,
-        strain=stored_energy(system, at.unknowns) + contact_energy(system, at),
+        strain=stored_energy(system, at.unknowns, at.history) + contact_energy(system, at),
         dissipated=before.dissipated + 0.5 * unit * float((run.viscous + viscous) @ moved) + lasting,
         lasting=before.lasting + lasting,
         work=before.work + pushed + unit * float((0.5 * (run.at.external + at.external) + support) @ moved),

@@ -12,12 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.additions import Addition, Linear, Together
+from turgor.engine.cells.memory import Memory
 from turgor.engine.damping import StrainRateDamping
 from turgor.engine.energy import contact_energy, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
 from turgor.errors import TurgorError
 from turgor.model.drive import kinks
+from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import step_loop
 from turgor.solvers.dynamics.contact_work import Pushing, pushing, taken_by_friction, work_of_contacts
@@ -56,6 +58,7 @@ class _Run:
     damping: Array
     energies: Energies
     internal: Array
+    memory: Memory | None = None
     time: float = 0.0
     largest: float = 0.0
     accepted: int = 0
@@ -74,21 +77,19 @@ def follow_motion(problem: Problem, procedure: Dynamic) -> Outcome:
     """
     system = problem.system
     run = _begin(problem, procedure)
-    try:
-        return step_loop(
-            lambda: _advance(run),
-            lambda: len(run.problem.steps) >= procedure.max_steps,
-            lambda: out_of_time_steps(run.time, procedure),
-            lambda: interrupted(system.model, problem.states[-1]),
-        )
-    finally:
-        system.addition = None
+    return step_loop(
+        lambda: _advance(run),
+        lambda: len(run.problem.steps) >= procedure.max_steps,
+        lambda: out_of_time_steps(run.time, procedure),
+        lambda: interrupted(system.model, problem.states[-1]),
+    )
 
 
 def _begin(problem: Problem, procedure: Dynamic) -> _Run:
     system = problem.system
     unknowns, velocity = _restarted(system, problem.start)
-    at = system.evaluate(unknowns, 0.0)
+    history = system.history(None if problem.start is None else problem.start.memory)  # a sudden step
+    at = system.evaluate(unknowns, 0.0, history=history)
     if at is None:
         raise TurgorError("the start turns a cell inside out; it is no state of this model.")
     mass = mass_data(system)
@@ -105,24 +106,22 @@ def _begin(problem: Problem, procedure: Dynamic) -> _Run:
     moving = np.zeros(system.size)
     moving[: 3 * system.node_count] = 1.0
     kinetic = _unit(system) * 0.5 * float(velocity @ system.layout.base.product(mass, velocity))
-    strain = stored_energy(system, unknowns) + contact_energy(system, at)
+    strain = stored_energy(system, unknowns, history) + contact_energy(system, at)
     run = _Run(
         problem=problem, procedure=procedure, control=TimeControl.of(procedure, kinks(system.model)),
         mass=mass, moving=moving, motion=Motion(unknowns + stress, velocity, acceleration, acceleration), at=at,
         pushed=pushing(system, at), damping=damping,
         energies=Energies(kinetic=kinetic, strain=strain, dissipated=0.0, work=kinetic + strain),
-        internal=at.residual + at.external, largest=_largest(system, unknowns),
+        internal=at.residual + at.external, memory=history.memory, largest=_largest(system, unknowns),
         weights=Weights.of(procedure.spectral_radius),
     )  # fmt: skip
     _, mean_stress = system.physical(run.motion.unknowns)
-    problem.states.append(replace(_state(run), mean_stress=mean_stress, memory=system.materials.memory))
+    problem.states.append(replace(_state(run), mean_stress=mean_stress, memory=history.memory))
     return run
 
 
 def _restarted(system: System, start: State | None) -> tuple[Array, Array]:
-    """Unknowns and velocity of a start, at rest by default; the rubber remembers what it did there."""
-    system.materials.memory = None if start is None else start.memory
-    system.materials.begin_step(0.0)
+    """Unknowns and velocity of a start, at rest by default."""
     if start is None:
         return np.zeros(system.size), np.zeros(system.size)
     velocity = np.zeros_like(start.displacement) if start.velocity is None else start.velocity
@@ -145,9 +144,9 @@ def _advance(run: _Run) -> Outcome | None:
     time = run.control.next_time(run.time)
     rule = TimeStep(run.weights, run.motion, time - run.time, run.moving)
     damping = _damping(run, rule)
-    system.materials.begin_step(rule.length)
-    system.addition = Together([_inertia(run, rule), *damping])
-    result = _equilibrium(run, rule, time / procedure.duration)
+    acting = Together([_inertia(run, rule), *damping])
+    constraint = load_control(system, history=system.history(run.memory, rule.length), addition=acting)
+    result = _equilibrium(run, constraint, rule, time / procedure.duration)
     accepted, reason = result.converged, result.reason
     following: TimeControl | None = run.control
     if not result.converged:
@@ -192,17 +191,17 @@ def _damping(run: _Run, rule: TimeStep) -> Sequence[Addition]:
     return (StrainRateDamping(run.system, tau, rule.rate, rule.velocity(np.zeros(run.system.size))),)
 
 
-def _equilibrium(run: _Run, rule: TimeStep, load_factor: float) -> NewtonResult:
+def _equilibrium(run: _Run, constraint: Constraint, rule: TimeStep, load_factor: float) -> NewtonResult:
     """Newton's method from the prediction."""
     system, procedure = run.system, run.procedure
     report = run.problem.listeners.reporter(len(run.problem.steps) + 1, load_factor)
-    predicted = _prediction(run, rule, load_factor)
+    predicted = _prediction(run, constraint, rule, load_factor)
     stresses = system.stresses(run.at, predicted - run.at.unknowns)
     fresh = abs(rule.length / run.factored - 1) > SAME_LENGTH if run.factored else True
     run.factored = rule.length
     settings = NewtonSettings(tolerance=procedure.tolerance, max_iterations=procedure.max_iterations)
     return newton_with_contact(
-        load_control(system),
+        constraint,
         run.problem.tangent,
         Start(predicted, stresses, fresh=fresh),
         load_factor,
@@ -211,17 +210,17 @@ def _equilibrium(run: _Run, rule: TimeStep, load_factor: float) -> NewtonResult:
     )
 
 
-def _prediction(run: _Run, rule: TimeStep, load_factor: float) -> Array:
+def _prediction(run: _Run, constraint: Constraint, rule: TimeStep, load_factor: float) -> Array:
     """Extrapolate the motion, or start from the last state, which may be nearer where rubber begins to unload."""
     system, here = run.system, run.motion.unknowns
     predicted = rule.prediction()
     predicted[system.held] = here[system.held]  # Newton moves the supports
-    ahead = system.evaluate(predicted, load_factor)
+    ahead = constraint.evaluate(predicted, load_factor, np.empty(0))
     if ahead is None:
         return here
     if not system.materials.remembers:
         return predicted
-    still = system.evaluate(here, load_factor)
+    still = constraint.evaluate(here, load_factor, np.empty(0))
     stays = still is not None and relative_residual(system, still) < relative_residual(system, ahead)
     return here if stays else predicted
 
@@ -237,16 +236,15 @@ def _accept(
     for part in damping:
         forces = forces + part.forces(at.unknowns)
     pushed = pushing(run.system, at)
-    addition = run.system.addition
-    assert addition is not None
-    internal = at.residual + at.external - addition.forces(at.unknowns)
+    assert at.addition is not None
+    internal = at.residual + at.external - at.addition.forces(at.unknowns)
     run.energies = _energies(run, (motion, at, pushed), (forces, internal))
     run.internal = internal
     run.motion, run.at, run.pushed, run.damping, run.time = motion, at, pushed, forces, time
     run.largest = max(run.largest, _largest(run.system, at.unknowns))
     run.accepted += 1
     state, procedure, states = _state(run), run.procedure, run.problem.states
-    run.system.materials.memory = state.memory
+    run.memory = state.memory
     run.system.contact.accept(at.contacts)  # after the state has been read
     asked = any(abs(time - factor * procedure.duration) < 1e-12 * procedure.duration for factor in (*procedure.at, 1.0))
     if run.accepted % procedure.keep == 0 or asked:
@@ -264,7 +262,7 @@ def _energies(run: _Run, end: tuple[Motion, Evaluation, Pushing], forces: tuple[
     moved = run.moving * (at.unknowns - run.at.unknowns)
     support = np.where(system.held, 0.5 * (run.at.residual + at.residual), 0.0)
     work = float((0.5 * (run.at.external + at.external) + support) @ moved)
-    unit, strain = _unit(system), stored_energy(system, at.unknowns) + contact_energy(system, at)
+    unit, strain = _unit(system), stored_energy(system, at.unknowns, at.history) + contact_energy(system, at)
     by_contacts = work_of_contacts(system, run.pushed, pushed)
     taken = 0.5 * unit * float((run.damping + damping) @ moved)
     if system.materials.remembers:  # what the rubber took up and will not give back

@@ -103,14 +103,12 @@ def _before(
     The difference of two residuals is taken, not the tangent, which leaves out what the pressure on a rim does when
     supports move it.
     """
-    system, clock, before = constraint.sought.system, constraint.clock, parameter - nudge
+    system, before = constraint.sought.system, parameter - nudge
     factor, factor_before = (constraint.sought.load_factor(p, scalars) for p in (parameter, before))
     moved = np.zeros(system.size)
     moved[system.held] = (system.prescribed(factor) - system.prescribed(factor_before)) / nudge
-    timed = clock.duration is not None
-    if timed:  # rubber that relaxes does so on the way, too
-        clock.begin(system, before)
-    earlier = system.evaluate(at.unknowns - nudge * moved, factor_before, at.sought)
-    if timed:
-        clock.begin(system, parameter)
-    return moved, earlier
+    history = at.history
+    if constraint.clock.duration is not None:  # rubber that relaxes does so on the way, too
+        history = system.history(constraint.memory, constraint.clock.step_to(before))
+    there = at.unknowns - nudge * moved
+    return moved, system.evaluate(there, factor_before, at.sought, history=history, addition=at.addition)

@@ -59,4 +59,4 @@ def _searched_anew(constraint: Constraint, result: NewtonResult, parameter: floa
     last = result.evaluation
     if not result.converged or last is None:
         return None
-    return constraint.sought.evaluate(last.unknowns, parameter, result.scalars, last.contacts, Look.ANEW)
+    return constraint.evaluate(last.unknowns, parameter, result.scalars, last.contacts, Look.ANEW)

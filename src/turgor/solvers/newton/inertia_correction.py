@@ -52,7 +52,7 @@ def inertia_corrected(
     pressure. The method fails for forces without a potential, such as pressure on open surfaces.
     """
     system = constraint.sought.system
-    if not system.faces.symmetric:
+    if not system.terms.symmetric:
         return _failed(None, 0, np.inf)
     start = unknowns.copy()
     start[system.held] = system.prescribed(load_factor)

@@ -29,7 +29,7 @@ def evaluate(
     """Evaluate the residual at unknowns and scalars on the clock; ``kept`` are partners of contact that stay."""
     start = perf_counter()
     how = Look.FOLLOW if kept is None else Look.KEEP
-    out = constraint.sought.evaluate(place[0], parameter, place[1], kept, how)
+    out = constraint.evaluate(place[0], parameter, place[1], kept, how)
     tangent.clock.residual += perf_counter() - start
     return out
 

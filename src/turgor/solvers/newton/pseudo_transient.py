@@ -66,33 +66,29 @@ def pseudo_transient(
         Called after every iteration.
     """
     system = constraint.sought.system
-    at = system.evaluate(unknowns, load_factor)
+    at = constraint.evaluate(unknowns, load_factor, np.empty(0))
     if at is None:
         return _restless(0)
     mass = mass_data(system, np.full(len(system.cells), system.stress_scale / system.length**2))
     motion = _Motion(at, _first_viscosity(system, at, mass))
     smallest, failures = FADED_VISCOSITY * motion.viscosity, 0
     rough = replace(settings, tolerance=max(ROUGH_RESIDUAL, settings.tolerance), mixed_points=False)
-    try:
-        while motion.iterations < PSEUDO_TRANSIENT_ITERATIONS and failures <= PSEUDO_TRANSIENT_FAILURES:
-            system.addition = _drag(system, mass, motion)
-            start = Start(motion.at.unknowns, system.stresses(motion.at))
-            result = newton(constraint, tangent, start, load_factor, rough, report)
-            motion.iterations += result.iterations
-            if not result.converged or result.evaluation is None:
-                failures += 1
-                motion.viscosity *= VISCOSITY_AFTER_FAILURE
-                continue
-            failures, motion.at = 0, result.evaluation
-            motion.viscosity *= VISCOSITY_AFTER_QUICK if result.iterations <= QUICK_ITERATIONS else VISCOSITY_AFTER_STEP
-            if motion.viscosity > smallest:
-                continue
-            system.addition = None
-            last = _without(constraint, tangent, motion, settings, report)
-            if last.converged and not last.unstable_modes:
-                return replace(last, iterations=motion.iterations)
-    finally:
-        system.addition = None
+    while motion.iterations < PSEUDO_TRANSIENT_ITERATIONS and failures <= PSEUDO_TRANSIENT_FAILURES:
+        dragged = replace(constraint, addition=_drag(system, mass, motion))
+        start = Start(motion.at.unknowns, system.stresses(motion.at))
+        result = newton(dragged, tangent, start, load_factor, rough, report)
+        motion.iterations += result.iterations
+        if not result.converged or result.evaluation is None:
+            failures += 1
+            motion.viscosity *= VISCOSITY_AFTER_FAILURE
+            continue
+        failures, motion.at = 0, result.evaluation
+        motion.viscosity *= VISCOSITY_AFTER_QUICK if result.iterations <= QUICK_ITERATIONS else VISCOSITY_AFTER_STEP
+        if motion.viscosity > smallest:
+            continue
+        last = _without(constraint, tangent, motion, settings, report)
+        if last.converged and not last.unstable_modes:
+            return replace(last, iterations=motion.iterations)
     return _restless(motion.iterations)
 
 

@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.cells.memory import Memory
 from turgor.engine.fields import cell_fields
 from turgor.engine.system import System
 from turgor.errors import TurgorError
@@ -67,7 +68,7 @@ def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
     check_proportional(problem.system.model, "ArcLength")
     check_still(problem.system, "ArcLength")
     _check_driven(problem.system.model)
-    rest = problem.system.evaluate(start_of(problem), 0.0)
+    rest = problem.system.evaluate(start_of(problem), 0.0, history=problem.history)
     assert rest is not None
     problem.states.append(state_of(problem.system, rest, None))
     return from_rest(
@@ -81,13 +82,14 @@ def follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
 def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, float], ends: Finished) -> Outcome:
     """Take a first step by the load, at most as long as asked, and go on by arcs up to a longest one."""
     system, tangent, settings, (load, longest) = problem.system, problem.tangent, settings_of(procedure), lengths
-    system.materials.begin_step(inf)
+    problem = slowly(problem, problem.memory)
     rest = start_of(problem)
-    at_rest = system.evaluate(rest, 0.0)
+    at_rest = system.evaluate(rest, 0.0, history=problem.history)
     assert at_rest is not None
     stresses, (rate, modes) = system.stresses(at_rest), rate_at(system, tangent, at_rest)
     while True:
-        first = newton(load_control(system), tangent, Start(rest, stresses), load, settings, silent)
+        constraint = load_control(system, history=problem.history)
+        first = newton(constraint, tangent, Start(rest, stresses), load, settings, silent)
         reason = first.reason
         if first.evaluation is not None and first.converged:
             faster, unstable = rate_at(system, tangent, first.evaluation)
@@ -114,7 +116,8 @@ def arc_run(
     target = ArcTarget(system, size, 0.0, unknowns, here, along, rise)
     length, longest = steps
     stepping = StepControl(length=min(length, longest), max_step=longest, min_step=procedure.min_step, targets=(inf,))
-    run = scalar_run(problem, procedure, Constraint(LoadFactor(system), target), stepping, Goal(nothing, ends))
+    constraint = Constraint.of(LoadFactor(system), target, history=problem.history)
+    run = scalar_run(problem, procedure, constraint, stepping, Goal(nothing, ends))
     run.size = size
     begin(run, 0.0, unknowns, here)
     if len(run.states) == 1:
@@ -127,6 +130,11 @@ def displacement_scale(problem: Problem, unknowns: Array, load: float) -> float:
     return float(np.linalg.norm(displacement_of(problem.system, unknowns - start_of(problem)))) / load
 
 
+def slowly(problem: Problem, memory: Memory | None) -> Problem:
+    """A problem that goes on from a memory as slowly as can be."""
+    return replace(problem, history=problem.system.history(memory, inf))
+
+
 def start_of(problem: Problem) -> Array:
     """Unknowns (size,) at load factor 0."""
     return unknowns_of(problem.system, problem.start)
@@ -135,7 +143,7 @@ def start_of(problem: Problem) -> Array:
 def _direction(problem: Problem, unknowns: Array, load: float, size: float) -> tuple[Array, float]:
     """Direction in which the load rises, as `ArcTarget` wants it; from rest to here where the tangent is singular."""
     system = problem.system
-    at = system.evaluate(unknowns, load)
+    at = system.evaluate(unknowns, load, history=problem.history)
     assert at is not None
     response = displacement_of(system, unknowns - start_of(problem)) / load
     with suppress(SingularTangentError):

@@ -9,7 +9,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.load_factor import ArcTarget
 from turgor.solvers.continuation.path_points import Point, Run
 from turgor.solvers.continuation.thresholds import SCALE_GROWTH
@@ -22,7 +21,8 @@ def next_conditions(run: Run, last: Point, now: Point) -> None:
         run.size = max(run.size, _moved(run, now) / (SCALE_GROWTH * _largest_load(run, now)))
         target = replace(target, size=run.size)
     following = target.onward(last, now)
-    run.constraint = Constraint(run.constraint.sought, following, run.constraint.clock.onward(now.parameter))
+    clock = run.constraint.clock.onward(now.parameter)
+    run.constraint = replace(run.constraint, target=following, clock=clock)
     if not isinstance(following, ArcTarget) or now.change is None or now.slope is None:
         return
     measure = float(following.along @ now.change + following.rise * now.slope[0])

@@ -105,7 +105,7 @@ def _follow(
     problem: Problem, procedure: VolumeControl | GasMass, target: Target, goal: Goal, now: tuple[Array, Array]
 ) -> Outcome:
     """Follow the path of a target for the pressures of cavities."""
-    constraint = Constraint(CavityPressures(problem.system), target, Clock(procedure.duration))
+    constraint = Constraint.of(CavityPressures(problem.system), target, Clock(procedure.duration), problem.history)
     run = scalar_run(problem, procedure, constraint, StepControl.of(procedure, goal.kinks), goal)
     begin(run, 0.0, *now)
     return follow(run)

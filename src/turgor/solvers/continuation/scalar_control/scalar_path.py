@@ -47,8 +47,8 @@ class ScalarStrategy:
     def turn(self, run: Run, now: Point) -> None:
         """Start without history, with the rates beyond the kink."""
         if run.constraint.clock.duration is not None:
-            run.constraint.clock.begin(run.task.system, now.parameter)
-        at = run.constraint.sought.evaluate(now.unknowns, now.parameter, now.scalars)
+            run.constraint = run.constraint.begun(now.parameter)
+        at = run.constraint.evaluate(now.unknowns, now.parameter, now.scalars)
         assert at is not None
         run.history[:] = [point_at(run, at, now.parameter, now.scalars, ahead=True)]
         run.stepping = run.stepping.turned(run.task.procedure.first_step)

@@ -1,0 +1,129 @@
+"""Compiled formulas of the volume of a cell: its mean stress, and the moments of volume that are penalized.
+
+``shape`` and ``modes`` are tuples as long as a cell has nodes and mean stresses; ``tables`` are the reference
+gradients of the displacement (q, n, 3) and the shape functions of the mean stress (q, m). The functions are called by
+the loops of `turgor.engine.cells.kernels`, which name this file in `turgor.engine.compiled.calls`.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from turgor.engine.cells import kernels_geometry
+from turgor.engine.cells.kernels_geometry import FAST, cofactor_at, deformation_gradient_at, gradient_at
+from turgor.engine.compiled import calls
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+class Cell(NamedTuple):
+    """One cell, as the functions of its volume take it.
+
+    Parameters
+    ----------
+    mean : (m,) int array
+        Its mean stresses.
+    Jinv, dV : (q, 3, 3), (q,) arrays
+        Inverse Jacobians and volumes of its Gauss points.
+    compliance : float
+        1/κ.
+    penalty : (q, k) array
+        Functions φₖ.
+    """
+
+    mean: Ints
+    Jinv: Array
+    dV: Array
+    compliance: float
+    penalty: Array
+
+
+@njit(cache=True, fastmath=FAST)
+def mean_stress_at(modes, M, p, mean, J, compliance):
+    """Mean stress at one point: interpolated, or κ (J − 1) in a cell that has none of its own."""
+    if len(modes) == 0:
+        return (J - 1.0) / compliance
+    total = 0.0
+    for m in range(len(modes)):
+        total += M[m] * p[mean[m]]
+    return total
+
+
+@njit(cache=True, fastmath=FAST)
+def lost_volume_at(modes, J, mean, compliance):
+    """J − 1 − p/κ: what the volume ratio misses of what the mean stress says; nothing where it follows from J."""
+    if len(modes) == 0:
+        return 0.0
+    return J - 1.0 - mean * compliance
+
+
+@njit(cache=True, fastmath=FAST)
+def bulk_modulus(modes, compliance):
+    """κ where the mean stress is a function of the displacement, zero where it is an unknown."""
+    if len(modes) == 0:
+        return 1.0 / compliance
+    return 0.0
+
+
+@njit(cache=True, fastmath=FAST)
+@calls(kernels_geometry)
+def lost_moments(shape, modes, ue, p, tables, cell):
+    """Moments ∫ φₖ (J − 1 − p/κ) dV of a cell, (k,)."""
+    mean, Jinv, dV, compliance, penalty = cell
+    moments = np.zeros(penalty.shape[1])
+    if len(moments) == 0:
+        return moments
+    dN, M = tables
+    G = np.empty((3, len(shape)))
+    F = np.empty((3, 3))
+    Cof = np.empty((3, 3))
+    for q in range(len(dN)):
+        gradient_at(shape, dN[q], Jinv[q], G)
+        deformation_gradient_at(shape, ue, G, F)
+        J = cofactor_at(F, Cof)
+        lost = lost_volume_at(modes, J, mean_stress_at(modes, M[q], p, mean, J, compliance), compliance)
+        for k in range(len(moments)):
+            moments[k] += dV[q] * penalty[q, k] * lost
+    return moments
+
+
+@njit(cache=True, fastmath=FAST)
+@calls(kernels_geometry)
+def moment_changes(shape, modes, ue, update, tables, cell):
+    """Changes of the moments of a cell with the updates of displacements (3, nodes) and mean stresses, (k,)."""
+    mean, Jinv, dV, compliance, penalty = cell
+    changes = np.zeros(penalty.shape[1])
+    if len(changes) == 0:
+        return changes
+    (de, dp), (dN, M) = update, tables
+    G = np.empty((3, len(shape)))
+    F = np.empty((3, 3))
+    H = np.empty((3, 3))
+    Cof = np.empty((3, 3))
+    for q in range(len(dN)):
+        gradient_at(shape, dN[q], Jinv[q], G)
+        deformation_gradient_at(shape, ue, G, F)
+        deformation_gradient_at(shape, de, G, H)
+        cofactor_at(F, Cof)
+        change = 0.0
+        for i in range(3):
+            H[i, i] -= 1.0
+            for J in range(3):
+                change += Cof[i, J] * H[i, J]
+        for m in range(len(modes)):
+            change -= compliance * M[q, m] * dp[mean[m]]
+        for k in range(len(changes)):
+            changes[k] += dV[q] * penalty[q, k] * change
+    return changes
+
+
+@njit(cache=True, fastmath=FAST)
+def penalty_stress_at(penalty, moments):
+    """Mean stress of the penalty at one point: Σ φₖ mₖ."""
+    total = 0.0
+    for k in range(len(moments)):
+        total += penalty[k] * moments[k]
+    return total

@@ -1,0 +1,102 @@
+"""Membranes and shells: thin layers on faces that stretch in their plane, and the shear layers of shells."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.faces import membranes
+from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
+from turgor.engine.term import Configuration, Setting, add_at_nodes, displacements, lower
+from turgor.materials.laws.laws import Hooke
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MembraneTerm:
+    """A layer with in-plane stress.
+
+    Parameters
+    ----------
+    nodes : (f, n) int array
+        Nodes of the sides, or of the cells that carry a layer of a shell.
+    gradients : (f, q, n, 2) array
+        In-plane gradients of the shape functions at the Gauss points.
+    areas : (f, q) array
+        Areas of the Gauss points.
+    moduli : (3, 3) array
+        Scaled moduli times thickness.
+    """
+
+    nodes: Ints
+    gradients: Array
+    areas: Array
+    moduli: Array
+
+    @property
+    def unknowns(self) -> Ints:
+        """Displacements of the nodes."""
+        return displacements(self.nodes)
+
+    @property
+    def couples(self) -> bool:
+        """No: cells tie the nodes."""
+        return False
+
+    @property
+    def external(self) -> bool:
+        """No."""
+        return False
+
+    @property
+    def symmetric(self) -> bool:
+        """Yes: there is an energy."""
+        return True
+
+    def add_forces(self, out: Array, at: Configuration) -> None:
+        """Add the internal forces of the stress."""
+        stress = self.stresses(at.position, np.zeros_like(at.position))
+        local = membranes.membrane_forces(at.position, self.nodes, self.gradients, self.areas, stress)
+        add_at_nodes(out, self.nodes, local)
+
+    def energy(self, position: Array) -> float:
+        """½ S : ℂ⁻¹ : S over the area."""
+        stress = self.stresses(position, np.zeros_like(position))
+        strain = stress @ np.linalg.pinv(self.moduli)
+        return 0.5 * float((self.areas[..., None] * stress * strain).sum())
+
+    def stresses(self, position: Array, update: Array) -> Array:
+        """Stress times thickness (f, q, 3)."""
+        return np.asarray(
+            membranes.membrane_stress(position, update, self.nodes, self.gradients, self.areas, self.moduli)
+        )
+
+    def tangents(self, at: Configuration, stresses: Array) -> Array:
+        """Material part, and the geometric part of the stresses."""
+        local = membranes.membrane_tangents(at.position, self.nodes, self.gradients, self.areas, self.moduli, stresses)
+        return lower(local)
+
+    def skew(self, at: Configuration) -> Array:
+        """None."""
+        return np.empty((0, 0, 0))
+
+
+def membrane_terms(setting: Setting) -> list[MembraneTerm]:
+    """One for each membrane, several for each shell."""
+    model, terms = setting.model, []
+    for name, membrane in model.membranes.items():
+        law, scale = membrane.material.law, membrane.thickness / (setting.length * setting.stress)
+        assert isinstance(law, Hooke)
+        moduli = membranes.plane_stress_moduli(law) * scale
+        if membrane.bending:
+            layers = shell_layers(model.mesh, name, membrane.thickness, setting.length)
+            across = shear_layers(model.mesh, name, setting.length)
+            shear = shear_moduli(law) * scale
+            terms += [MembraneTerm(*layer, shear) for layer in across]
+        else:
+            sides = np.ascontiguousarray(model.mesh.face(name))
+            layers = [(sides, *membranes.surface_gradients(setting.points, sides))]
+        terms += [MembraneTerm(*layer, moduli) for layer in layers]
+    return terms

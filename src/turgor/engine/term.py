@@ -1,0 +1,112 @@
+"""Term: what adds forces and a tangent to the equations besides the cells, contact and dead loads.
+
+A term is one class in one file; `turgor.engine.terms.TERMS` names the functions that make the terms of a model, and
+is the only place to change for a new one. Lengths, forces and stresses are scaled as in `turgor.engine.system`.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.model.model import Model
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Setting:
+    """What terms are made of.
+
+    Parameters
+    ----------
+    model : Model
+    points : (n, 3) array
+        Scaled reference positions.
+    held : (n, 3) bool array
+        Prescribed components.
+    length, stress : float [m], [Pa]
+        Scales.
+    controlled : tuple of str
+        Faces whose pressure is sought.
+    """
+
+    model: Model
+    points: Array
+    held: NDArray[np.bool_]
+    length: float
+    stress: float
+    controlled: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Configuration:
+    """Where terms are evaluated.
+
+    Parameters
+    ----------
+    position : (n, 3) array
+        Scaled positions of the nodes.
+    load_factor : float
+    sought : (k,) array or None
+        Scaled pressures of the controlled faces.
+    """
+
+    position: Array
+    load_factor: float = 0.0
+    sought: Array | None = None
+
+
+class Term(Protocol):
+    """Forces on nodes that stay tied to the same nodes, with their energy and tangent."""
+
+    @property
+    def unknowns(self) -> Ints:
+        """Degrees of freedom that each of the k pieces ties, (k, m); a row may list one twice."""
+
+    @property
+    def couples(self) -> bool:
+        """Whether the pieces tie degrees of freedom that no cell ties, so that the sparsity pattern has to grow."""
+
+    @property
+    def external(self) -> bool:
+        """Whether the forces are those of a load."""
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the forces have a potential; if not, `skew` gives the rest of the tangent."""
+
+    def add_forces(self, out: Array, at: Configuration) -> None:
+        """Add the forces to those of the nodes (n, 3): internal forces, or external ones of a load."""
+
+    def energy(self, position: Array) -> float:
+        """Stored energy at positions (n, 3); zero for a load."""
+
+    def stresses(self, position: Array, update: Array) -> Array:
+        """Stresses that enter the geometric stiffness, linearized for an update (n, 3); empty where there are none."""
+
+    def tangents(self, at: Configuration, stresses: Array) -> Array:
+        """Lower triangles of the symmetric tangents of all pieces, row by row, one piece after the other."""
+
+    def skew(self, at: Configuration) -> Array:
+        """Skew parts (k, m, m) of the tangents; asked for only where there is no potential."""
+
+
+def lower(local: Array) -> Array:
+    """Lower triangles of matrices (k, m, m), row by row."""
+    rows, columns = np.tril_indices(local.shape[1])
+    return np.asarray(local[:, rows, columns].ravel())
+
+
+def displacements(nodes: Ints) -> Ints:
+    """Degrees of freedom (k, 3 m) of the displacements of nodes (k, m)."""
+    return (3 * nodes[:, :, None] + np.arange(3)).reshape(len(nodes), -1)
+
+
+def add_at_nodes(out: Array, nodes: Ints, local: Array) -> None:
+    """Add forces (k, m, 3) on nodes (k, m) to (n, 3)."""
+    flat = nodes.ravel()
+    for i in range(3):
+        out[:, i] += np.bincount(flat, local[:, :, i].ravel(), minlength=len(out))
