@@ -12,9 +12,9 @@ from turgor.meshing.sweeping.swept import check_cells
 def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     """Fill in what mesh settings leave open, once the geometry allows the rest.
 
-    Where neither size nor cells nor sizes of faces are given, a geometry that is a swept section gets hexahedra: on the
-    truth set (docs/truth.md) their default size is within 1.2 % everywhere, that of tetrahedra up to 7 % off. A size
-    alone means tetrahedra, as it always did, so that files with a size keep their mesh.
+    Where neither size nor cells nor sizes of faces are given, a geometry that is a swept section gets hexahedra. On the
+    truth set (docs/truth.md) their default size is within 1.2 % of the references, that of tetrahedra up to 7 % off. A
+    size alone means tetrahedra, as it always did, so that files with a size keep their mesh.
 
     Parameters
     ----------
