@@ -38,9 +38,9 @@ convergence.
 **The reference of the PneuNet on a stiff base is about 1 % too low.** Finer runs rise above its 6.560°: order 4 on
 uniform cells of 2.2 mm gives 6.578° (order 3 on the same cells: 6.551°), and hexahedra of 3, 2, 1.5 and 1.25 mm give
 6.553°, 6.584°, 6.608° and 6.634°. With one chamber of 10 mm, hexahedra of 1.25 and 1 mm agree (0.1482° and 0.1483°),
-third order with cells graded toward the edges gives 0.1478°, and tetrahedra of 2, 1.4 and 1 mm rise toward these values:
-0.1367°, 0.1426°, 0.1465°. References of other PneuNets may be too low in the same way: thin walls that bulge need cells
-as long as the wall is thick, whatever their order. The next version of this page needs finer cells of third order there.
+third order with cells graded toward the edges gives 0.1478°, and tetrahedra of 2, 1.4 and 1 mm rise toward these
+values: 0.1367°, 0.1426°, 0.1465°. References of other PneuNets may be too low in the same way: thin walls that bulge
+need cells as long as the wall is thick, whatever their order. The next version of this page needs finer cells there.
 
 Times are CPU seconds of one thread, with meshing and solving, without compilation. Other work ran on the machine:
 compare times within a row, and expect noise of more than 10 %. Fibers are smeared. Volumes are volumes of the cavity,
