@@ -2,11 +2,14 @@
 
 from dataclasses import replace
 
+from turgor.errors import TurgorError
 from turgor.geometry.geometry import Geometry
+from turgor.meshing.quality.cell_quality import refuse_inverted
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.default_size import default_size
 from turgor.meshing.sizing.sizes import check_face_sizes, check_settings
-from turgor.meshing.sweeping.swept import check_cells
+from turgor.meshing.sweeping.section import Fineness
+from turgor.meshing.sweeping.swept import check_cells, swept_mesh
 
 
 def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
@@ -54,4 +57,15 @@ def chosen_cells(geometry: Geometry, settings: MeshSettings) -> str:
     if settings.cells is not None:
         return settings.cells
     free = settings.size is None and not settings.face_sizes
-    return "hexahedra" if free and geometry._sweep is not None else "tetrahedra"
+    return "hexahedra" if free and _fillable(geometry) else "tetrahedra"
+
+
+def _fillable(geometry: Geometry) -> bool:
+    """Whether sound hexahedra of the default size fill a geometry: in few sections of odd dimensions some turn over."""
+    if geometry._sweep is None:
+        return False
+    try:
+        refuse_inverted(swept_mesh(geometry, Fineness(size=default_size(geometry, "hexahedra"))))
+    except TurgorError:
+        return False
+    return True

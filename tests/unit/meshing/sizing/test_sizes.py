@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.geometry import FastPneuNet, HelicalPneuNet
+from turgor.geometry import EccentricBender, FastPneuNet, HelicalPneuNet
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.sizing.default_size import DEFAULT_UNKNOWNS, default_size
@@ -51,6 +51,13 @@ def test_no_size_and_no_cells_mean_hexahedra_where_a_section_is_swept() -> None:
     assert np.array_equal(made.points, same.points)
     assert mesh(replace(geometry, _sweep=None)).cell_type.name == "ten-node tetrahedron"
     assert mesh(geometry, face_sizes={"tip": 1 * mm}).cell_type.name == "ten-node tetrahedron"
+
+
+def test_tetrahedra_fill_a_section_whose_hexahedra_would_turn_over() -> None:
+    geometry = replace(EccentricBender(), outer_radius=1.5 * EccentricBender().outer_radius).build()
+    with pytest.raises(TurgorError, match="turned inside out"):
+        mesh(geometry, cells="hexahedra")
+    assert mesh(geometry).cell_type.name == "ten-node tetrahedron"
 
 
 def test_default_hexahedra_get_longer_where_they_would_be_too_many() -> None:
