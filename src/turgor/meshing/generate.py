@@ -204,8 +204,8 @@ def _generate(geometry: Geometry, sizes: _Sizes) -> Raw:
     before = SetMessageImportance(0)
     with captured_output() as text:  # at level 0 its warnings and errors still go to stdout, line after line
         try:
-            # the generator reads sizes off a triangulation that it hangs on the shape: without one from the start, a
-            # shape that has been meshed, measured or drawn before gives another mesh than a new one
+            # the generator takes sizes from a triangulation stored with the shape; making it here gives the same mesh
+            # whether or not the shape was meshed, measured or drawn before
             geometry._shape.MakeTriangulation()
             netgen_mesh = geometry._shape.GenerateMesh(
                 mp=_local_sizes(sizes, geometry.length_scale),
