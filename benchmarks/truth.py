@@ -21,7 +21,7 @@ from typing import Any
 
 from machine import machine
 from truth_cases import CASES
-from truth_cases.case import Case
+from truth_cases.case import GRADED, Case
 from truth_page import page
 
 HERE = Path(__file__).parent
@@ -70,8 +70,10 @@ def measured(case: Case, kind: str, step: str, formulation: str) -> dict[str, An
 
 def witnesses(case: Case) -> tuple[tuple[str, str], tuple[str, str]]:
     """Two discretizations that must agree: kind of cells and step of each."""
-    refined = ("tetrahedra", "refined")
-    return (refined, ("hexahedra", "refined")) if case.touches else (("third order", "fine"), refined)
+    third, refined = ("third order", "fine"), ("tetrahedra", "refined")
+    if case.touches:
+        return refined, ("hexahedra", "refined")
+    return (("hexahedra", GRADED), third) if case.graded else (third, ("hexahedra", "half"))
 
 
 def wanted(case: Case, *, only_truth: bool, quick: bool) -> list[tuple[str, str, str]]:
@@ -109,7 +111,7 @@ def renew_values(cases: list[Case], runs: dict[str, Any]) -> None:
 
 
 def reference(case: Case, name: str, rows: list[dict[str, Any]]) -> float:
-    """That of the third order; where walls touch, the mean of both."""
+    """That of the first discretization; where walls touch, the mean of both."""
     numbers = [row["values"][name] for row in rows]
     return float(sum(numbers) / len(numbers) if case.touches else numbers[0])
 

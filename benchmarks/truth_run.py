@@ -13,11 +13,13 @@ import numpy as np
 
 import turgor as tg
 from truth_cases import CASES
-from truth_cases.case import ESTIMATED, STEPS, Case
+from truth_cases.case import ESTIMATED, GRADED, STEPS, Case
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.sizing.default_size import default_size
 from turgor.meshing.sizing.sizes import size_range
+from turgor.meshing.sweeping.section import Fineness
+from turgor.meshing.sweeping.swept import swept_mesh
 from turgor.units import mm
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
@@ -27,8 +29,10 @@ TARGETS = {"target": 0.02, "refined": 0.001}
 MOST_REFINED, MOST_TOUCHING = 120_000, 60_000
 
 
-def wanted_size(geometry: Geometry, kind: str, step: str) -> float | None:
+def wanted_size(case: Case, geometry: Geometry, kind: str, step: str) -> float | None:
     """Mesh size of a step [m], whose name may be a size in mm; None where no mesh of that size is allowed."""
+    if step == GRADED:
+        return case.graded[0] * mm if case.graded else None
     if step not in STEPS:
         return float(step) * mm
     default = default_size(geometry, kind)
@@ -37,6 +41,13 @@ def wanted_size(geometry: Geometry, kind: str, step: str) -> float | None:
     if step == "double" and size > largest:
         return largest if largest > 1.2 * default else None
     return size
+
+
+def meshed(case: Case, geometry: Geometry, size: float, kind: str, step: str) -> tg.Mesh:
+    """Mesh of a step, at a size [m]."""
+    if step == GRADED and case.graded:
+        return swept_mesh(geometry, Fineness(size=size, edge=case.graded[1] * mm))
+    return tg.mesh(geometry, size=size, cells=kind)
 
 
 def warm(case: Case, geometry: Geometry, kind: str, formulation: str) -> None:
@@ -53,14 +64,14 @@ def solve(case: Case, mesh: tg.Mesh, formulation: str, **more: Any) -> tg.Soluti
 def run(case: Case, kind: str, step: str, formulation: str, most: float) -> dict[str, Any]:
     """Mesh, solve and measure; a row with ``note`` where there is nothing to solve."""
     geometry = case.actuator.build()
-    size = wanted_size(geometry, kind, step)
+    size = wanted_size(case, geometry, kind, step)
     if size is None:
         return {"note": "larger than allowed"}
     start = time.process_time()
-    mesh = tg.mesh(geometry, size=size, cells=kind)
+    mesh = meshed(case, geometry, size, kind, step)
     meshing = time.process_time() - start
     row = {"size": size / mm, "cells": len(mesh.cells), "unknowns": mesh.unknown_count, "meshing": meshing}
-    if mesh.unknown_count > most:
+    if mesh.unknown_count > most and step != GRADED:
         return row | {"note": f"more than {most:,.0f} unknowns"}
     warm(case, geometry, kind, formulation)
     start = time.process_time()

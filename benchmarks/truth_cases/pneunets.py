@@ -20,6 +20,7 @@ CASES = (
         pressures={"cavity": 6.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.5,
+        graded=(4.0, 0.2),
     ),
     Case(
         name="fast_pneunet_stiff_base",
@@ -29,6 +30,7 @@ CASES = (
         pressures={"cavity": 4.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.5,
+        graded=(4.0, 0.2),
         jumps=True,
     ),
     Case(
@@ -40,6 +42,7 @@ CASES = (
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
         bisections=(0.15, 0.04),
+        graded=(4.0, 0.2),
         jumps=True,
     ),
     Case(

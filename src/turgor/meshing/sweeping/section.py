@@ -25,6 +25,9 @@ OFF_LINES = np.array([6.18e-8, 7.55e-8])
 #: cells of equal length, 0.1 % with these and a quarter more unknowns.
 SHORT_CELL = 1 / 3
 
+#: Where cells grow away from feature lines, each is at most so many times as long as the one before.
+GROWTH = 4.0
+
 #: Feature lines closer than this share of the size of the section are the same line.
 SAME_LINE = 1e-9
 
@@ -43,12 +46,16 @@ class Fineness:
         Cells along an arc as long as its radius; with 2, a quadratic edge leaves its circle by 4e-5 of the radius.
     grading : float [-]
         How fast cells grow away from small ones where the section is no grid.
+    edge : float or None [m]
+        Length of the cells beside a feature line within, from which they grow to the size; None makes one cell of a
+        third of the size there. Stresses have no bound along sharp edges; reference values need short cells there.
     """
 
     size: float
     wall_cells: int = 1
     curvature: float = 2.0
     grading: float = 0.5
+    edge: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -194,14 +201,29 @@ def divided(lines: Array, fine: Fineness) -> Array:
 
 def _ticks(start: float, end: float, beside: tuple[bool, bool], fine: Fineness) -> Array:
     """Ends of the cells of an interval, with short cells beside its start and its end if more is left between them."""
-    short = SHORT_CELL * fine.size
     count = max(fine.wall_cells, ceil((end - start) / fine.size - 1e-6))
-    if end - start <= (1 + sum(beside)) * short * (1 + 1e-6) or not any(beside):
+    short = _short_cells((end - start) / max(sum(beside), 1), sum(beside), fine) if any(beside) else []
+    if not short:
         return np.linspace(start, end, count + 1)
-    inner = [start + short * beside[0], end - short * beside[1]]
-    count = max(1, fine.wall_cells - sum(beside), ceil((inner[1] - inner[0]) / fine.size - 1e-6))
+    taken = np.cumsum([0.0, *short])
+    inner = [start + taken[-1] * beside[0], end - taken[-1] * beside[1]]
+    longest = fine.size if fine.edge is None else min(fine.size, GROWTH * short[-1])
+    count = max(1, fine.wall_cells - sum(beside) * len(short), ceil((inner[1] - inner[0]) / longest - 1e-6))
     ticks = np.linspace(inner[0], inner[1], count + 1)
-    return np.concatenate([[start][: beside[0]], ticks, [end][: beside[1]]])
+    first, last = (start + taken[:-1])[: len(short) * beside[0]], (end - taken[-2::-1])[: len(short) * beside[1]]
+    return np.concatenate([first, ticks, last])
+
+
+def _short_cells(room: float, lines: int, fine: Fineness) -> list[float]:
+    """Lengths of the short cells beside a feature line, of which there are one or two with so much room each."""
+    short = SHORT_CELL * fine.size
+    if fine.edge is None:
+        return [short] if room * lines > (1 + lines) * short * (1 + 1e-6) else []
+    found, short = [], fine.edge
+    while short < fine.size and sum(found) + short * (1 + 1 / lines) <= room * (1 + 1e-6):
+        found.append(short)
+        short *= GROWTH
+    return found
 
 
 def divided_turn(lines: Array, radius: float, fine: Fineness, multiple: int = 1) -> Array:

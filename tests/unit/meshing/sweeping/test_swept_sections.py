@@ -90,6 +90,17 @@ def test_lines_are_divided_with_a_node_in_each_middle() -> None:
     assert len(divided_turn(np.array([0.0, pi]), 1.0, Fineness(size=10.0), multiple=4)) == 2 * 8 + 1
 
 
+def test_cells_grow_away_from_feature_lines_where_edges_ask_for_short_ones() -> None:
+    fine = Fineness(size=3.0, edge=0.2)
+    ticks = divided(np.array([0.0, 10.0, 11.0]), fine)[::2]
+    assert np.allclose(ticks, [0, 3, 6, 9, 9.8, 10, 10.2, 11])  # free ends need none
+    inner = divided(np.array([0.0, 1.0, 9.0, 10.0]), fine)[::2]
+    lengths = np.diff(inner)
+    assert inner[[0, -1]].tolist() == [0, 10] and np.allclose(lengths, lengths[::-1])
+    assert np.isclose(lengths.min(), 0.2) and lengths.max() <= 3 + 1e-12
+    assert (lengths[1:] / lengths[:-1]).max() <= 4 + 1e-9
+
+
 def test_a_grid_follows_all_edges_of_its_rectangles() -> None:
     mesh = grid_section([rectangle((0, 10 * mm), (0, 4 * mm)), rectangle((3 * mm, 4 * mm), (1 * mm, 3 * mm))], FINE)
     assert mesh is not None
