@@ -20,7 +20,7 @@ from turgor.job.tables.procedures import written_procedure
 from turgor.job.tables.setups import written_setup
 from turgor.job.tables.stages import STAGES, stages_tables
 from turgor.job.tables.supports import held_text
-from turgor.materials.laws.conventions import is_dimensionless
+from turgor.materials.laws.law_spec import is_dimensionless
 from turgor.materials.laws.laws import LAWS
 from turgor.materials.library.record_history import history_tables
 from turgor.materials.material import Material

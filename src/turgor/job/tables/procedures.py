@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import Field
 from functools import cache, partial
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import BeforeValidator
 
@@ -22,9 +22,6 @@ PROCEDURES: Registry[type[Any]] = Registry(
     "turgor.solvers.procedures",
     class_of_file(lambda kind: issubclass(kind, OneProcedure) and kind is not StepOptions),
 )
-
-#: Procedures that drive the actuator without any load.
-DRIVING = ("volume_control", "gas_mass")
 
 #: Units in which lock files state the fields of a procedure.
 _UNITS = {"volume": "mL", "pressure": "kPa", "length": "mm", "time": "s", "rate": "1/s"}
@@ -60,8 +57,9 @@ def states_requested(at: Sequence[Any], why: str, problems: Problems) -> bool:
 
 
 def drives(values: Any) -> bool:
-    """Whether ``[procedure]`` drives the actuator by itself, so that there need not be any load."""
-    return isinstance(values, Mapping) and values.get("type") in DRIVING
+    """Return whether ``[procedure]`` drives the actuator without a load: it takes a value for each cavity."""
+    kind = PROCEDURES.get(str(values.get("type"))) if isinstance(values, Mapping) else None
+    return kind is not None and any(_by_cavity(item) for item in procedure_fields(kind))
 
 
 def duration_of(values: Any) -> float | None:
@@ -120,6 +118,11 @@ def stated_fields(value: Any, items: Iterable[Field[Any]]) -> dict[str, Any]:
 def requested(at: Iterable[float], top: float | None) -> list[str | float]:
     """Return requested states as a job file states them: as pressures where there is a top pressure."""
     return [_requested(factor, top) for factor in at]
+
+
+def _by_cavity(item: Field[Any]) -> bool:
+    """Return whether a field takes a number for each cavity, as the volume of `VolumeControl` does."""
+    return any(get_origin(each) is Mapping for each in get_args(item.type))
 
 
 def _step_type(item: Field[Any]) -> Any:

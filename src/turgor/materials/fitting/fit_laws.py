@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from math import log
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -11,10 +11,11 @@ from turgor.errors import TurgorError, unknown
 from turgor.materials.experiments.material_test import Array, MaterialTest
 from turgor.materials.fitting.checks import covered_range, fit_findings
 from turgor.materials.fitting.constrained import solve_constrained, standard_errors
-from turgor.materials.fitting.law_specs import LawSpec, law_spec, shape_bounds
+from turgor.materials.fitting.law_specs import law_spec, shape_bounds
 from turgor.materials.fitting.points import FitPoints, ModeRanges, modulus_row, off_zero, stability_rows, within
 from turgor.materials.fitting.result import Fit, FitResidual
 from turgor.materials.laws.homogeneous import equibiaxial, planar, uniaxial
+from turgor.materials.laws.law_spec import LawSpec
 from turgor.materials.laws.laws import Law
 from turgor.materials.laws.stability import Mode, first_instability
 
@@ -39,8 +40,8 @@ def fit(
 ) -> Fit:
     """Fit a law to one or more tests at once, by least squares of the nominal stress.
 
-    The stress of every law is linear in its coefficients; these are solved for exactly, under the constraint of
-    stability, and only exponents or a limiting stretch are searched, from several starts.
+    The stress of every law is linear in its coefficients. Linear least squares finds these exactly, with inequality
+    constraints for stability. Only exponents or a limiting stretch need a nonlinear search, from several starts.
 
     Parameters
     ----------
@@ -49,14 +50,13 @@ def fit(
     tests : MaterialTest or sequence of MaterialTest
         Any modes together. Each point counts the same, so `thin` those that hold many.
     stretch : (float, float), optional [-]
-        The range that is wanted: points outside are left out, and the law is stable inside, in every mode. By default
-        all points, and stable in every mode to the first invariant of uniaxial tension at their largest stretch.
+        Range that is wanted. Points outside are left out, and the law is stable inside, in every mode. By default all
+        points count, and each mode is stable up to the first invariant of uniaxial tension at their largest stretch.
     weights : str
-        ``"relative"`` divides each deviation by the stress measured (at least 5 % of the largest of its test);
+        ``"relative"`` divides each deviation by the measured stress (at least 5 % of the largest of its test);
         ``"absolute"`` takes it in Pa, so that large stretches decide.
     stable : bool
-        Whether the stresses must rise with the stretch over the range, in uniaxial, equibiaxial and planar tests;
-        for Ogden that all μᵢ αᵢ are positive.
+        Whether uniaxial, equibiaxial and planar stresses must rise with the stretch; for Ogden all μᵢ αᵢ ≥ 0.
     starts : int
         Starts of the search for shape parameters.
     seed : int
@@ -78,42 +78,61 @@ def fit(
     spec = law_spec(law)
     given = (tests,) if isinstance(tests, MaterialTest) else tuple(tests)
     _check(given, stretch, weights, starts)
-    used = tuple(part for part in (within(test, stretch) for test in given) if part is not None)
-    if not used:
-        raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")  # type: ignore[index]
-    points = FitPoints(used, weights)
-    if len(points.target) <= len(spec.names):
-        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {len(points.target)} points cannot fit them.")
+    used = _used(given, stretch, len(spec.names), spec.name)
     wanted = _range(used, stretch)
-    search = _Search(spec, points, _mode_ranges(wanted, strict=stretch is not None), stable)
+    search = _Search(spec, FitPoints(used, weights), _mode_ranges(wanted, strict=stretch is not None), stable)
+    made, found = _solved(search, starts, seed)
+    return Fit(
+        **found,
+        quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
+        stretch=wanted,
+        stretch_range=covered_range(given, wanted),
+        instability=_instability(made, wanted),
+        weights=weights,
+        tests=used,
+        findings=fit_findings(made, spec.name, given, wanted),
+    )
+
+
+def _used(
+    tests: Sequence[MaterialTest], stretch: tuple[float, float] | None, parameters: int, name: str
+) -> tuple[MaterialTest, ...]:
+    """Points of tests within the range that is wanted; an error where there are too few."""
+    used = tuple(part for part in (within(test, stretch) for test in tests) if part is not None)
+    if not used and stretch is not None:
+        raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")
+    points = sum(len(test.measured) for test in used)
+    if points <= parameters:
+        raise TurgorError(f"{name} has {parameters} parameters; {points} points cannot fit them.")
+    return used
+
+
+def _solved(search: "_Search", starts: int, seed: int) -> tuple[Any, dict[str, Any]]:
+    """Find the law, and what a `Fit` states about its parameters."""
+    spec = search.spec
     shapes, agreed = search.run(starts, seed) if spec.shapes else ((), 1)
     coefficients, held = search.coefficients(shapes)
     try:
         made = spec.make(coefficients.tolist(), shapes)
     except TurgorError as error:
         raise TurgorError(f"{spec.name} cannot be fitted to these tests: {error}") from error
+    residual = search.residual(coefficients, shapes)
+    search.check_linear(made, residual)
     errors, correlation = search.uncertainty(coefficients, shapes, held)
-    result = Fit(
-        spec=spec,
-        law=made,
-        values=dict(zip(spec.names, (*map(float, coefficients), *map(float, shapes)), strict=True)),
-        errors=dict(zip(spec.names, errors, strict=True)),
-        correlation=correlation,
-        bounds_hit=search.bounds_hit(coefficients, shapes, held),
-        quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
-        aic=_aic(search.residual(coefficients, shapes), len(spec.names)),
-        stretch=wanted,
-        stretch_range=covered_range(given, wanted),
-        instability=_instability(made, wanted),
-        weights=weights,
-        starts=(agreed, starts if spec.shapes else 1),
-        tests=used,
-    )
-    return result.with_findings(fit_findings(made, spec.name, given, wanted))
+    return made, {
+        "spec": spec,
+        "law": made,
+        "values": dict(zip(spec.names, (*map(float, coefficients), *map(float, shapes)), strict=True)),
+        "errors": dict(zip(spec.names, errors, strict=True)),
+        "correlation": correlation,
+        "bounds_hit": search.bounds_hit(coefficients, shapes, held),
+        "aic": _aic(residual, len(spec.names)),
+        "starts": (agreed, starts if spec.shapes else 1),
+    }
 
 
 class _Search:
-    """The search for shape parameters; the coefficients follow from them."""
+    """Search for the shape parameters; for given shapes, linear least squares gives the coefficients."""
 
     def __init__(self, spec: LawSpec, points: FitPoints, ranges: ModeRanges, stable: bool) -> None:
         self.spec, self.points, self.stable = spec, points, stable
@@ -166,6 +185,12 @@ class _Search:
     def residual(self, coefficients: Array, shapes: Shapes) -> Array:
         """Weighted deviations at every point."""
         return self._columns(shapes) @ (coefficients * self._signs(shapes)) - self.points.target
+
+    def check_linear(self, law: Any, residual: Array) -> None:
+        """Refuse a law whose stress is not the sum of its terms, so that the residual is not its own."""
+        own = self.points.stress(law) * self.points.weight - self.points.target
+        if not np.allclose(own, residual, rtol=0.0, atol=1e-6 * float(np.abs(self.points.target).max())):
+            raise TurgorError(f"{self.spec.name} cannot be fitted: its stress is not linear in its coefficients.")
 
     def _reduced(self, shapes: Array) -> Array:
         return self.residual(self.coefficients(shapes)[0], shapes)

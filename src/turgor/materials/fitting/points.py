@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import Array, MaterialTest
-from turgor.materials.fitting.law_specs import LawSpec, law_spec
 from turgor.materials.laws.homogeneous import nominal_stress
+from turgor.materials.laws.law_spec import LawSpec
 
 #: The deformation of each mode with its range of stretch.
 ModeRanges: TypeAlias = Sequence[tuple[Callable[[Any], Array], tuple[float, float]]]
@@ -161,6 +161,4 @@ def _pull(F: Array, law: Any) -> Array:
 
 def _single(spec: LawSpec, shape: float) -> Any:
     """One term of a law with shape parameters, with a positive shear modulus."""
-    if spec.sign == "shape":
-        return law_spec("ogden-1").make([np.sign(shape)], [shape])
-    return spec.make([1.0], [shape])
+    return spec.make([np.sign(shape) if spec.sign == "shape" else 1.0], [shape])

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.fitting.checks import LARGEST_STRETCH
 from turgor.materials.fitting.fit_laws import fit
 from turgor.materials.fitting.result import Fit
 
@@ -70,7 +69,7 @@ def rank(
 def _on_order(fits: Sequence[Fit]) -> list[str]:
     said = []
     for each in fits:
-        limit = LARGEST_STRETCH.get(type(each.law).__name__)
+        limit = getattr(each.law, "max_stretch_hint", None)
         if limit is not None and each.stretch[1] > limit:
             said.append(
                 f"{each.spec.name} suits strains up to {100 * (limit - 1):.0f} %; over the "

@@ -9,8 +9,8 @@ import numpy as np
 
 from turgor.finding import Finding
 from turgor.materials.experiments.material_test import Array, MaterialTest
-from turgor.materials.fitting.law_specs import LawSpec
 from turgor.materials.fitting.points import WEIGHT_FLOOR
+from turgor.materials.laws.law_spec import LawSpec
 from turgor.materials.material import Material
 from turgor.source import Source
 
