@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from turgor.adaptivity.findings import mesh_error_findings
@@ -135,33 +136,37 @@ def run_job(
         If the folder is taken or cannot be written (before anything is computed), or the job cannot be meshed.
     """
     notices: list[str] = []
-
-    def say(text: str) -> None:
-        notices.append(text)
-        (notify or _silent)(text)
-
+    say = partial(_noted, notices, notify or _silent)
     options = EngineOptions(notify=say)
     wanted = threads if threads is not None else job.threads
     if wanted is not None:
         options = replace(options, threads=wanted)
     with claimed(Path(output) if output is not None else default_folder(job.name), force) as folder:
-        model, findings = prepare(job, say)
-        say("solving")
-        solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
-        solution, refined = _refined(job, solution, options)
-        say("measuring")
-        response, unknown = _measured(job, solution, options, bool(refined))
-        findings_of_all = (*mesh_error_findings(response, findings), *refined, *unknown)
+        solution, response, findings = _solved(job, options, say, progress)
         outcome = RunOutcome(
             job=replace(job, threads=options.threads),
             solution=solution,
             response=response,
-            findings=(*findings_of_all, *laws_beyond_their_tests(solution), *solution.findings),
+            findings=findings,
             written_by=versions() | {"linear_solver": solution.timing.linear_solver},
             notices=tuple(notices),
             folder=folder,
         )
         return replace(outcome, files=write_results(outcome, say))
+
+
+def _solved(
+    job: Job, options: EngineOptions, say: Notify, progress: Progress | None
+) -> tuple[Solution, Response, tuple[Finding, ...]]:
+    """Prepare and solve a job, refine its mesh where it has a target, and measure."""
+    model, findings = prepare(job, say)
+    say("solving")
+    solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
+    solution, refined = _refined(job, solution, options)
+    say("measuring")
+    response, unknown = _measured(job, solution, options, bool(refined))
+    before = (*mesh_error_findings(response, findings), *refined, *unknown)
+    return solution, response, (*before, *laws_beyond_their_tests(solution), *solution.findings)
 
 
 def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:
@@ -199,5 +204,11 @@ def _measured(
     return with_mesh_error(response, estimate), () if estimate.finding is None else (estimate.finding,)
 
 
+def _noted(notices: list[str], notify: Notify, text: str) -> None:
+    """Keep a notice for the log and pass it on."""
+    notices.append(text)
+    notify(text)
+
+
 def _silent(_: str) -> None:
-    """Say nothing."""
+    """Ignore a notice, where the caller gave no ``notify``."""

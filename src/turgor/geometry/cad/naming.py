@@ -43,9 +43,11 @@ class Naming:
 def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | None) -> Naming:
     """Name every face of a part.
 
-    A face that a selector picks gets the name of the selector; else its name in the file if that is a standard one;
-    else the name of the cavity of which it is a wall; else ``strain_limiting_layer`` or ``interface`` between two
-    bodies; else ``outside``.
+    A face gets the first of these names: that of a selector which picks it; its name in the file, if it is one of
+    ``fixed``, ``tip``, ``cavity…``, ``symmetry_…`` and ``strain_limiting_layer``; that of the cavity of which it is a
+    wall; between two bodies ``strain_limiting_layer`` (``body`` and ``base``) or ``interface`` (others); ``outside``.
+    Cavities are numbered along x; those side by side from +z counterclockwise, seen from the tip. A pocket with one
+    opening is closed for measuring its volume and stays open in the mesh.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws.homogeneous import equibiaxial, nominal_stress, planar, simple_shear, uniaxial
+from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.materials.material import UNSTATED
 from turgor.source import Source
 
@@ -123,8 +123,7 @@ class MaterialTest:
         if self.stretch_2 is not None:
             third = 1.0 / (self.stretch * self.stretch_2)
             return np.asarray(np.stack([self.stretch, self.stretch_2, third], axis=-1)[..., None] * np.eye(3))
-        make = {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": planar, "simple_shear": simple_shear}
-        return make[self.mode](self.stretch)
+        return DEFORMATIONS[self.mode](self.stretch)
 
     @property
     def measured(self) -> Array:

@@ -53,14 +53,11 @@ def fit(
         Range that is wanted. Points outside are left out, and the law is stable inside, in every mode. By default all
         points count, and each mode is stable up to the first invariant of uniaxial tension at their largest stretch.
     weights : str
-        ``"relative"`` divides each deviation by the measured stress (at least 5 % of the largest of its test);
-        ``"absolute"`` takes it in Pa, so that large stretches decide.
+        ``"relative"`` divides deviations by the stress (at least 5 % of the test's largest); ``"absolute"`` does not.
     stable : bool
         Whether uniaxial, equibiaxial and planar stresses must rise with the stretch; for Ogden all μᵢ αᵢ ≥ 0.
-    starts : int
-        Starts of the search for shape parameters.
-    seed : int
-        Seed of the random starts; the same seed gives the same result.
+    starts, seed : int
+        Number of random starts of the search for shape parameters, and their seed.
 
     Returns
     -------
@@ -69,16 +66,15 @@ def fit(
 
     Examples
     --------
-    >>> stretch = np.linspace(1.1, 2.0, 10)
-    >>> stress = 0.24e6 * (stretch - stretch**-2)
-    >>> test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stress, name="a strip")
+    >>> x = np.linspace(1.1, 2.0, 10)
+    >>> test = MaterialTest(mode="uniaxial", stretch=x, nominal_stress=0.24e6 * (x - x**-2), name="a strip")
     >>> round(fit("neo-hooke", test).values["C10"])
     120000
     """
     spec = law_spec(law)
     given = (tests,) if isinstance(tests, MaterialTest) else tuple(tests)
     _check(given, stretch, weights, starts)
-    used = _used(given, stretch, len(spec.names), spec.name)
+    used = _used(given, stretch, spec)
     wanted = _range(used, stretch)
     search = _Search(spec, FitPoints(used, weights), _mode_ranges(wanted, strict=stretch is not None), stable)
     made, found = _solved(search, starts, seed)
@@ -95,15 +91,15 @@ def fit(
 
 
 def _used(
-    tests: Sequence[MaterialTest], stretch: tuple[float, float] | None, parameters: int, name: str
+    tests: Sequence[MaterialTest], stretch: tuple[float, float] | None, spec: LawSpec
 ) -> tuple[MaterialTest, ...]:
     """Points of tests within the range that is wanted; an error where there are too few."""
     used = tuple(part for part in (within(test, stretch) for test in tests) if part is not None)
     if not used and stretch is not None:
         raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")
     points = sum(len(test.measured) for test in used)
-    if points <= parameters:
-        raise TurgorError(f"{name} has {parameters} parameters; {points} points cannot fit them.")
+    if points <= len(spec.names):
+        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {points} points cannot fit them.")
     return used
 
 
