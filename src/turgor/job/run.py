@@ -1,4 +1,4 @@
-"""run_job: everything that one job asks for, from the mesh to the folder of results."""
+"""Run of a job: mesh, solve, measure, and write the folder of results."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -41,16 +41,16 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     Parameters
     ----------
     job : Job
-        What is asked.
+        The job.
     notify : callable, optional
-        ``notify(text)``, called with what is being done.
+        ``notify(text)``, called with each activity.
 
     Returns
     -------
     model : Model
-        The question, ready to be solved.
+        Model, ready to be solved.
     findings : tuple of Finding
-        What there is to doubt about it.
+        Findings of the checks.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:
-    """Refuse what no solve could begin; return the model, in a sequence that of its first stage."""
+    """Raise an error for a model that cannot be solved; return it, or that of the first stage."""
     if not isinstance(procedure, Stages):
         check_supports(model, inertia=may_be_free(model, procedure))
         method_of(procedure).controlled(model, procedure)
@@ -114,15 +114,15 @@ def run_job(
     Parameters
     ----------
     job : Job
-        What is asked, usually from `read_job`.
+        Usually from `read_job`.
     output : str or Path, optional
         Folder of results; ``<name>-results`` in the working directory if it is not given.
     force : bool
-        Whether results that the folder holds already are replaced.
+        Whether existing results in the folder are replaced.
     threads : int, optional
-        Processors to use, whatever the job says; all if neither says.
+        Number of threads; by default that of the job, else all processors.
     notify : callable, optional
-        ``notify(text)``, called with what is being done.
+        ``notify(text)``, called with each activity.
     progress : callable, optional
         Called by `solve` after every iteration and every accepted step.
 
@@ -133,7 +133,7 @@ def run_job(
     Raises
     ------
     TurgorError
-        If the folder is taken or cannot be written (before anything is computed), or the job cannot be meshed.
+        If the folder holds files or cannot be written (before the computation), or the job cannot be meshed.
     """
     notices: list[str] = []
     say = partial(_noted, notices, notify or _silent)
@@ -188,7 +188,7 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
 def _measured(
     job: Job, solution: Solution, options: EngineOptions, refined: bool
 ) -> tuple[Response, tuple[Finding, ...]]:
-    """Read the measures of a job, with their mesh errors unless it wants none; say where these are not known."""
+    """Read the measures of a job, with their mesh errors if it asks for them, and a finding where these are unknown."""
     measures = tuple(find_measure(name) for name in job.output.measures)
     response = measure(solution, *measures)
     if not job.output.mesh_error or len(solution.states) < 2:

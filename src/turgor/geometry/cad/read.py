@@ -1,4 +1,4 @@
-"""read_cad: a CAD file as a geometry with named regions and faces."""
+"""Reading of a CAD file as a geometry with named regions and faces."""
 
 from collections.abc import Mapping
 from pathlib import Path

@@ -31,7 +31,7 @@ class LibraryTable(Table):
 
 
 class SourceTable(Table):
-    """Where the constants of a material came from."""
+    """Source of the constants of a material."""
 
     text: str
     detail: str = ""

@@ -18,13 +18,13 @@ from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
 from turgor.source import Source
 
-#: Bounds of 1/r, of m over the largest energy in the tests, and of β.
+#: Bounds of 1/r, of m relative to the largest energy density in the tests, and of β.
 SOFTENING_BOUNDS = ((0.05, 0.95), (1e-3, 20.0), (0.0, 5.0))
 
-#: Starts of the search, drawn with a fixed seed.
+#: Number of random starts of the search, with a fixed seed.
 STARTS = 6
 
-#: Share of the instantaneous stress that must be left at rest; a rubber does not flow.
+#: Smallest long-term share of the instantaneous stress; a rubber does not flow.
 LEAST_LEFT = 1e-3
 
 #: A parameter whose standard error exceeds this share of it counts as not determined.
@@ -33,7 +33,7 @@ LOOSE_SHARE = 0.5
 
 @dataclass(frozen=True, slots=True)
 class _Search:
-    """Which parameters are sought, and their bounds in the variables of the search."""
+    """Parameters of the search, with their bounds in its variables (logarithms of times and of m, and 1/r)."""
 
     terms: int
     softening: bool
@@ -81,7 +81,7 @@ def fit_history(
     Parameters
     ----------
     law : Law
-        Fitted before, to first loading curves.
+        Law that was fitted to first loading curves.
     tests : MaterialTest or sequence of MaterialTest
         With time, in uniaxial, equibiaxial or planar mode. Points at rest, as from `rest_below`, are not used.
     terms : int
@@ -145,7 +145,7 @@ def _best(search: _Search) -> Array:
 
 
 def _values(search: _Search, x: Array) -> dict[str, float]:
-    """The parameters by name; terms sorted by their times, those of no share left out."""
+    """Parameters by name; terms are sorted by relaxation time, and those of zero share are left out."""
     mullins, tau = search.parts(x)
     shares = search.points.shares(search.points.columns(mullins, tau), search.rescale)
     scale = float(shares.sum())
@@ -163,7 +163,7 @@ def _values(search: _Search, x: Array) -> dict[str, float]:
 
 
 def _of_scaled_law(values: Mapping[str, float]) -> dict[str, float]:
-    """Scale m, too: it counts in the energy of the law."""
+    """Parameters of the scaled law: m is an energy density and scales with it."""
     return dict(values) | ({"m": values["m"] * values["scale"]} if "m" in values else {})
 
 
@@ -191,7 +191,7 @@ def _material(law: Law, values: Mapping[str, float], search: _Search, tests: Seq
 
 
 def _trust(search: _Search, values: Mapping[str, float]) -> dict[str, Any]:
-    """Standard errors, bounds that hold, and what is not determined."""
+    """Standard errors, active bounds, and parameters that the tests do not determine."""
     held = _held(search, values)
     free = [name for name in values if name not in held and (search.rescale or name != "scale")]
     best = np.array([values[name] for name in free])

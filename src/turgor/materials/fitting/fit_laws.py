@@ -1,4 +1,4 @@
-"""Fitting a law to any set of tests at once: nominal stress, least squares, stable over the range wanted."""
+"""Fit of a law to any set of tests: least squares of the nominal stress, stable over the wanted range."""
 
 from collections.abc import Sequence
 from math import log
@@ -21,10 +21,10 @@ from turgor.materials.laws.stability import Mode, first_instability
 
 Shapes: TypeAlias = Sequence[float] | Array
 
-#: Least slope and initial shear modulus of a fitted law, as a share of the shear modulus that the tests show.
+#: Smallest slope and initial shear modulus of a fitted law, relative to the neo-Hookean modulus of the tests.
 LEAST_MODULUS = 1e-3
 
-#: Starts that are refined to the end, of all that were tried.
+#: Number of best starts that are iterated to convergence.
 REFINED = 3
 
 
@@ -93,7 +93,7 @@ def fit(
 def _used(
     tests: Sequence[MaterialTest], stretch: tuple[float, float] | None, spec: LawSpec
 ) -> tuple[MaterialTest, ...]:
-    """Points of tests within the range that is wanted; an error where there are too few."""
+    """Points of tests within the wanted range; an error if there are too few."""
     used = tuple(part for part in (within(test, stretch) for test in tests) if part is not None)
     if not used and stretch is not None:
         raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")
@@ -143,7 +143,7 @@ class _Search:
         if spec.sign == "slope":
             rows, steps = stability_rows(spec, ranges) if stable else (self.G, self.h)
             self.G = np.vstack([rows, modulus_row(spec)])
-            # a slope of exactly zero would count as unstable, so a little is asked for
+            # a slope of exactly zero would count as unstable, so the limit is a small positive one
             self.h = LEAST_MODULUS * modulus * np.append(steps, 1.0)
             self._slope_columns: Array | None = points.columns(spec, ())
         elif stable or spec.sign == "positive":
@@ -157,7 +157,7 @@ class _Search:
         return self.points.columns(self.spec, shapes)
 
     def _modulus(self) -> float:
-        """Neo-Hookean modulus of all points: the size of what is measured [Pa]."""
+        """Neo-Hookean shear modulus of all points, as the scale of the stresses [Pa]."""
         column = self.points.columns(law_spec("neo-hooke"), ())[:, 0]
         modulus = 2 * float(column @ self.points.target / (column @ column))
         if not modulus > 0:
@@ -172,18 +172,18 @@ class _Search:
         return np.where(np.asarray(shapes) < 0, -1.0, 1.0) if self.spec.sign == "shape" else signs
 
     def coefficients(self, shapes: Shapes) -> tuple[Array, Array]:
-        """Best coefficients for given shapes, and the active inequalities as rows."""
+        """Return the best coefficients for given shapes, and the active constraints as rows."""
         found, active = solve_constrained(self._columns(shapes), self.points.target, self.G, self.h)
         if self.spec.sign != "slope" and len(self.G):
             found = np.where(active, 0.0, np.maximum(found, 0.0))
         return found * self._signs(shapes) + 0.0, self.G[active]
 
     def residual(self, coefficients: Array, shapes: Shapes) -> Array:
-        """Weighted deviations at every point."""
+        """Return the weighted residual at every point."""
         return self._columns(shapes) @ (coefficients * self._signs(shapes)) - self.points.target
 
     def check_linear(self, law: Any, residual: Array) -> None:
-        """Refuse a law whose stress is not the sum of its terms, so that the residual is not its own."""
+        """Raise an error for a law whose stress is not linear in its coefficients."""
         own = self.points.stress(law) * self.points.weight - self.points.target
         if not np.allclose(own, residual, rtol=0.0, atol=1e-6 * float(np.abs(self.points.target).max())):
             raise TurgorError(f"{self.spec.name} cannot be fitted: its stress is not linear in its coefficients.")
@@ -192,7 +192,7 @@ class _Search:
         return self.residual(self.coefficients(shapes)[0], shapes)
 
     def run(self, starts: int, seed: int) -> tuple[tuple[float, ...], int]:
-        """Search from several starts; return the best shapes and how many starts ended at the same misfit."""
+        """Search from several starts; return the best shapes and the number of starts with the same residual."""
         random = np.random.default_rng(seed)
         ends = [self._descend(self._start(random), 25, 1e-4) for _ in range(starts)]
         ends.sort(key=lambda end: end[0])
@@ -226,7 +226,7 @@ class _Search:
         return np.asarray(np.clip(sizes * signs, low + 1e-6, high - 1e-6))
 
     def uncertainty(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[Array, Array]:
-        """Standard errors and correlations from the Jacobian, in the directions without an active constraint."""
+        """Return standard errors and correlations from the Jacobian, in the directions without an active constraint."""
         J = [self._columns(shapes) * self._signs(shapes)]
         for k, value in enumerate(shapes):
             step = 1e-5 * max(1.0, abs(value))
@@ -245,7 +245,7 @@ class _Search:
         )
 
     def bounds_hit(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[str, ...]:
-        """Bounds and constraints that are active, in words."""
+        """Return a sentence for each active bound or constraint."""
         hit = []
         for name, value, (low, high) in zip(self.spec.shapes, shapes, self.bounds, strict=True):
             for bound in (low, high):
@@ -270,7 +270,7 @@ def _mode_ranges(wanted: tuple[float, float], *, strict: bool) -> ModeRanges:
     low, high = wanted
     if strict:
         return tuple((mode, wanted) for mode in (uniaxial, equibiaxial, planar))
-    # where I₁ is that of uniaxial tension: 2 λ² for equal biaxial and λ² for planar tension, small powers left out
+    # at the I₁ of uniaxial tension: I₁ ≈ 2 λ² in equibiaxial and λ² in planar tension, for large stretches
     return ((uniaxial, wanted), (equibiaxial, (low, max(high / np.sqrt(2), 1.0))), (planar, wanted))
 
 

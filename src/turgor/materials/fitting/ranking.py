@@ -1,4 +1,4 @@
-"""Rank laws on the same tests, and say in words what the numbers mean."""
+"""Ranking of laws on the same tests, with sentences that explain the numbers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ class Ranking:
     fits : tuple of Fit
         In the order of Akaike's criterion.
     failed : tuple of str
-        Laws that could not be fitted, and why.
+        A sentence for each law that could not be fitted.
     """
 
     fits: tuple[Fit, ...]
@@ -31,7 +31,7 @@ class Ranking:
 
     @property
     def words(self) -> tuple[str, ...]:
-        """What a person should know before choosing one, as sentences."""
+        """Sentences that help to choose a law: order, modes, range and search."""
         return (*_on_order(self.fits), *_on_modes(self.fits), *_on_range(self.fits), *_on_search(self.fits))
 
 
@@ -51,7 +51,7 @@ def rank(
     laws : sequence of str or type
         Such as ``["yeoh", "ogden-3"]``.
     tests, stretch, weights, starts, seed
-        As of `fit`.
+        See `fit`.
     """
     if not laws:
         raise TurgorError("no law was given; name one or more, for example 'yeoh'.")

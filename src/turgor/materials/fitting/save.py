@@ -1,4 +1,4 @@
-"""Saving fits: a file of records in the form of the library, which a job or a script can name."""
+"""Files of fitted materials: records in the form of the library, for jobs and scripts."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
@@ -16,7 +16,7 @@ from turgor.materials.material import Material
 from turgor.registry import name_in
 from turgor.units import format_quantity
 
-#: How files write a law with any number of coefficients Cij that has no form of its own, such as Yeoh's with four.
+#: Law and convention of files for a law with coefficients Cij that has no form of its own, such as Yeoh's with four.
 _POLYNOMIAL = ("generalized_rivlin", "two_index")
 
 
@@ -37,7 +37,7 @@ def records_toml(name: str, fits: Sequence[Fit]) -> str:
     Parameters
     ----------
     name : str
-        What the material is called.
+        Name of the material.
     fits : sequence of Fit
         One or more, each of another law.
     """
@@ -60,7 +60,7 @@ def save_fits(path: str | Path, name: str, fits: Sequence[Fit]) -> None:
     path : str or Path
         A file ending in ``.toml``.
     name : str
-        What the material is called.
+        Name of the material.
     fits : sequence of Fit
         One or more, each of another law.
     """
@@ -70,7 +70,7 @@ def save_fits(path: str | Path, name: str, fits: Sequence[Fit]) -> None:
 
 
 def save_material(path: str | Path, material: Material, record: str = "fitted") -> None:
-    """Write a material with all that it has into a file of records; ``from_library`` reads it back.
+    """Write a material with viscoelasticity and softening into a file of records; ``from_library`` reads it back.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def save_material(path: str | Path, material: Material, record: str = "fitted") 
     Raises
     ------
     TurgorError
-        If the file does not end so, or files of records have no form for the law.
+        If the file has another suffix, or files of records have no form for the law.
     """
     if Path(path).suffix != ".toml":
         raise TurgorError(f"'{path}' does not end in .toml, the form in which materials are saved.")
@@ -123,7 +123,7 @@ def material_toml(material: Material, record: str = "fitted") -> str:
 
 
 def _entry(material: Material) -> tomlkit.items.Table:
-    """The record of a material."""
+    """Record of a material, as a table."""
     name = name_in(LAWS, material.law)
     convention = None if name in (None, "hooke") else saved_convention(name)
     if name is None or convention is None:
