@@ -42,7 +42,7 @@ def as_length(name: str, value: object) -> float:
 
 
 def check_length(name: str, value: object, *, low: float = SMALLEST_LENGTH, high: float, why: str = "") -> None:
-    """Refuse a length outside ``low`` to ``high``.
+    """Raise an error for a length outside ``low`` to ``high``.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def check_length(name: str, value: object, *, low: float = SMALLEST_LENGTH, high
 
 
 def check_count(name: str, value: object, *, low: int, high: int) -> None:
-    """Refuse a count that is not an integer from ``low`` to ``high``.
+    """Raise an error for a count that is not an integer from ``low`` to ``high``.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def check_count(name: str, value: object, *, low: int, high: int) -> None:
 
 
 def check_angle(name: str, value: object, *, low: float, high: float, why: str = "") -> None:
-    """Refuse an angle [rad] outside ``low`` to ``high``, both included; ``why`` is the reason of the limit.
+    """Raise an error for an angle [rad] outside ``low`` to ``high``, both included; ``why`` is the reason of the limit.
 
     Examples
     --------
@@ -131,7 +131,7 @@ def check_fields(actuator: Any) -> None:
 
 
 def check_choice(name: str, value: object, allowed: Sequence[str]) -> None:
-    """Refuse a word that is not among the allowed ones.
+    """Raise an error for a word that is not among the allowed ones.
 
     Examples
     --------

@@ -86,7 +86,7 @@ def _geometry(name: str, part: Part, naming: Naming) -> Geometry:
 
 
 def _check_names(what: str, names: Mapping[str, Selector]) -> None:
-    """Refuse an empty name."""
+    """Raise an error for an empty name."""
     for name in names:
         if not isinstance(name, str) or not name.strip():
             raise TurgorError(f"{what} name is {name!r}; a text such as 'fixed' is needed.")

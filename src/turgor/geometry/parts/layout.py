@@ -226,7 +226,7 @@ def check_fields(actuator: Any) -> None:
 
 
 def check_ends(actuator: Any, name: str) -> None:
-    """Refuse end walls or a block that do not fit an actuator.
+    """Raise an error for end walls or a block that do not fit an actuator.
 
     Parameters
     ----------

@@ -76,7 +76,7 @@ def check_envelope(actuator: PneuNet, sizes: tuple[str, ...] = ("length", "width
 
 
 def check_inlet(part: Part, width: float, height: float) -> None:
-    """Refuse an air inlet that does not fit into the first chamber, of inner ``width`` and ``height`` [m].
+    """Raise an error for an air inlet that does not fit into the first chamber, of inner ``width`` and ``height`` [m].
 
     Examples
     --------

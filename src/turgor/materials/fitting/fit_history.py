@@ -127,7 +127,7 @@ def fit_history(
 
 
 def _check(tests: Sequence[MaterialTest], terms: int, stress_softening: bool) -> None:
-    """Refuse a fit without tests or without parameters."""
+    """Raise an error for a fit without tests or without parameters."""
     if not tests:
         raise TurgorError("no test was given; fit_history needs at least one test with time.")
     if terms < 0 or not (terms or stress_softening):

@@ -51,7 +51,7 @@ class StressHistory:
     def work(self) -> Array:
         """Work done on the specimen up to each time, per initial volume, by trapezoids; (n,) array [J/m³].
 
-        At the end of a closed cycle this is what it has lost. A jump at the first time counts from zero stress at rest.
+        At the end of a closed cycle it is the dissipated energy. A jump at the first time starts at zero stress.
         """
         stretch, stress = np.concatenate([[1.0], self.stretch]), np.concatenate([[0.0], self.nominal_stress])
         pieces = 0.5 * (stress[1:] + stress[:-1]) * np.diff(stretch)
@@ -71,7 +71,7 @@ def stress_history(material: Material, mode: HistoryMode, time: ArrayLike, stret
     mode : {"uniaxial", "equibiaxial", "planar"}
         The test.
     time : (n,) array [s]
-        Times, none before the one ahead of it.
+        Times, not decreasing.
     stretch : (n,) array [-]
         Stretches along the first axis at these times.
 
@@ -172,7 +172,7 @@ def pull_of(S: Array, F: Array) -> Array:
 
 
 def _relaxing(series: Prony, time: Array, S: Array, C: Array) -> Array:
-    """The algorithm at a point, step by step as a finite element runs it."""
+    """Stress update at a point, step by step, as at a quadrature point of a finite element."""
     memory = memory_at_rest(series, ())
     out = np.empty_like(S)
     for n, step in enumerate(np.diff(time, prepend=time[0])):
