@@ -2,19 +2,74 @@
 
 The names that most scripts need are here: ``import turgor as tg``. The others stand in namespaces, such as
 ``tg.actuators``, ``tg.laws`` and ``tg.measures``. Every name is imported on first use, so that a command that only
-reads a file or prints an error does not wait for the engine. ``__init__.pyi`` lists the names, in the one form that
-type checkers, editors and the lines below all read.
+reads a file or prints an error does not wait for the engine. A new public name is a new line here or in the file of a
+namespace, in the order that `ruff` keeps.
 """
 
 import warnings
 from importlib import import_module
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from turgor._lazy import found, names_in
+from turgor._lazy import names_in, public
 
-_NAMES = names_in(__file__)
-_NAMESPACES = sorted(name for name, source in _NAMES.items() if source == "turgor")
+if TYPE_CHECKING:
+    from turgor import actuators as actuators
+    from turgor import bodies as bodies
+    from turgor import cad as cad
+    from turgor import experiments as experiments
+    from turgor import files as files
+    from turgor import jobs as jobs
+    from turgor import laws as laws
+    from turgor import loads as loads
+    from turgor import measures as measures
+    from turgor import obstacles as obstacles
+    from turgor import pictures as pictures
+    from turgor import setups as setups
+    from turgor import solutions as solutions
+    from turgor import supports as supports
+    from turgor.adaptivity.measure import measure as measure
+    from turgor.adaptivity.mesh_to import mesh_to as mesh_to
+    from turgor.engine.runtime import EngineOptions as EngineOptions
+    from turgor.errors import TurgorError as TurgorError
+    from turgor.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet
+    from turgor.geometry.geometry import Geometry as Geometry
+    from turgor.materials.experiments.read_tests import read_test as read_test
+    from turgor.materials.fitting.fit_laws import fit as fit
+    from turgor.materials.laws.laws import Yeoh as Yeoh
+    from turgor.materials.library.records import from_library as from_library
+    from turgor.materials.material import Material as Material
+    from turgor.meshing.generate import mesh as mesh
+    from turgor.meshing.mesh import Mesh as Mesh
+    from turgor.model.contact import Contact as Contact
+    from turgor.model.fibers import Fibers as Fibers
+    from turgor.model.fibers import Winding as Winding
+    from turgor.model.history import over_time as over_time
+    from turgor.model.loads import Gravity as Gravity
+    from turgor.model.loads import Pressure as Pressure
+    from turgor.model.loads import Traction as Traction
+    from turgor.model.model import Membrane as Membrane
+    from turgor.model.model import Model as Model
+    from turgor.model.supports import Displacement as Displacement
+    from turgor.model.supports import Fixed as Fixed
+    from turgor.response import Response as Response
+    from turgor.results.measures.measures import bending_angle as bending_angle
+    from turgor.results.measures.measures import cavity_volume as cavity_volume
+    from turgor.results.measures.measures import tip_displacement as tip_displacement
+    from turgor.solvers.dynamics.modes import natural_frequencies as natural_frequencies
+    from turgor.solvers.procedures.arc_length import ArcLength as ArcLength
+    from turgor.solvers.procedures.auto import Auto as Auto
+    from turgor.solvers.procedures.dynamic import Dynamic as Dynamic
+    from turgor.solvers.procedures.gas_mass import GasMass as GasMass
+    from turgor.solvers.procedures.sealed import Sealed as Sealed
+    from turgor.solvers.procedures.stabilized import Stabilized as Stabilized
+    from turgor.solvers.procedures.stages import Stage as Stage
+    from turgor.solvers.procedures.stages import Stages as Stages
+    from turgor.solvers.procedures.static import Static as Static
+    from turgor.solvers.procedures.volume_control import VolumeControl as VolumeControl
+    from turgor.solvers.solution import Solution as Solution
+    from turgor.solvers.solution import Status as Status
+    from turgor.solvers.solve import solve as solve
 
 #: Names of the release before that have another name now.
 _RENAMED = {"Step": "Edit", "TestError": "FitResidual"}
@@ -26,28 +81,19 @@ _INSTEAD = {
 }
 
 __version__ = version("turgor")
-__all__ = sorted(_NAMES)
-
-
-def __getattr__(name: str) -> Any:
-    if name in _NAMESPACES:
-        return import_module(f"turgor.{name}")
-    if name in _NAMES or name.startswith("_"):
-        return found(name, _NAMES, globals())
-    return _moved(name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_NAMES})
 
 
 def _moved(name: str) -> Any:
-    """Give a name that stood here in the release before, and say where it is now."""
+    """Return a name that stood here in the release before, with a warning that says where it is now."""
     now = _RENAMED.get(name, name)
-    for each in _NAMESPACES:
+    for each in sorted(key for key, source in names_in(__file__).items() if source == __name__):
         namespace = import_module(f"turgor.{each}")
         if now in namespace.__all__:
             warnings.warn(f"turgor.{name} is turgor.{each}.{now} now.", DeprecationWarning, stacklevel=3)
             return getattr(namespace, now)
     hint = f"; write {_INSTEAD[name]}" if name in _INSTEAD else ""
     raise AttributeError(f"module 'turgor' has no attribute '{name}'{hint}")
+
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__, __all__ = public(__file__, globals(), _moved)

@@ -1,7 +1,7 @@
 """Public names that are imported on first use.
 
-A stub (``.pyi``) beside a module lists its names, one line each. Type checkers and editors read the stub as what the
-module holds; `names_in` reads the same lines as where to import each name from.
+A module lists its names as imports under ``if TYPE_CHECKING``, one line each. Type checkers and editors follow these
+lines; they do not run. `names_in` reads the same lines as where to import each name from.
 """
 
 import re
@@ -10,11 +10,11 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-_LINE = re.compile(r"^from (\S+) import (\w+) as \2$", re.MULTILINE)
+_LINE = re.compile(r"^    from (\S+) import (\w+) as \2$", re.MULTILINE)
 
 
 def names_in(file: str) -> dict[str, str]:
-    """Read the stub of a module: for each public name, the module that defines it.
+    """Read the public names of a module: for each of them the module that defines it.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def names_in(file: str) -> dict[str, str]:
     -------
     dict of str to str
     """
-    return {name: source for source, name in _LINE.findall(Path(file).with_suffix(".pyi").read_text("utf-8"))}
+    return {name: source for source, name in _LINE.findall(Path(file).read_text("utf-8"))}
 
 
 def found(name: str, names: dict[str, str], held: dict[str, Any]) -> Any:
@@ -50,12 +50,16 @@ def found(name: str, names: dict[str, str], held: dict[str, Any]) -> Any:
     """
     if name not in names:
         raise AttributeError(f"module '{held['__name__']}' has no attribute '{name}'")
-    held[name] = getattr(import_module(names[name]), name)
+    source = names[name]
+    inside = source == held["__name__"]  # a namespace, which is a module of this package
+    held[name] = import_module(f"{source}.{name}") if inside else getattr(import_module(source), name)
     return held[name]
 
 
-def public(file: str, held: dict[str, Any]) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """Make ``__getattr__``, ``__dir__`` and ``__all__`` of a module whose names stand in its stub.
+def public(
+    file: str, held: dict[str, Any], otherwise: Callable[[str], Any] | None = None
+) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """Make ``__getattr__``, ``__dir__`` and ``__all__`` of a module that lists its public names.
 
     Parameters
     ----------
@@ -63,10 +67,18 @@ def public(file: str, held: dict[str, Any]) -> tuple[Callable[[str], Any], Calla
         ``__file__`` of the module.
     held : dict of str to object
         Its ``globals()``.
+    otherwise : callable, optional
+        ``otherwise(name)`` gives other names, or raises an AttributeError.
 
     Returns
     -------
     tuple
     """
     names = names_in(file)
-    return lambda name: found(name, names, held), lambda: sorted({*held, *names}), sorted(names)
+
+    def get(name: str) -> Any:
+        if otherwise is None or name in names or name.startswith("_"):
+            return found(name, names, held)
+        return otherwise(name)
+
+    return get, lambda: sorted({*held, *names}), sorted(names)

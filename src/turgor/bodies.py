@@ -1,8 +1,14 @@
-"""Bodies beside the actuator: simple solids, and meshes placed, mirrored and put together.
+"""Bodies beside the actuator: simple solids, and meshes placed, mirrored and put together."""
 
-The names stand in ``bodies.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.geometry.solids import Block as Block
+    from turgor.geometry.solids import RoundBar as RoundBar
+    from turgor.meshing.bodies.combine import together as together
+    from turgor.meshing.bodies.placing import mirrored as mirrored
+    from turgor.meshing.bodies.placing import placed as placed
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,8 +1,22 @@
-"""CAD files: read, looked through and named; written as STEP, and the mold to cast an actuator in.
+"""CAD files: read, looked through and named; written as STEP, and the mold to cast an actuator in."""
 
-The names stand in ``cad.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.geometry.cad.cad_file import CadFile as CadFile
+    from turgor.geometry.cad.inspection import Inspection as Inspection
+    from turgor.geometry.cad.inspection import inspect_cad as inspect_cad
+    from turgor.geometry.cad.read import read_cad as read_cad
+    from turgor.geometry.cad.selectors import ByColor as ByColor
+    from turgor.geometry.cad.selectors import ByName as ByName
+    from turgor.geometry.cad.selectors import InBox as InBox
+    from turgor.geometry.cad.selectors import NearestTo as NearestTo
+    from turgor.geometry.cad.selectors import WithNormal as WithNormal
+    from turgor.geometry.cad.split import SplitPlane as SplitPlane
+    from turgor.geometry.mold import MoldSettings as MoldSettings
+    from turgor.geometry.mold import casting_mold as casting_mold
+    from turgor.geometry.write_step import write_step as write_step
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

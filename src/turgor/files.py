@@ -1,8 +1,18 @@
-"""Meshes and models from and for other programs.
+"""Meshes and models from and for other programs."""
 
-The names stand in ``files.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.meshing.exchange import MeshFile as MeshFile
+    from turgor.meshing.exchange import mesh_surfaces as mesh_surfaces
+    from turgor.meshing.exchange import read_mesh as read_mesh
+    from turgor.meshing.exchange.formats import write_stl as write_stl
+    from turgor.model.write_inp import compressible as compressible
+    from turgor.model.write_inp import write_inp as write_inp
+    from turgor.response import read_response as read_response
+    from turgor.results.files.modes_vtu import write_modes as write_modes
+    from turgor.results.files.vtu import write_series as write_series
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,8 +1,19 @@
-"""Job files: read, run, exported, and solved on several meshes.
+"""Job files: read, run, exported, and solved on several meshes."""
 
-The names stand in ``jobs.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.job.convergence import convergence as convergence
+    from turgor.job.export import export_job as export_job
+    from turgor.job.job import ACTUATORS as ACTUATORS
+    from turgor.job.job import Job as Job
+    from turgor.job.read import read_job as read_job
+    from turgor.job.run import prepare as prepare
+    from turgor.job.run import run_job as run_job
+    from turgor.meshing.settings import MeshSettings as MeshSettings
+    from turgor.meshing.sizing.default_size import default_size as default_size
+    from turgor.results.convergence.study import Convergence as Convergence
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,8 +1,29 @@
-"""Laws of materials: strain energies, viscoelasticity and softening, their curves, and the library of records.
+"""Laws of materials: strain energies, viscoelasticity and softening, their curves, and the library of records."""
 
-The names stand in ``laws.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.materials.history.softening import Mullins as Mullins
+    from turgor.materials.history.stress_history import StressHistory as StressHistory
+    from turgor.materials.history.stress_history import stress_history as stress_history
+    from turgor.materials.history.viscoelastic import Prony as Prony
+    from turgor.materials.laws.curves import Curve as Curve
+    from turgor.materials.laws.curves import curve as curve
+    from turgor.materials.laws.laws import ArrudaBoyce as ArrudaBoyce
+    from turgor.materials.laws.laws import GeneralizedRivlin as GeneralizedRivlin
+    from turgor.materials.laws.laws import Gent as Gent
+    from turgor.materials.laws.laws import Hooke as Hooke
+    from turgor.materials.laws.laws import MooneyRivlin as MooneyRivlin
+    from turgor.materials.laws.laws import NeoHooke as NeoHooke
+    from turgor.materials.laws.laws import Ogden as Ogden
+    from turgor.materials.laws.laws import Yeoh as Yeoh
+    from turgor.materials.laws.laws import YeohN as YeohN
+    from turgor.materials.laws.stability import first_instability as first_instability
+    from turgor.materials.library.doubts import doubts_of as doubts_of
+    from turgor.materials.library.records import library as library
+    from turgor.materials.library.records import records as records
+    from turgor.source import Source as Source
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

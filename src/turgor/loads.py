@@ -1,8 +1,14 @@
-"""Loads: what drives an actuator.
+"""Loads: what drives an actuator."""
 
-The names stand in ``loads.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.model.history import over_time as over_time
+    from turgor.model.loads import BodyForce as BodyForce
+    from turgor.model.loads import Gravity as Gravity
+    from turgor.model.loads import Pressure as Pressure
+    from turgor.model.loads import Traction as Traction
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

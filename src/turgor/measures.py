@@ -1,8 +1,45 @@
-"""Measures: numbers of a state, and the tables of contacts and fibers.
+"""Measures: numbers of a state, and the tables of contacts and fibers."""
 
-The names stand in ``measures.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.engine.mass import total_mass as total_mass
+    from turgor.results.fields.contact import ContactResult as ContactResult
+    from turgor.results.fields.contact import contact_results as contact_results
+    from turgor.results.fields.fibers import FiberResult as FiberResult
+    from turgor.results.fields.fibers import fiber_results as fiber_results
+    from turgor.results.measures.contact_measures import area_on as area_on
+    from turgor.results.measures.contact_measures import blocked_force as blocked_force
+    from turgor.results.measures.contact_measures import blocked_force_x as blocked_force_x
+    from turgor.results.measures.contact_measures import blocked_force_y as blocked_force_y
+    from turgor.results.measures.contact_measures import blocked_force_z as blocked_force_z
+    from turgor.results.measures.contact_measures import contact_area as contact_area
+    from turgor.results.measures.contact_measures import deepest_penetration as deepest_penetration
+    from turgor.results.measures.contact_measures import force_on as force_on
+    from turgor.results.measures.contact_measures import grip_force as grip_force
+    from turgor.results.measures.contact_measures import holding_force as holding_force
+    from turgor.results.measures.contact_measures import maximum_contact_pressure as maximum_contact_pressure
+    from turgor.results.measures.contact_measures import pull_distance as pull_distance
+    from turgor.results.measures.fiber_measures import maximum_fiber_tension as maximum_fiber_tension
+    from turgor.results.measures.fiber_measures import winding_force_per_length as winding_force_per_length
+    from turgor.results.measures.field_measures import maximum_principal_stretch as maximum_principal_stretch
+    from turgor.results.measures.field_measures import maximum_von_mises as maximum_von_mises
+    from turgor.results.measures.field_measures import principal_stretch_in as principal_stretch_in
+    from turgor.results.measures.field_measures import principal_stretch_p99 as principal_stretch_p99
+    from turgor.results.measures.field_measures import von_mises_in as von_mises_in
+    from turgor.results.measures.field_measures import von_mises_p99 as von_mises_p99
+    from turgor.results.measures.measures import bending_angle as bending_angle
+    from turgor.results.measures.measures import cavity_volume as cavity_volume
+    from turgor.results.measures.measures import reaction as reaction
+    from turgor.results.measures.measures import smallest_gap as smallest_gap
+    from turgor.results.measures.measures import tip_displacement as tip_displacement
+    from turgor.results.measures.measures import tip_displacement_x as tip_displacement_x
+    from turgor.results.measures.measures import tip_displacement_y as tip_displacement_y
+    from turgor.results.measures.measures import tip_displacement_z as tip_displacement_z
+    from turgor.results.measures.measures import twist_angle as twist_angle
+    from turgor.results.measures.measures import volume_of as volume_of
+    from turgor.results.measures.reading import Measure as Measure
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

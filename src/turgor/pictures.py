@@ -1,8 +1,14 @@
-"""Pictures and plots of meshes, states and responses.
+"""Pictures and plots of meshes, states and responses."""
 
-The names stand in ``pictures.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.results.pictures.mesh_picture import write_mesh_picture as write_mesh_picture
+    from turgor.results.pictures.state_picture import shared_view as shared_view
+    from turgor.results.pictures.state_picture import write_picture as write_picture
+    from turgor.results.plots.response_plots import COLORS as COLORS
+    from turgor.results.plots.response_plots import plot_response as plot_response
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,8 +1,14 @@
-"""Supports: what holds an actuator, and where it is moved.
+"""Supports: what holds an actuator, and where it is moved."""
 
-The names stand in ``supports.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.model.supports import Displacement as Displacement
+    from turgor.model.supports import Fixed as Fixed
+    from turgor.model.supports import Radial as Radial
+    from turgor.model.supports import Shift as Shift
+    from turgor.model.supports import Symmetry as Symmetry
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -1,17 +1,22 @@
-"""A law, an actuator and a measure from outside the package, in one file, go through every door."""
+"""A law, an actuator, a measure and a procedure from outside the package, one file each, go through every door."""
 
 import runpy
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import turgor.geometry.actuators
 import turgor.materials.laws.energies
 import turgor.results.measures
+import turgor.solvers.procedures
 from turgor.job.job import ACTUATORS
 from turgor.job.output.lock import lock_text
 from turgor.job.read import read_job
 from turgor.job.run import prepare
+from turgor.job.tables.procedures import PROCEDURES, drives
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.fitting.fit_laws import fit
 from turgor.materials.laws.laws import LAWS
 from turgor.results.measures.measures import MEASURES
 
@@ -25,7 +30,7 @@ import sympy
 @dataclass(frozen=True, kw_only=True)
 class Demiray:
     mu: float
-    b: float = field(metadata={"dimension": "number"})
+    b: float = field(metadata={"dimension": "number", "bounds": (0.01, 10.0)})
 
     def energy(self, I1, I2):
         return self.mu / (2 * self.b) * (sympy.exp(self.b * (I1 - 3)) - 1)
@@ -54,6 +59,17 @@ from turgor.results.measures.reading import Measure
 rise = Measure(name="rise", unit="mm", function=lambda at: at.displacement[:, 2].max(), definition="largest rise")
 """
 
+PROCEDURE = """
+from dataclasses import dataclass, field
+
+from turgor.solvers.procedures.volume_control import VolumeControl
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SlowFilling(VolumeControl):
+    max_step: float = 0.05
+    pause: float = field(default=1.0, metadata={"dimension": "time"})
+"""
+
 JOB = """
 [actuator]
 type = "bladder"
@@ -65,8 +81,10 @@ size = "8 mm"
 [materials]
 body = { law = "demiray", mu = "0.2 MPa", b = 3.0 }
 
-[loads]
-pressure = "1 kPa"
+[procedure]
+type = "slow_filling"
+volume = "1 mL"
+pause = "2 s"
 
 [output]
 measures = ["rise"]
@@ -86,6 +104,7 @@ def test_a_file_in_the_folder_of_its_kind_gives_a_name_in_job_files(tmp_path, mo
         (turgor.materials.laws.energies, LAWS, "demiray", LAW),
         (turgor.geometry.actuators, ACTUATORS, "bladder", ACTUATOR),
         (turgor.results.measures, MEASURES, "rise", MEASURE),
+        (turgor.solvers.procedures, PROCEDURES, "slow_filling", PROCEDURE),
     )
     for package, registry, name, text in kinds:
         assert name not in registry
@@ -98,12 +117,36 @@ def test_a_file_in_the_folder_of_its_kind_gives_a_name_in_job_files(tmp_path, mo
     job = read_job(tmp_path / "job.toml")
     assert (type(job.actuator).__name__, job.actuator.length) == ("Bladder", 0.025)
     assert (job.materials["body"].law.mu, job.materials["body"].law.b) == (0.2e6, 3.0)
+    assert (job.procedure.volume, job.procedure.pause, job.procedure.max_step) == (pytest.approx(1e-6), 2.0, 0.05)
     (tmp_path / "lock.toml").write_text(lock_text(job, {}), encoding="utf-8")
-    assert read_job(tmp_path / "lock.toml").materials["body"].law == job.materials["body"].law
+    again = read_job(tmp_path / "lock.toml")
+    assert again.materials["body"].law == job.materials["body"].law
+    assert again.procedure == job.procedure
+    _fits_by_name(job.materials["body"].law)
     model, _ = prepare(job)
     assert model.materials["body"].law == job.materials["body"].law
     monkeypatch.undo()
     assert all(name not in registry for _, registry, name, _ in kinds)
+
+
+def _fits_by_name(law):
+    stretch = np.linspace(1.1, 3.0, 20)
+    blank = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stretch, name="strip")
+    test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=blank.predicted(law), name="strip")
+    assert fit("demiray", test, starts=5).values == pytest.approx({"mu": law.mu, "b": law.b}, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [("volume_control", True), ("gas_mass", True), ("sealed", False), ("static", False), ("dynamic", False)],
+)
+def test_a_procedure_that_takes_a_value_for_each_cavity_needs_no_load(name, expected):
+    assert drives({"type": name}) is expected
+
+
+@pytest.mark.parametrize("values", [None, {}, {"type": ["static"]}, {"type": "statics"}])
+def test_a_wrong_procedure_drives_nothing(values):
+    assert drives(values) is False
 
 
 def test_two_files_of_one_name_are_refused(tmp_path, monkeypatch):

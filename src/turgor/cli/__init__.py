@@ -1,3 +1,3 @@
-"""Command line: ``turgor`` and its commands, one file each; a client of the public functions."""
+"""Command line: ``turgor`` and its commands, one file each; they call the public functions."""
 
 from turgor.cli.app import main as main

@@ -1,7 +1,7 @@
 """Command line: each command is a thin call of a public function.
 
 Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged (the path so far is written).
-Heavy imports stand inside the commands, so that help and mistakes are answered at once.
+Heavy imports stand inside the commands, so that help and error messages appear at once.
 """
 
 import sys
@@ -44,7 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except typer.Abort:
         return NOT_CONVERGED
     except Exception as error:
-        # every mistake in the arguments is one of typer's exceptions that can say what is wrong
+        # mistakes in the arguments are exceptions of typer with a message
         if not hasattr(error, "format_message"):
             raise
         typer.echo(f"turgor: {_sentence(error.format_message())} See 'turgor --help'.", err=True)
@@ -66,7 +66,7 @@ def _options(
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and stop.")
     ] = False,
 ) -> None:
-    """Take the options that stand before a command."""
+    """Read the options before the command."""
 
 
 @app.command("run")
@@ -78,7 +78,7 @@ def _run(
     force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print errors and warnings only.")] = False,
     threads: Annotated[
-        int | None, typer.Option(min=1, help="Processors to use; by default all.", show_default=False)
+        int | None, typer.Option(min=1, help="Number of threads; by default all processors.", show_default=False)
     ] = None,
     debug: Debug = False,
 ) -> None:
@@ -161,7 +161,7 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
 
 
 def _tell(outcome: "RunOutcome") -> None:
-    """Say how it ended, the numbers at the end, and where everything is."""
+    """Print the end of the solve, the last values of the response, and the folder of results."""
     from turgor.results.measures.headlines import in_regions, with_parts
     from turgor.results.report.error_text import last_with_error
     from turgor.solvers.pressures import pressure_text

@@ -1,4 +1,4 @@
-"""Console: progress of a job, live on a terminal and line by line elsewhere."""
+"""Console: progress of a job, as a bar on a terminal and line by line elsewhere."""
 
 from collections import deque
 from math import pi
@@ -15,12 +15,12 @@ from turgor.solvers.pressures import pressure_text
 from turgor.solvers.solution import Iteration, State
 from turgor.units import deg
 
-#: Accepted steps from which the time left is estimated: the last few, because steps grow along a path.
+#: Number of last accepted steps for the estimate of the remaining time; only a few, because steps grow along a path.
 RECENT_STEPS = 4
 
 
 class Course:
-    """Progress of a solve: angle, speed and time left, from the calls of `solve`."""
+    """Progress of a solve: bending angle and remaining time, from the calls of `solve`."""
 
     def __init__(self) -> None:
         self.angle: float | None = None
@@ -29,31 +29,31 @@ class Course:
         self._accepted: deque[tuple[float, float]] = deque(maxlen=RECENT_STEPS + 1)
 
     def follow(self, state: State | None) -> None:
-        """Take note of an iteration, and of the state where it ended an accepted step."""
-        if not self._accepted:  # the clock starts with the first iteration, because compiling does not predict the rest
+        """Record an iteration, and the state if a step was accepted."""
+        if not self._accepted:  # the clock starts with the first iteration, which excludes the compilation
             self._accepted.append((0.0, perf_counter()))
         if state is None:
             return
         self.load_factor = state.load_factor
-        if state.stage != self.stage:  # the load factor begins anew
+        if state.stage != self.stage:  # a new stage begins at load factor 0
             self.stage = state.stage
             self._accepted.clear()
         self._accepted.append((state.load_factor, perf_counter()))
         try:
             angle = bending_angle(state)
         except TurgorError:
-            return  # an actuator without a tip has no bending angle; nothing else depends on it
+            return  # an actuator without a tip has no bending angle
         turns = 0.0 if self.angle is None else round((self.angle - angle) / (2 * pi))
         self.angle = angle + 2 * pi * turns
 
     @property
     def seconds_left(self) -> float | None:
-        """Time left at the speed of the last steps [s], once a step was accepted."""
+        """Remaining time at the speed of the last steps [s]; None before the first accepted step."""
         if len(self._accepted) < 2:
             return None
         (before, began), (now, last) = self._accepted[0], self._accepted[-1]
         if now <= before:
-            return None  # beyond a limit point the load falls and does not show how far the end is
+            return None  # beyond a limit point the load falls, so it does not show the remaining length of the path
         left = (1 - now) * (last - began) / (now - before) - (perf_counter() - last)
         return max(left, 0.0)
 
@@ -74,7 +74,7 @@ def clock(seconds: float | None) -> str:
 
 
 class PlainDisplay:
-    """One line for each thing that is done and each accepted step, for files and pipes."""
+    """Display for files and pipes: one line for each notice and each accepted step."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
@@ -85,10 +85,10 @@ class PlainDisplay:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Nothing to put away."""
+        """Do nothing; there is no bar to remove."""
 
     def notify(self, text: str) -> None:
-        """Say what is being done."""
+        """Print a notice."""
         self._line(text)
 
     def progress(self, iteration: Iteration, state: State | None) -> None:
@@ -112,7 +112,7 @@ class _Elapsed(ProgressColumn):
 
 
 class LiveDisplay:
-    """A bar over the load factor with step, iteration, residual, bending angle and time left, for terminals."""
+    """Display for terminals: a bar over the load factor with step, iteration, residual, angle and remaining time."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
@@ -138,7 +138,7 @@ class LiveDisplay:
         self._bar.stop()
 
     def notify(self, text: str) -> None:
-        """Say what is being done; facts stay on the screen, activities do not."""
+        """Print a notice; results stay on the screen, activities do not."""
         if ":" in text:
             self._console.print(text, highlight=False, markup=False)
         else:

@@ -16,16 +16,16 @@ if TYPE_CHECKING:
 def convergence_command(
     job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
     sizes: Annotated[
-        str, typer.Option(help="Mesh sizes, such as '4 mm, 2.8 mm, 2 mm', or how many around that of the job.")
+        str, typer.Option(help="Mesh sizes, such as '4 mm, 2.8 mm, 2 mm', or their number, around that of the job.")
     ] = "3",
-    measure: Annotated[str, typer.Option(help="What to compare.")] = "bending_angle",
+    measure: Annotated[str, typer.Option(help="Measure to compare.")] = "bending_angle",
     output: Annotated[
         Path | None, typer.Option(help="Folder of table and plot; by default NAME-convergence.", show_default=False)
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False,
     debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
 ) -> None:
-    """Solve a job on finer and finer meshes: each value, the observed order, the extrapolated value and the error."""
+    """Solve a job on finer and finer meshes; print values, observed order, extrapolated value and error."""
     with errors_as_sentences(debug):
         from turgor.job.output.folder import claimed
         from turgor.job.read import read_job
@@ -78,7 +78,7 @@ def _write(folder: Path, job: "Job", study: "Convergence") -> None:
 
 
 def _show(study: "Convergence") -> None:
-    """Print a line for each mesh and what they say together."""
+    """Print a line for each mesh, and the extrapolation."""
     from turgor.units import mm
 
     rows = zip(study.sizes, study.effective_sizes, study.cells, study.unknowns, study.values, strict=True)

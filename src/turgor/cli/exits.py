@@ -1,4 +1,4 @@
-"""Exit codes of the command line, and how findings and errors become sentences on standard error."""
+"""Exit codes of the command line, and output of findings and errors on standard error."""
 
 import traceback
 from collections.abc import Iterator, Sequence
@@ -23,7 +23,7 @@ def warn(findings: "Sequence[Finding]") -> None:
 
 @contextmanager
 def errors_as_sentences(debug: bool) -> Iterator[None]:
-    """Turn what goes wrong into sentences and exit codes; show the traceback only when asked."""
+    """Turn exceptions into sentences and exit codes; show the traceback only with --debug."""
     try:
         yield
     except typer.Exit:

@@ -1,4 +1,4 @@
-"""Command ``turgor export``: the actuator of a job as files for other programs and for the workshop."""
+"""Command ``turgor export``: files of the actuator of a job for other programs and for manufacturing."""
 
 from dataclasses import dataclass
 from pathlib import Path

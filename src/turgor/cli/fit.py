@@ -1,4 +1,4 @@
-"""``turgor fit``: read tests, fit laws to them, print the table that ranks them, write plot and constants."""
+"""Command ``turgor fit``: read tests, fit laws, print their ranking, write plots and constants."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from turgor.materials.experiments.specimen import Specimen
     from turgor.materials.fitting.ranking import Ranking
 
-#: Laws that are fitted when none is named: from stiff and simple to free.
+#: Laws that are fitted by default, from few to many parameters.
 DEFAULT_LAWS = "neo-hooke,mooney-rivlin,yeoh,ogden-3,gent"
 
 
@@ -41,16 +41,16 @@ class FitOptions:
     cycle: Annotated[
         int | None, typer.Option(help="Loading curve of cyclic tests: 1 the first, -1 the last.", show_default=False)
     ] = None
-    preload: Annotated[str, typer.Option(help="Nominal stress at which it is taut, such as '0.7 kPa'.")] = ""
-    keep_tail: Annotated[bool, typer.Option("--keep-tail", help="Keep what comes after the break.")] = False
-    points: Annotated[int, typer.Option(help="Points a curve is thinned to; 0 keeps all.")] = 60
+    preload: Annotated[str, typer.Option(help="Nominal stress at which the specimen is taut, such as '0.7 kPa'.")] = ""
+    keep_tail: Annotated[bool, typer.Option("--keep-tail", help="Keep the points after the break.")] = False
+    points: Annotated[int, typer.Option(help="Number of points that a curve is thinned to; 0 keeps all.")] = 60
     each: Annotated[bool, typer.Option("--each", help="Every file is a material of its own.")] = False
-    starts: Annotated[int, typer.Option(min=1, help="Starts of the search.")] = 20
-    seed: Annotated[int, typer.Option(help="Seed of the starts.")] = 0
+    starts: Annotated[int, typer.Option(min=1, help="Number of random starts of the search.")] = 20
+    seed: Annotated[int, typer.Option(help="Seed of the random starts.")] = 0
     relaxation: Annotated[
         int, typer.Option(min=0, help="Terms of a Prony series, fitted over time after the law; 0 for none.")
     ] = 0
-    softening: Annotated[bool, typer.Option("--softening", help="Fit stress softening to cycles, too.")] = False
+    softening: Annotated[bool, typer.Option("--softening", help="Fit stress softening to cycles too.")] = False
     output: Annotated[Path | None, typer.Option(help="Folder for plots and constants.", show_default=False)] = None
     debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False
 
@@ -60,7 +60,7 @@ def fit_files(chosen: FitOptions) -> None:
     with errors_as_sentences(chosen.debug):
         names = [law.strip() for law in chosen.laws.split(",") if law.strip()]
         modes = _modes(chosen.mode, len(chosen.files))
-        _range(chosen.range_)  # refused before anything is read
+        _range(chosen.range_)  # checked before files are read
         if chosen.relaxation or chosen.softening:
             _fit_over_time(chosen, modes, names)
             return
@@ -78,7 +78,7 @@ fit_command = command_of(FitOptions, fit_files)
 
 
 def _test(chosen: FitOptions, file: Path, mode: str | None) -> "MaterialTest":
-    """A test as it is fitted: read, cut to what counts and thinned."""
+    """Read a test, crop it and thin it for the fit."""
     read = _read(chosen, file, mode, cyclic=chosen.cycle is not None)
     test = _thinned(_handled(read, chosen), _range(chosen.range_), chosen.points)
     _tell(file, test)
@@ -86,7 +86,7 @@ def _test(chosen: FitOptions, file: Path, mode: str | None) -> "MaterialTest":
 
 
 def _tell(file: Path, test: "MaterialTest") -> None:
-    """Say what a file holds and what was done to it."""
+    """Print the content of a file and the edits."""
     typer.echo(f"{file.name}: {test!r}")
     for edit in test.edits:
         typer.echo(f"  {edit.text}")
@@ -110,7 +110,7 @@ def _ranked(
 
 
 def _fit_over_time(chosen: FitOptions, modes: Sequence[str | None], names: list[str]) -> None:
-    """Fit what happens in time to tests with all their cycles, at rest where they are slack."""
+    """Fit relaxation and softening to tests with all their cycles; slack points are at rest."""
     from turgor.cli.fit_history import fit_over_time, write_history_fit
     from turgor.materials.experiments.handling import rest_below
 

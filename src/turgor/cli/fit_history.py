@@ -1,4 +1,4 @@
-"""``turgor fit --relaxation --softening``: a law from first loading, then what happens in time."""
+"""``turgor fit --relaxation --softening``: a law from first loading, then relaxation and stress softening."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -29,7 +29,7 @@ def fit_over_time(
     softening : bool
         Whether to fit stress softening.
     name : str
-        What the material is called.
+        Name of the material.
     """
     from dataclasses import replace
 
@@ -54,11 +54,11 @@ def write_history_fit(folder: Path, found: "HistoryFit", tests: "Sequence[Materi
     Parameters
     ----------
     folder : Path
-        Made if missing.
+        Folder, created if missing.
     found : HistoryFit
         The fit.
     tests : sequence of MaterialTest
-        What to plot it against.
+        Tests for the plot.
     """
     from turgor.materials.fitting.save import save_material
     from turgor.results.plots.fits import write_fit_plot
@@ -72,7 +72,7 @@ def write_history_fit(folder: Path, found: "HistoryFit", tests: "Sequence[Materi
 
 
 def _first_loading(test: "MaterialTest") -> "MaterialTest":
-    """The way to the first largest stretch: what is held afterwards has begun to relax."""
+    """Part of a test up to its first largest stretch, before the rubber relaxes."""
     import numpy as np
 
     from turgor.materials.experiments.cycles import select_cycle

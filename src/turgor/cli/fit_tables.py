@@ -1,4 +1,4 @@
-"""What ``turgor fit`` prints: the table of laws of one material, or a row for each of several."""
+"""Tables of ``turgor fit``: the laws of one material, or a row for each of several materials."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def show(ranking: "Ranking") -> None:
-    """Print the table of laws and what it means."""
+    """Print the table of laws and the sentences about it."""
     console, table = _table("law", "parameters", "AIC")
     for test in ranking.best.quality:
         table.add_column(f"{test.name} [%]", justify="right", overflow="fold")
@@ -29,7 +29,7 @@ def show(ranking: "Ranking") -> None:
 
 
 def show_each(rankings: "Sequence[tuple[str, Ranking]]", laws: Sequence[str]) -> None:
-    """Print one row a material: the relative error of every law, the best marked."""
+    """Print one row for each material: the relative error of every law, with the best one marked."""
     from turgor.materials.fitting.law_specs import law_spec
 
     names = [law_spec(law).name for law in laws]
@@ -49,7 +49,7 @@ def show_each(rankings: "Sequence[tuple[str, Ranking]]", laws: Sequence[str]) ->
 
 
 def _tell_findings(rankings: "Sequence[tuple[str, Ranking]]") -> None:
-    """Say what all materials have in common once, and which of them end before the range that is wanted."""
+    """Print common findings once, and the materials whose tests end before the wanted range."""
     fits = [fit for _, ranking in rankings for fit in ranking.fits]
     common = dict.fromkeys(str(found) for fit in fits for found in fit.findings if found.code != "M01")
     for text in common:
@@ -74,7 +74,7 @@ def _table(*columns: str) -> "tuple[Console, Table]":
     from rich.table import Table
 
     console = Console(highlight=False, markup=False)
-    # a pipe has no width, and a table cut to 80 letters would lose numbers
+    # a pipe has no width; a table of 80 letters would lose numbers
     if not console.is_terminal:
         console = Console(highlight=False, markup=False, width=160)
     table = Table(box=None, pad_edge=False, header_style="")

@@ -1,4 +1,4 @@
-"""Command ``turgor inspect``: what a CAD file holds – bodies, faces, cavities – and a picture of it."""
+"""Command ``turgor inspect``: bodies, faces and cavities of a CAD file, and a picture."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -83,7 +83,7 @@ def _show(found: "Inspection") -> None:
 
 
 def _table(title: str, header: tuple[str, ...], rows: list[tuple[str, ...]]) -> None:
-    """Print columns of text; a column that is empty throughout is left out."""
+    """Print columns of text, without empty columns."""
     if not rows:
         return
     kept = [i for i in range(len(header)) if any(row[i] for row in rows)]

@@ -44,7 +44,7 @@ def _list(debug: Debug = False) -> None:
 
 @materials_app.command("show")
 def _show(name: Name, record: RecordName = None, debug: Debug = False) -> None:
-    """Show a material: its constants as printed and as turgor computes with them, sources and doubts."""
+    """Show a material: printed constants, converted constants, sources and doubts."""
     with errors_as_sentences(debug):
         from turgor.materials.library.record_text import describe_material
 
@@ -79,7 +79,7 @@ def _plot(
         from turgor.materials.library.record_files import records
         from turgor.results.plots.materials import write_material_plot
 
-        records(name)  # a wrong name is answered before anything heavy is read
+        records(name)  # a wrong name is reported before heavy imports
         path = output if output is not None else Path(f"{Path(name).stem}.png")
         tests = []
         if against is not None:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 def modes_command(
     job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
-    count: Annotated[int, typer.Option(help="How many modes, from the lowest.")] = 6,
+    count: Annotated[int, typer.Option(help="Number of modes, from the lowest.")] = 6,
     loaded: Annotated[bool, typer.Option("--loaded", help="About the state under full load, not at rest.")] = False,
     output: Annotated[
         Path | None, typer.Option(help="Write the mode shapes for ParaView into this new folder.", show_default=False)
@@ -35,7 +35,7 @@ def modes_command(
         model, findings = prepare(asked)
         state = solve(model, asked.procedure).states[-1] if loaded else None
         if state is not None and isinstance(asked.procedure, Stages):
-            model = state.model  # the question of the last stage
+            model = state.model  # the model of the last stage
         modes = natural_frequencies(model, state, count)
         _show(modes)
         if output is not None:

@@ -1,4 +1,4 @@
-"""command_of: a command whose options are the fields of a dataclass."""
+"""Commands whose options are the fields of a dataclass."""
 
 from collections.abc import Callable
 from dataclasses import MISSING, fields
@@ -9,14 +9,14 @@ Options = TypeVar("Options")
 
 
 def command_of(options: Callable[..., Options], run: Callable[[Options], None]) -> Callable[..., None]:
-    """Make a command for typer: each field of a dataclass is an argument or an option, as its annotation says.
+    """Make a command of typer from a dataclass: each field is an argument or an option, according to its annotation.
 
     Parameters
     ----------
     options : type
         A dataclass whose fields are annotated with ``typer.Argument`` or ``typer.Option``.
     run : callable
-        ``run(options)`` does what the command is for; its docstring is the help.
+        ``run(options)`` carries out the command; its docstring is the help text.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Directions along the axes, by the names that selectors, obstacles, windings and job files use."""
+"""Directions along the axes, by their names in selectors, obstacles, windings and job files."""
 
 from collections.abc import Mapping
 from types import MappingProxyType

@@ -9,25 +9,25 @@ from turgor.finding import Finding
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.sweep import Sweep
 
-#: Planar and cylindrical parts reach 1e-13; a face that went missing in a boolean is off by far more than 1e-9.
+#: Tolerance of CAD volumes: planar and cylindrical parts reach 1e-13, a face lost in a boolean changes far more.
 VOLUME_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Geometry:
-    """The modeled part as a CAD shape whose solids and faces carry the names that every later room uses.
+    """The modeled part as a CAD shape with named regions and faces.
 
-    The volumes follow from the dimensions, not from the CAD shape, so that each can check the other. All of them
-    are those of the modeled part: of one half where a mirror plane cuts the actuator.
+    The volumes are computed from the dimensions, not from the CAD shape, so that each can check the other. All of them
+    are those of the modeled part, such as one half of a symmetric actuator.
 
     Parameters
     ----------
     name : str
-        What the geometry shows, for reports.
+        Title of the geometry, for reports.
     smallest_wall : float [m]
         Thickness of the thinnest wall; it limits the mesh size.
     cavity_volumes : mapping of str to float [m³]
-        Volume of each cavity by the name of its face, from the dimensions; empty where there is none.
+        Volume of each cavity by the name of its face, from the dimensions; empty without cavities.
     solid_volume : float [m³]
         Volume of all solids, from the dimensions.
     regions : tuple of str
@@ -37,7 +37,7 @@ class Geometry:
     length_scale : float [m]
         Length of one CAD unit: 1 mm, because CAD tolerances are absolute. Everything public is in meters.
     findings : tuple of Finding
-        What was noticed where the shape was read from a CAD file.
+        Findings of the import of a CAD file.
 
     Examples
     --------
@@ -67,20 +67,20 @@ class Geometry:
 
     @property
     def bounds(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-        """Lowest and highest corner of the box around the part [m]."""
+        """Lowest and highest corner of the bounding box [m]."""
         low, high = self._shape.bounding_box
         scale = self.length_scale
         return (low[0] * scale, low[1] * scale, low[2] * scale), (high[0] * scale, high[1] * scale, high[2] * scale)
 
     @property
     def extent(self) -> float:
-        """Longest side of the box around the part [m]."""
+        """Longest side of the bounding box [m]."""
         low, high = self.bounds
         return max(b - a for a, b in zip(low, high, strict=True))
 
 
 def check_volume(what: str, measured: float, expected: float) -> None:
-    """Refuse a CAD volume that is not the one of the dimensions.
+    """Raise an error for a CAD volume that differs from the one of the dimensions.
 
     Parameters
     ----------

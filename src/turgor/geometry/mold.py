@@ -1,4 +1,4 @@
-"""casting_mold: the mold in which a PneuNet is cast, as parts to print."""
+"""Casting mold of a PneuNet, as parts for 3-D printing."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -28,7 +28,7 @@ class MoldSettings:
     pin_diameter, pin_height : float [m]
         Four pins on the rim of the cup, which hold the core in place.
     clearance : float [m]
-        Play between a pin and its hole, all around.
+        Radial clearance between a pin and its hole.
     """
 
     wall: float = 8 * mm
@@ -57,15 +57,15 @@ class _Sizes:
 def casting_mold(actuator: FastPneuNet | SlowPneuNet, settings: MoldSettings | None = None) -> Mapping[str, Geometry]:
     """Make the mold of a PneuNet: two parts for the chambers, and a tray for the layer that closes them.
 
-    The body is parted at the floor of its cavity, the only plane from which both the chambers inside and the gaps
-    between them can be pulled. The cup holds the outside of the chambers, the core plate fills the inside; both come
-    off along z without an undercut. The floor and the base with the strain-limiting layer are cast in the tray and
-    glued on. The air inlet and the clamped block's hole are left to a tube.
+    The parting plane is the floor of the cavity, the only plane from which both the chambers and the gaps between them
+    can be pulled. The cup forms the outside of the chambers, the core plate the inside; both come off along z without
+    an undercut. The floor and the base with the strain-limiting layer are cast in the tray and glued on. A tube forms
+    the air inlet and the hole of the clamped block.
 
     Parameters
     ----------
     actuator : FastPneuNet or SlowPneuNet
-        What to cast; a half is cast whole.
+        Actuator to cast; a half model is cast as a whole.
     settings : MoldSettings, optional
         Dimensions of the mold.
 
@@ -115,7 +115,7 @@ def _envelope(sizes: _Sizes, low: float, high: float, around: float = 0.0) -> An
 
 
 def _air(built: Geometry, sizes: _Sizes) -> tuple[Any, list[Any]]:
-    """Split the air above the floor into the cavity, which no side of the envelope touches, and the gaps."""
+    """Split the air above the floor into the cavity, which touches no side of the envelope, and the gaps."""
     air = _envelope(sizes, sizes.floor_top, sizes.height) - union(list(built._shape.solids))
     inside: list[Any] = []
     gaps: list[Any] = []

@@ -1,13 +1,13 @@
-"""Names of faces that mean something everywhere."""
+"""Names of faces with a fixed meaning."""
 
 from collections.abc import Iterable
 
-#: Name of the faces between two regions that have no better one.
+#: Default name of the faces between two regions.
 INTERFACE = "interface"
 
 
 def cavity_names(faces: Iterable[str]) -> tuple[str, ...]:
-    """Return the names that mean a cavity, those that begin with ``cavity``, in the order in which they are counted.
+    """Return the names of cavities, which begin with ``cavity``, in the order of their numbers.
 
     Parameters
     ----------

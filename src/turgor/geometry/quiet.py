@@ -1,4 +1,4 @@
-"""Suppress what compiled code writes to the terminal."""
+"""Suppression of the terminal output of compiled code."""
 
 import ctypes
 import os
@@ -10,15 +10,15 @@ from tempfile import TemporaryFile
 
 @contextmanager
 def captured_output() -> Iterator[Callable[[], str]]:
-    """Catch what is written to the file descriptors of stdout and stderr, by C++ too.
+    """Capture the output to the file descriptors of stdout and stderr, also that of C++.
 
-    The mesh generator writes hundreds of lines when it fails, whatever its message level. Descriptors belong to the
-    process: output of other threads is caught as well while this lasts.
+    The mesh generator writes hundreds of lines when it fails, at any message level. Descriptors belong to the process,
+    so the output of other threads is captured as well.
 
     Yields
     ------
     callable
-        Returns the text that has been caught so far.
+        Returns the captured text.
 
     Examples
     --------
@@ -40,7 +40,7 @@ def captured_output() -> Iterator[Callable[[], str]]:
         _flush()
         try:
             for descriptor in (1, 2):
-                with suppress(OSError):  # closed, as under pythonw: there is nothing to keep quiet
+                with suppress(OSError):  # closed, as under pythonw: there is no output to capture
                     saved[descriptor] = os.dup(descriptor)
                     os.dup2(file.fileno(), descriptor)
             yield text
@@ -52,9 +52,9 @@ def captured_output() -> Iterator[Callable[[], str]]:
 
 
 def _flush() -> None:
-    """Empty the buffers of Python and of C, so that text goes where the descriptors point now."""
+    """Flush the buffers of Python and of C, so that their text goes to the current descriptors."""
     for stream in (sys.stdout, sys.stderr):
         with suppress(AttributeError, ValueError):  # no stream, or a closed one
             stream.flush()
-    with suppress(OSError, AttributeError, TypeError):  # no C library by this name: Windows
+    with suppress(OSError, AttributeError, TypeError):  # Windows has no C library of this name
         ctypes.CDLL(None).fflush(None)

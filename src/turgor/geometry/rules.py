@@ -1,4 +1,4 @@
-"""Rules for dimensions: each broken one is a sentence with the field, its value and what is allowed."""
+"""Rules for dimensions; the error for a broken rule states the field, its value and the range."""
 
 from collections.abc import Sequence
 from dataclasses import fields
@@ -9,10 +9,10 @@ from typing import Any
 from turgor.errors import TurgorError, near_match
 from turgor.units import deg, mm
 
-#: No wall, gap or channel below this: nothing molded is thinner, and CAD tolerances stay far away.
+#: Smallest wall, gap or channel: molded parts are not thinner, and CAD tolerances are far smaller.
 SMALLEST_LENGTH = 0.01 * mm
 
-#: From here on a refused length is more likely a number of millimeters without its unit.
+#: A larger length is more likely a number of millimeters without its unit.
 SUSPICIOUS_LENGTH = 100 * mm
 
 
@@ -28,7 +28,7 @@ def in_mm(length: float) -> str:
 
 
 def as_length(name: str, value: object) -> float:
-    """Return a length as a float, refusing what is not a finite number.
+    """Return a length as a float; an error for anything but a finite number.
 
     Examples
     --------
@@ -42,7 +42,7 @@ def as_length(name: str, value: object) -> float:
 
 
 def check_length(name: str, value: object, *, low: float = SMALLEST_LENGTH, high: float, why: str = "") -> None:
-    """Refuse a length outside ``low`` to ``high``.
+    """Raise an error for a length outside ``low`` to ``high``.
 
     Parameters
     ----------
@@ -51,9 +51,9 @@ def check_length(name: str, value: object, *, low: float = SMALLEST_LENGTH, high
     value : float [m]
         The length.
     low, high : float [m]
-        What is allowed, both ends included.
+        Allowed range, both ends included.
     why : str
-        What limits it, a clause that completes the sentence.
+        Reason of the limit, a clause that completes the sentence.
 
     Raises
     ------
@@ -72,14 +72,14 @@ def check_length(name: str, value: object, *, low: float = SMALLEST_LENGTH, high
     length = as_length(name, value)
     if low <= length <= high:
         return
-    shown = floor(high / mm * 1000 + 1e-6) / 1000  # rounded down, so that the number shown is itself allowed
+    shown = floor(high / mm * 1000 + 1e-6) / 1000  # rounded down, so that the printed number is in the range
     reason = f", {why}" if why else ""
     end = "; is the unit right?" if length >= SUSPICIOUS_LENGTH and low <= length * mm <= high else "."
     raise TurgorError(f"{name} is {in_mm(length)}; allowed is {in_mm(low)} to {shown:.10g} mm{reason}{end}")
 
 
 def check_count(name: str, value: object, *, low: int, high: int) -> None:
-    """Refuse a count that is not an integer from ``low`` to ``high``.
+    """Raise an error for a count that is not an integer from ``low`` to ``high``.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def check_count(name: str, value: object, *, low: int, high: int) -> None:
 
 
 def check_angle(name: str, value: object, *, low: float, high: float, why: str = "") -> None:
-    """Refuse an angle [rad] outside ``low`` to ``high``, both included; ``why`` says what limits it.
+    """Raise an error for an angle [rad] outside ``low`` to ``high``, both included; ``why`` is the reason of the limit.
 
     Examples
     --------
@@ -105,13 +105,13 @@ def check_angle(name: str, value: object, *, low: float, high: float, why: str =
     angle = float(value)
     if low <= angle <= high:
         return
-    shown = floor(high / deg * 1000 + 1e-6) / 1000  # rounded down, so that the number shown is itself allowed
+    shown = floor(high / deg * 1000 + 1e-6) / 1000  # rounded down, so that the printed number is in the range
     reason = f", {why}" if why else ""
     raise TurgorError(f"{name} is {angle / deg:.5g} deg; allowed is {low / deg:.5g} deg to {shown:.10g} deg{reason}.")
 
 
 def check_fields(actuator: Any) -> None:
-    """Refuse fields of an actuator that are no finite numbers, or no truth values where those are meant.
+    """Raise an error for fields of an actuator that are not finite numbers, or not True or False.
 
     Examples
     --------
@@ -131,7 +131,7 @@ def check_fields(actuator: Any) -> None:
 
 
 def check_choice(name: str, value: object, allowed: Sequence[str]) -> None:
-    """Refuse a word that is not among the allowed ones.
+    """Raise an error for a word that is not among the allowed ones.
 
     Examples
     --------
@@ -145,7 +145,7 @@ def check_choice(name: str, value: object, allowed: Sequence[str]) -> None:
 
 
 def check_option(name: str, value: float, *, high: float, why: str = "") -> None:
-    """Refuse a length that is neither 0, which leaves the thing out, nor allowed.
+    """Raise an error for a length that is neither 0, which leaves the feature out, nor in its range.
 
     Examples
     --------

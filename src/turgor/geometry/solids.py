@@ -1,4 +1,4 @@
-"""Solids: plain bodies of rubber, such as what a gripper holds."""
+"""Simple solids of rubber, such as the object that a gripper holds."""
 
 from dataclasses import dataclass
 
@@ -13,9 +13,9 @@ from turgor.units import m, mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RoundBar:
-    """A round bar of rubber, its axis on x and its middle in the origin.
+    """A round bar of rubber along x, centered at the origin.
 
-    `turgor.placed` brings its mesh to where it belongs.
+    `turgor.bodies.placed` moves its mesh to its place.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ class RoundBar:
     Raises
     ------
     TurgorError
-        If a dimension cannot be: the field, its value in mm and what is allowed.
+        If a dimension is out of range; the message states the field, its value in mm and the range.
 
     Examples
     --------
@@ -63,25 +63,25 @@ class RoundBar:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Block:
-    """A block of rubber, its middle in the origin.
+    """A block of rubber, centered at the origin.
 
-    `turgor.placed` brings its mesh to where it belongs.
+    `turgor.bodies.placed` moves its mesh to its place.
 
     Parameters
     ----------
     length : float [m]
-        Along x.
+        Size along x.
     width : float [m]
-        Along y.
+        Size along y.
     height : float [m]
-        Along z.
+        Size along z.
     mirrors : str
         Mirror planes at which it is cut, as in `RoundBar`.
 
     Raises
     ------
     TurgorError
-        If a dimension cannot be: the field, its value in mm and what is allowed.
+        If a dimension is out of range; the message states the field, its value in mm and the range.
 
     Examples
     --------
@@ -139,7 +139,7 @@ def _volume(section: Outline, length: float, mirrors: str) -> float:
 
 
 def _built(title: str, section: Outline, length: float, mirrors: str, smallest: float) -> Geometry:
-    """Sweep a section along x and name what comes out."""
+    """Sweep a section along x and name the faces."""
     along, section = _along(length, mirrors), _cut(section, mirrors)
     ends = (length / 2,) if "x" in mirrors else along
     planes = [PlaneName(name="ends", axis=0, position=end) for end in ends]

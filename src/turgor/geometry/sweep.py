@@ -1,4 +1,4 @@
-"""Sweeps: shapes that are planar sections moved along a line or turned about an axis, for meshes of hexahedra."""
+"""Sweeps: planar sections moved along a line or turned about an axis, for meshes of hexahedra."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,24 +9,24 @@ import numpy as np
 
 from turgor.geometry.shapes.sections import Outline
 
-#: Ends of layers closer than this share of the path are the same, but for rounding.
+#: Tolerance of the ends of layers, as a share of the path.
 SAME_PLACE = 1e-9
 
-#: What an area of a section is: a region, a cavity (a name that begins with ``cavity``), or air around the solids.
-#: Air is None where its walls are named by where they lie, and ``"outside"`` where they are always that, as in a bore.
+#: Name of an area of a section: a region, a cavity (it begins with ``cavity``), or air around the solids. Air is None
+#: if rules name its walls by their position, and ``"outside"`` if its walls always belong to that face, as in a bore.
 Fill = tuple[str | None, Outline]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Layer:
-    """A stretch of a sweep along which the section stays the same.
+    """Part of a sweep with a constant section.
 
     Parameters
     ----------
     start, end : float [m or rad]
-        From where to where along the path: a length for `Along`, an angle for `Turned`.
+        Range along the path: lengths for `Along`, angles for `Turned`.
     fill : tuple of (name, Outline)
-        What fills the section, like coats of paint: later ones lie over earlier ones. The name is that of a region,
+        Areas of the section; later ones cover earlier ones, like coats of paint. The name is that of a region,
         that of a cavity (it begins with ``cavity``), None or ``"outside"`` for air.
     """
 
@@ -37,7 +37,7 @@ class Layer:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Along:
-    """A straight path: the section moves along an axis.
+    """Straight path along an axis.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class Along:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Turned:
-    """A turn about the x axis: the section holds (x, r), and the angle counts from +y towards +z.
+    """Circular path about the x axis: the section holds (x, r), and the angle counts from +y towards +z.
 
     Layers run over the angle: −π/2 to π/2 is the half with y >= 0, 0 to π/2 the quarter with z >= 0 too.
     """
@@ -59,7 +59,7 @@ class Turned:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlaneName:
-    """Name of all outer surface that lies in a plane, and of the interface between two regions there.
+    """Rule that names the outer surface in a plane, and the interface between two regions there.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ class PlaneName:
     axis : int
         Coordinate that is constant in the plane.
     position : float [m]
-        Its value there.
+        Value of the coordinate.
     within : bool
         Whether the face also goes through the inside of a region, as a layer within it.
     """
@@ -81,7 +81,7 @@ class PlaneName:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RangeName:
-    """Name of all outer surface between two planes, such as the sides of a clamped block.
+    """Rule that names the outer surface between two planes, such as the sides of a clamped block.
 
     Parameters
     ----------
@@ -90,9 +90,9 @@ class RangeName:
     axis : int
         Coordinate that is limited.
     low, high : float [m]
-        Where it begins and ends.
+        Range of the coordinate.
     ends : bool
-        Whether surface that lies in one of the two planes belongs to it.
+        Whether the surface in the two planes themselves belongs to it.
     """
 
     name: str
@@ -104,7 +104,7 @@ class RangeName:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interface:
-    """Name of the surface between two regions wherever it lies, such as a curved layer.
+    """Rule that names the surface between two regions at any position, such as a curved layer.
 
     Parameters
     ----------
@@ -126,15 +126,15 @@ FaceName = PlaneName | RangeName | Interface
 class Sweep:
     """The same shape as the CAD solids of a geometry, described as layers along a path.
 
-    The surface between a region and a cavity is the face of that cavity. Of the rest, each part takes the last name
-    that fits it; outer surface without one is ``outside``.
+    The surface between a region and a cavity is the face of that cavity. The other surface gets the name of the last
+    rule that fits, and ``outside`` without one.
 
     Parameters
     ----------
     layers : tuple of Layer
-        In the order of the path, each beginning where the one before ends.
+        Layers in the order of the path, without gaps.
     path : Along or Turned
-        How the section moves.
+        Path of the section.
     names : tuple of PlaneName, RangeName or Interface
         Names of the faces other than cavities and ``outside``; later ones win.
 
@@ -153,7 +153,7 @@ class Sweep:
 
     @property
     def is_closed(self) -> bool:
-        """Whether the path ends where it began: a full turn."""
+        """Whether the path is a full turn."""
         turn = self.layers[-1].end - self.layers[0].start
         return isinstance(self.path, Turned) and abs(turn - 2 * pi) < 1e-9
 
@@ -163,12 +163,12 @@ class Sweep:
         return tuple(dict.fromkeys(outline for layer in self.layers for _, outline in layer.fill))
 
 
-#: A piece of a sweep: its name, its outline, and from where to where it reaches along the path.
+#: A piece of a sweep: name, outline, and range along the path.
 Part = tuple[str | None, Outline, tuple[float, float]]
 
 
 def layers_of(parts: Sequence[Part]) -> tuple[Layer, ...]:
-    """Cut parts into layers where one of them begins or ends; parts named later lie over earlier ones.
+    """Divide parts into layers at all of their ends; later parts cover earlier ones.
 
     Examples
     --------
@@ -188,12 +188,12 @@ def layers_of(parts: Sequence[Part]) -> tuple[Layer, ...]:
 
 
 def end_names(*, end: float, clamp: float = 0.0, mirrors: str = "") -> tuple[FaceName, ...]:
-    """Names of the faces that every family has.
+    """Return the rules for the faces that every family has.
 
     Parameters
     ----------
     end : float [m]
-        Where the plane ``tip`` is; ``fixed`` is the plane x = 0.
+        Position of the plane ``tip``; ``fixed`` is the plane x = 0.
     clamp : float [m]
         Length of the clamped block, whose sides belong to ``fixed``.
     mirrors : str

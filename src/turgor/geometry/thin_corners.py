@@ -1,7 +1,7 @@
-"""Corners of cavities about which thin walls bend, found from the edges of a shape.
+"""Corners of cavities about which thin walls bend, detected from the edges of a shape.
 
 The wall over a ring sector is an arch between two webs, the wall over a long box a plate between two others. Pressure
-bends them about the corners as about hinges, so the corners decide how far they bulge;
+bends them about the corners as about hinges, so the mesh at the corners determines how far they bulge;
 `turgor.meshing.sizing.local_sizes` makes the cells there smaller.
 """
 
@@ -87,14 +87,14 @@ def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Walls:
-    """Faces of a shape as one of its cavities sees them; a wall is thin up to a thickness [CAD units]."""
+    """Walls of one cavity of a shape; they are thin up to a thickness [CAD units]."""
 
     faces: list[Any]
     name: str
     thin: float
 
     def corners(self) -> dict[Any, tuple[int, ...]]:
-        """Straight edges at thin walls where two four-sided faces of the cavity fold, and these faces."""
+        """Return the straight sharp edges between two four-sided faces of the cavity at thin walls, and these faces."""
         owners: dict[Any, list[int]] = {}
         for i, face in enumerate(self.faces):
             edges = dict.fromkeys(face.edges) if face.name == self.name else {}
@@ -108,7 +108,7 @@ class _Walls:
         }
 
     def is_thin_and_curved(self, i: int) -> bool:
-        """Whether a face lies in no plane and its wall is thin in the middle of its arcs."""
+        """Return whether a face is curved and its wall is thin in the middle of its arcs."""
         edges = list(dict.fromkeys(self.faces[i].edges))
         points = np.concatenate([_samples(edge)[0] for edge in edges])
         depth = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
@@ -118,7 +118,7 @@ class _Walls:
         return all(self._is_thin_at(Vertex(Pnt(*middle))) for middle in middles)
 
     def _is_thin_at(self, place: Any) -> bool:
-        """Whether the outside or another cavity is near."""
+        """Whether the outside or another cavity is closer than the limit of a thin wall."""
         beyond = (f for f in self.faces if f.name == "outside" or (_is_cavity(f) and f.name != self.name))
         return any(float(place.Distance(face)) <= self.thin for face in beyond)
 
@@ -146,13 +146,13 @@ def _is_straight(edge: Any) -> bool:
 
 
 def _fold(edge: Any, one: Any, other: Any) -> bool:
-    """Whether two faces meet at an angle along their common straight edge: neither continues the other smoothly."""
+    """Whether two faces meet at a sharp angle along their common straight edge."""
     first, second = _into(one, edge), _into(other, edge)
     return bool(len(first) and len(second) and np.linalg.norm(np.cross(first, second)) > ALIKE)
 
 
 def _into(face: Any, edge: Any) -> Array:
-    """Direction in which a face leaves the start of one of its straight edges, square to the edge; empty if unknown."""
+    """Tangent of a face at the start of one of its straight edges, perpendicular to the edge; empty if unknown."""
     corner, along = _xyz(edge.start), _xyz(edge.end) - _xyz(edge.start)
     length = float(np.linalg.norm(along))
     along /= length

@@ -1,4 +1,4 @@
-"""write_step: a geometry as a STEP file."""
+"""Writing of a geometry as a STEP file."""
 
 from pathlib import Path
 
@@ -13,14 +13,14 @@ def write_step(geometry: Geometry, path: str | Path) -> None:
     Parameters
     ----------
     geometry : Geometry
-        What to write; a half stays a half.
+        Geometry to write; a half model is written as a half.
     path : str or Path
         The file.
 
     Raises
     ------
     TurgorError
-        If the CAD kernel cannot write there.
+        If the file cannot be written.
 
     Examples
     --------

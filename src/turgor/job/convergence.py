@@ -1,4 +1,4 @@
-"""convergence: solve the same question on three meshes or more and compare."""
+"""Convergence study: solve the same model on three meshes or more and compare a measure."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -18,7 +18,7 @@ from turgor.solvers.solution import Solution, SolveError
 from turgor.solvers.solve import Progress, solve
 from turgor.units import mm
 
-#: Sizes of a study differ by this factor: about three times the cells from one mesh to the next.
+#: Factor between the sizes of a study; the number of cells grows about threefold from one mesh to the next.
 RATIO = 1.4
 
 MOST_SIZES = 6
@@ -34,19 +34,19 @@ def convergence(
     notify: Callable[[str], None] | None = None,
     progress: Progress | None = None,
 ) -> Convergence:
-    """Solve a question on finer and finer meshes, and extrapolate one measure at the whole load.
+    """Solve a model on successively finer meshes, and extrapolate one measure at the full load.
 
     Parameters
     ----------
     question : Job or callable
         A job, or ``function(size) -> Solution`` that meshes with this size [m] and solves.
     sizes : int or sequence of float [m]
-        Mesh sizes, three or more; or, for a job, how many: they are then a constant factor of 1.4 apart, around the
-        size of the job. Sizes of faces change with them.
+        Mesh sizes, three or more. For a job also their number: they are then a factor of 1.4 apart, around the size of
+        the job. Sizes of faces change with them.
     wanted : str or Measure
-        What to compare.
+        Measure to compare.
     notify : callable, optional
-        ``notify(text)``, called with what is being done.
+        ``notify(text)``, called with each activity.
     progress : callable, optional
         Called by `solve` after every iteration and every accepted step of a job.
 
@@ -59,7 +59,7 @@ def convergence(
     TurgorError
         If the sizes are too few, not positive, or not accepted by `mesh`, or if the meshes do not get finer.
     SolveError
-        If a solve does not reach the whole load: only complete paths can be compared.
+        If a solve does not reach the full load: only complete paths can be compared.
     """
     say = notify or _silent
     compared = find_measure(wanted) if isinstance(wanted, str) else wanted
@@ -85,14 +85,14 @@ def convergence(
 
 
 def study_sizes(question: Question, sizes: int | Sequence[float]) -> tuple[float, ...]:
-    """Choose the mesh sizes of a study, from coarse to fine, and refuse what cannot be compared.
+    """Return the mesh sizes of a study, from coarse to fine, after checks.
 
     Parameters
     ----------
     question : Job or callable
-        As `convergence` takes it.
+        See `convergence`.
     sizes : int or sequence of float [m]
-        Sizes, or how many.
+        Sizes, or their number.
 
     Returns
     -------
@@ -101,8 +101,8 @@ def study_sizes(question: Question, sizes: int | Sequence[float]) -> tuple[float
     Raises
     ------
     TurgorError
-        If there are fewer than 3 or more than 6, one is no positive length, two are equal, or the geometry of a job
-        allows no such size or is a mesh already.
+        If there are fewer than 3 or more than 6, one is not positive, two are equal, one does not fit the geometry of
+        the job, or the geometry is a mesh already.
     """
     count = sizes if isinstance(sizes, int) else len(sizes)
     if isinstance(sizes, bool) or not 3 <= count <= MOST_SIZES:
@@ -134,7 +134,7 @@ def _limits(job: Job) -> tuple[float, float]:
             "sizes and give a function of the size."
         )
     low, high = size_range(job.actuator.build())
-    return low, max(high, job.mesh_size)  # with two cells through every wall, the job may be coarser than its walls
+    return low, max(high, job.mesh_size)  # wall_cells = 2 allows a size above the walls
 
 
 def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress | None) -> Solution:
@@ -148,4 +148,4 @@ def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Prog
 
 
 def _silent(_: str) -> None:
-    """Say nothing."""
+    """Ignore a notice, where the caller gave no ``notify``."""

@@ -1,4 +1,4 @@
-"""export_job: the actuator of a job as files for other programs, and for the workshop."""
+"""Export of the actuator of a job: files for other programs and for manufacturing."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -18,20 +18,20 @@ from turgor.model.write_inp import PROGRAMS, compressible, write_inp
 from turgor.setups.added import with_setup
 from turgor.solvers.procedures.stages import Stages
 
-#: What can be exported.
+#: Kinds of export.
 KINDS = ("inp", "step", "stl", "mold")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InpOptions:
-    """How the .inp file of an export is written.
+    """Options of the .inp file of an export.
 
     Parameters
     ----------
     program : str
         ``"calculix"`` or ``"abaqus"``.
     poisson : float or None [-]
-        Poisson's ratio at rest for incompressible materials, which CalculiX needs; None leaves them as they are.
+        Poisson's ratio of incompressible materials at rest, which CalculiX needs; None leaves them incompressible.
     """
 
     program: str = "calculix"
@@ -52,24 +52,24 @@ def export_job(
     job : Job
         Usually from `turgor.job.read.read_job`.
     folder : str or Path
-        Where to write; made if it is not there.
+        Output folder; created if it does not exist.
     kinds : collection of str
         ``"inp"``: the model for CalculiX or Abaqus. ``"step"``: the geometry. ``"stl"``: the whole body and each of
         its cavities, cut from the mesh of the job. ``"mold"``: the parts of a casting mold, STEP and STL.
     inp : InpOptions, optional
-        How the .inp file is written.
+        Options of the .inp file.
     force : bool
-        Whether files that are there already are replaced.
+        Whether existing files are replaced.
 
     Returns
     -------
     tuple of Path
-        What was written.
+        Files that were written.
 
     Raises
     ------
     TurgorError
-        If something has no form in the file, or a file is there already.
+        If the model cannot be expressed in the file format, or a file exists already.
     """
     for kind in kinds:
         if kind not in KINDS:
@@ -97,7 +97,7 @@ def export_job(
 
 
 def _names(job: Job, geometry: Geometry, mesh: Mesh | None, kinds: Collection[str]) -> list[str]:
-    """Names of the files, and whether they can be written at all, before anything is."""
+    """Names of the files; an error if one of them cannot be written, before any is."""
     names = [f"{job.name}.inp"] if "inp" in kinds else []
     if "step" in kinds:
         if isinstance(geometry._shape, MeshedShape):
@@ -125,7 +125,7 @@ def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
         reinforcements=tuple(job.fibers.values()),
         contact=job.contact,
     )
-    model = with_setup(model, job.setup)  # what stops the tip is part of the question
+    model = with_setup(model, job.setup)  # the plate that blocks the tip is part of the model
     if options.poisson is not None:
         model = compressible(model, options.poisson)
     write_inp(model, file, program=options.program, at=sorted({*job.procedure.at, 1.0}))

@@ -1,4 +1,4 @@
-"""Job: one run as values, independent of the file that stated it."""
+"""Job: the description of one run, independent of its file."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -24,13 +24,13 @@ from turgor.solvers.procedures.static import Static
 
 
 class Actuator(Protocol):
-    """What every actuator family offers: dimensions as dataclass fields, and the shape that they make."""
+    """Interface of every actuator family: dimensions as dataclass fields, and `build` for their shape."""
 
     def build(self) -> Geometry:
-        """Build the shape with its names."""
+        """Build the shape with named regions and faces."""
 
 
-#: Actuator families by the name that job files use: the classes in their folder; the keys of one are its fields.
+#: Actuator families by their name in job files: the classes in their folder; the keys of a family are its fields.
 ACTUATORS: Registry[type[Actuator]] = Registry(
     "turgor.geometry.actuators", class_of_file(lambda kind: hasattr(kind, "build"))
 )
@@ -56,7 +56,7 @@ def actuator_type(actuator: Actuator) -> str:
 
 
 def standard_measures() -> tuple[str, ...]:
-    """Return the names of the measures that a run writes unless it is told otherwise.
+    """Return the names of the default measures of a run.
 
     Examples
     --------
@@ -70,7 +70,7 @@ def standard_measures() -> tuple[str, ...]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Output:
-    """What a run writes besides the response, the path and the lock file.
+    """Output of a run besides the response, the path and the lock file.
 
     Parameters
     ----------
@@ -95,42 +95,42 @@ class Output:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Job:
-    """One run: the actuator, how it is meshed, made, held, driven and followed, and what to write.
+    """One run: actuator, mesh, materials, supports, loads, procedure and output.
 
     Parameters
     ----------
     name : str
-        What the run is called; the default folder of results is ``<name>-results``.
+        Name of the run; the default folder of results is ``<name>-results``.
     actuator : Actuator
         Dimensions of the actuator.
     mesh : MeshSettings
         Sizes and kind of the cells.
     mesh_target : float or None [-]
-        Relative mesh error of one measure at the last state that the mesh is refined to; None leaves the mesh alone.
+        Target of the relative mesh error of one measure at the last state; None leaves the mesh as it is.
     mesh_target_measure : str or None
         Name of this measure; the first one of the output if it is not given.
     mesh_most_unknowns : int
-        Refinement stops before the mesh has more.
+        Largest number of unknowns of a refined mesh.
     materials : mapping of str to Material or Membrane
         A material for every region and a membrane for every face that is reinforced.
     supports : tuple of Fixed or Radial
-        What holds the actuator; mirror planes hold themselves.
+        Supports; those of mirror planes are added by themselves.
     loads : tuple of Pressure or Gravity
-        What drives it.
+        Loads.
     fibers : mapping of str to Fibers
-        Windings by a name of their own.
+        Windings by name.
     contact : Contact
-        What may touch what.
+        Surfaces that may come into contact.
     rigid_files : mapping of str to RigidFile
-        The files of those obstacles that come from STL files, for the lock file.
+        STL files of obstacles, for the lock file.
     setup : BlockedForce, Grasp or None
-        What is added to the model before it is solved.
+        Change of the model for an experiment, such as a plate before the tip.
     procedure : Static, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
-        How the path is followed; `Static` where there is a setup.
+        Procedure; `Static` where there is a setup.
     output : Output
-        What to write.
+        Files to write.
     threads : int or None
-        Processors to use; None takes all. The last digits of the results depend on it, nothing else.
+        Number of threads; None takes all processors. Only the last digits of the results depend on it.
     """
 
     name: str
@@ -152,13 +152,13 @@ class Job:
 
     @property
     def mesh_size(self) -> float:
-        """Largest edge length aimed at [m]: that of the settings, or the one chosen for the actuator."""
+        """Target edge length [m]: that of the settings, or the default for the actuator."""
         size = self.mesh_settings.size
         assert size is not None  # chosen where it was not given
         return size
 
     @property
     def mesh_settings(self) -> MeshSettings:
-        """How the actuator is meshed: the settings, with a size and a kind of cells where none is given."""
+        """Settings of the mesh, with the default size and kind of cells where none is given."""
         open_still = self.mesh.size is None or self.mesh.cells is None
         return chosen_settings(self.actuator.build(), self.mesh) if open_still else self.mesh

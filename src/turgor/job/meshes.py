@@ -1,4 +1,4 @@
-"""mesh_of: the mesh that a job asks for."""
+"""Mesh of a job."""
 
 from turgor.geometry import Geometry
 from turgor.job.job import Job
@@ -8,14 +8,14 @@ from turgor.meshing.mesh import Mesh
 
 
 def mesh_of(job: Job, geometry: Geometry) -> Mesh:
-    """Mesh a geometry as a job says.
+    """Mesh a geometry with the settings of a job.
 
     Parameters
     ----------
     job : Job
-        Its settings of the mesh.
+        Job with the settings of the mesh.
     geometry : Geometry
-        What its actuator builds.
+        Geometry of its actuator.
 
     Returns
     -------

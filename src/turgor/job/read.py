@@ -1,4 +1,4 @@
-"""read_job: a job file as a value, or everything that is wrong with it at once."""
+"""Reading of job files: a `Job`, or an error that lists all mistakes at once."""
 
 import re
 import tomllib
@@ -44,7 +44,7 @@ SECTIONS = (
     "written_by",
 )
 
-#: Sections that may be left out, and what stands in for them.
+#: Sections that may be left out, with their default content.
 DEFAULTS: Mapping[str, Mapping[str, Any]] = {
     "mesh": {},
     "fibers": {},
@@ -92,14 +92,14 @@ def read_job(path: str | Path) -> Job:
 
 
 def _given(content: Mapping[str, Any], problems: Problems) -> dict[str, Any]:
-    """What each section holds, or what stands in for it; None where it is needed and missing."""
+    """Content of each section, or its default; None for a required section that is missing."""
     for key in content:
         if key not in SECTIONS:
             known = ", ".join(SECTIONS)
             problems.add((key,), f"unknown key '{key}'{near_match(key, SECTIONS) or '.'} Known keys: {known}.")
     given = {key: content.get(key, DEFAULTS.get(key)) for key in SECTIONS}
     if given["actuator"] is None and isinstance(given["mesh"], Mapping) and "file" in given["mesh"]:
-        given["actuator"], given["mesh"] = {"type": MESH_FILE, **given["mesh"]}, {}  # a mesh stands for both
+        given["actuator"], given["mesh"] = {"type": MESH_FILE, **given["mesh"]}, {}  # a mesh file replaces both
     if STAGES in content and "procedure" in content:
         problems.add(("procedure",), "every stage has a procedure of its own; write it there and leave this one out.")
     if _alone(given) and given["loads"] is None:
@@ -111,14 +111,14 @@ def _given(content: Mapping[str, Any], problems: Problems) -> dict[str, Any]:
 
 
 def _alone(given: Mapping[str, Any]) -> bool:
-    """Whether there need not be any load: a procedure drives by itself, or stages have loads of their own."""
+    """Whether no load is needed, because the procedure drives the actuator or stages have loads of their own."""
     return given[STAGES] is not None or drives(given["procedure"])
 
 
 def _read_path(
     given: Mapping[str, Any], around: Around, problems: Problems
 ) -> tuple[Setup | None, OneProcedure | Stages | None]:
-    """Read what is set up, and how the path is followed: by one procedure, or in stages."""
+    """Read the setup and the procedure, or the stages."""
     if given[STAGES] is not None:
         return None, read_stages(given[STAGES], around, problems)
     setup = setup_type(given["procedure"])
@@ -175,7 +175,7 @@ def _moves(obstacles: object) -> bool:
 
 
 def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:
-    """Build the shape, because its names are the allowed keys of other sections."""
+    """Build the shape, because its names are keys of other sections."""
     return None if actuator is None else problems.attempt(("actuator",), actuator.build)
 
 

@@ -1,7 +1,8 @@
-"""run_job: everything that one job asks for, from the mesh to the folder of results."""
+"""Run of a job: mesh, solve, measure, and write the folder of results."""
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from turgor.adaptivity.findings import mesh_error_findings
@@ -40,16 +41,16 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     Parameters
     ----------
     job : Job
-        What is asked.
+        The job.
     notify : callable, optional
-        ``notify(text)``, called with what is being done.
+        ``notify(text)``, called with each activity.
 
     Returns
     -------
     model : Model
-        The question, ready to be solved.
+        Model, ready to be solved.
     findings : tuple of Finding
-        What there is to doubt about it.
+        Findings of the checks.
 
     Raises
     ------
@@ -86,7 +87,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:
-    """Refuse what no solve could begin; return the model, in a sequence that of its first stage."""
+    """Raise an error for a model that cannot be solved; return it, or that of the first stage."""
     if not isinstance(procedure, Stages):
         check_supports(model, inertia=may_be_free(model, procedure))
         method_of(procedure).controlled(model, procedure)
@@ -113,15 +114,15 @@ def run_job(
     Parameters
     ----------
     job : Job
-        What is asked, usually from `read_job`.
+        Usually from `read_job`.
     output : str or Path, optional
         Folder of results; ``<name>-results`` in the working directory if it is not given.
     force : bool
-        Whether results that the folder holds already are replaced.
+        Whether existing results in the folder are replaced.
     threads : int, optional
-        Processors to use, whatever the job says; all if neither says.
+        Number of threads; by default that of the job, else all processors.
     notify : callable, optional
-        ``notify(text)``, called with what is being done.
+        ``notify(text)``, called with each activity.
     progress : callable, optional
         Called by `solve` after every iteration and every accepted step.
 
@@ -132,36 +133,40 @@ def run_job(
     Raises
     ------
     TurgorError
-        If the folder is taken or cannot be written (before anything is computed), or the job cannot be meshed.
+        If the folder holds files or cannot be written (before the computation), or the job cannot be meshed.
     """
     notices: list[str] = []
-
-    def say(text: str) -> None:
-        notices.append(text)
-        (notify or _silent)(text)
-
+    say = partial(_noted, notices, notify or _silent)
     options = EngineOptions(notify=say)
     wanted = threads if threads is not None else job.threads
     if wanted is not None:
         options = replace(options, threads=wanted)
     with claimed(Path(output) if output is not None else default_folder(job.name), force) as folder:
-        model, findings = prepare(job, say)
-        say("solving")
-        solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
-        solution, refined = _refined(job, solution, options)
-        say("measuring")
-        response, unknown = _measured(job, solution, options, bool(refined))
-        findings_of_all = (*mesh_error_findings(response, findings), *refined, *unknown)
+        solution, response, findings = _solved(job, options, say, progress)
         outcome = RunOutcome(
             job=replace(job, threads=options.threads),
             solution=solution,
             response=response,
-            findings=(*findings_of_all, *laws_beyond_their_tests(solution), *solution.findings),
+            findings=findings,
             written_by=versions() | {"linear_solver": solution.timing.linear_solver},
             notices=tuple(notices),
             folder=folder,
         )
         return replace(outcome, files=write_results(outcome, say))
+
+
+def _solved(
+    job: Job, options: EngineOptions, say: Notify, progress: Progress | None
+) -> tuple[Solution, Response, tuple[Finding, ...]]:
+    """Prepare and solve a job, refine its mesh where it has a target, and measure."""
+    model, findings = prepare(job, say)
+    say("solving")
+    solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
+    solution, refined = _refined(job, solution, options)
+    say("measuring")
+    response, unknown = _measured(job, solution, options, bool(refined))
+    before = (*mesh_error_findings(response, findings), *refined, *unknown)
+    return solution, response, (*before, *laws_beyond_their_tests(solution), *solution.findings)
 
 
 def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:
@@ -183,7 +188,7 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
 def _measured(
     job: Job, solution: Solution, options: EngineOptions, refined: bool
 ) -> tuple[Response, tuple[Finding, ...]]:
-    """Read the measures of a job, with their mesh errors unless it wants none; say where these are not known."""
+    """Read the measures of a job, with their mesh errors if it asks for them, and a finding where these are unknown."""
     measures = tuple(find_measure(name) for name in job.output.measures)
     response = measure(solution, *measures)
     if not job.output.mesh_error or len(solution.states) < 2:
@@ -199,5 +204,11 @@ def _measured(
     return with_mesh_error(response, estimate), () if estimate.finding is None else (estimate.finding,)
 
 
+def _noted(notices: list[str], notify: Notify, text: str) -> None:
+    """Keep a notice for the log and pass it on."""
+    notices.append(text)
+    notify(text)
+
+
 def _silent(_: str) -> None:
-    """Say nothing."""
+    """Ignore a notice, where the caller gave no ``notify``."""

@@ -1,8 +1,11 @@
-"""Setups: functions that make the model of an experiment from that of an actuator.
+"""Setups: functions that make the model of an experiment from that of an actuator."""
 
-The names stand in ``__init__.pyi``; each is imported on first use.
-"""
+from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
-__getattr__, __dir__, __all__ = public(__file__, globals())
+if TYPE_CHECKING:
+    from turgor.setups.blocked_tip import blocked_force as blocked_force
+    from turgor.setups.grasped_object import grasp as grasp
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -4,7 +4,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 import pytest
-from test_solvers_driver import bar, model
+from solver_cases import bar, model
 
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import System

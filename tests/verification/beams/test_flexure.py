@@ -16,13 +16,13 @@ at every quadrature point, because in a cell the mean stress is linear while the
 
 import numpy as np
 import pytest
+from flexure import LENGTH, THICKNESS, WIDTH, center
 
 import exact
 import meshes
 import problems
 import turgor as tg
 
-THICKNESS, LENGTH, WIDTH = 10 * problems.MM, 40 * problems.MM, 2.5 * problems.MM
 ANGLES = (np.pi / 6, np.pi / 2, np.pi, 3 * np.pi / 2)
 MOMENTS = (1.0418634, 3.0071765, 5.3974376, 7.0778784)  # N mm per mm of width
 LAWS = {"neo-Hookean": problems.NEO_HOOKE, "Mooney–Rivlin": tg.laws.MooneyRivlin(C10=0.10e6, C01=0.02e6)}
@@ -34,7 +34,7 @@ def _bend(law, along, angles):
 
     def turned(X, load_factor):
         angle = load_factor * angles[-1]
-        return exact.bent_block(X, angle, THICKNESS, LENGTH) - _center(angle) - X if angle else 0 * X
+        return exact.bent_block(X, angle, THICKNESS, LENGTH) - center(angle) - X if angle else 0 * X
 
     ends = [tg.Displacement(face, turned, "xy") for face in ("y0", "y1")]
     model = problems.one_material(mesh, law, supports=[*ends, *problems.PLANE_STRAIN])
@@ -43,15 +43,10 @@ def _bend(law, along, angles):
     return [problems.state_at(solution, factor) for factor in factors]
 
 
-def _center(angle):
-    """Shift that keeps the middle of the block near where it was."""
-    return np.array([LENGTH / angle - THICKNESS / 2, 0, 0])
-
-
 def _moment(state, angle):
     """Moment of the reactions of one end about the center of curvature, per width [N mm/mm]."""
     end = state.model.mesh.face_nodes("y1")
-    x = problems.current(state)[end] + _center(angle)
+    x = problems.current(state)[end] + center(angle)
     return float(np.cross(x, state.nodal_force[end])[:, 2].sum()) / WIDTH / (problems.MPA * problems.MM**2)
 
 
@@ -64,7 +59,7 @@ def test_moment_and_shape(name, along, rows, record_verification):
     worst = 0.0
     for state, angle in zip(states, angles, strict=True):
         target = exact.bent_block(state.model.mesh.points, angle, THICKNESS, LENGTH)
-        worst = max(worst, float(np.abs(problems.current(state) + _center(angle) - target).max()) / THICKNESS)
+        worst = max(worst, float(np.abs(problems.current(state) + center(angle) - target).max()) / THICKNESS)
     degrees = ", ".join(f"{np.degrees(angle):.0f}°" for angle in angles)
     record_verification(
         claim=f"flexure of a block, {name}, 4 × {along}: moment per width at {degrees} [N mm/mm]",
@@ -88,7 +83,7 @@ def test_moment_and_shape(name, along, rows, record_verification):
 def test_stress_at_half_a_turn(record_verification):
     """Radial and hoop stress: σr = W(λ) − W(λ₁) with λ = r/α, and σθ − σr = μ (λ² − λ⁻²)."""
     state = _bend(problems.NEO_HOOKE, 16, ANGLES[:3])[-1]
-    r, radial, hoop = problems.polar_stress(state, (0, 1), _center(np.pi)[:2])
+    r, radial, hoop = problems.polar_stress(state, (0, 1), center(np.pi)[:2])
     stretch, inner = r * np.pi / LENGTH, 0.69724896
 
     def energy(x):

@@ -12,7 +12,7 @@ no unstable mode; 0.05 mm at the worst node, half a percent of the thickness as 
 
 import numpy as np
 import pytest
-from test_flexure import LENGTH, THICKNESS, WIDTH, _center
+from flexure import LENGTH, THICKNESS, WIDTH, center
 
 import exact
 import meshes
@@ -31,7 +31,7 @@ def _bent(law, kind, angle, formulation="mixed", max_step=0.15):
 
     def turned(X, load_factor):
         at = load_factor * angle
-        return exact.bent_block(X, at, THICKNESS, LENGTH) - _center(at) - X if at else 0 * X
+        return exact.bent_block(X, at, THICKNESS, LENGTH) - center(at) - X if at else 0 * X
 
     supports = [*(tg.Displacement(face, turned, "xy") for face in ("y0", "y1")), *problems.PLANE_STRAIN]
     model = tg.Model(mesh, {"body": problems.rubber(law)}, supports, [], formulation)
@@ -41,7 +41,7 @@ def _bent(law, kind, angle, formulation="mixed", max_step=0.15):
 def _error(state, angle):
     """Distance of the worst node from the exact place [m]."""
     target = exact.bent_block(state.model.mesh.points, angle, THICKNESS, LENGTH)
-    return float(np.abs(problems.current(state) + _center(angle) - target).max())
+    return float(np.abs(problems.current(state) + center(angle) - target).max())
 
 
 @pytest.mark.parametrize("name", LAWS)

@@ -9,8 +9,8 @@ Tolerance: as for tetrahedra: 1e-6 of the largest entry, 0.25 below a rate, 1e-8
 
 import numpy as np
 import pytest
-from test_orders import errors_of, manufactured
-from test_tangent import _difference
+from chosen_solution import errors_of, manufactured
+from differences import difference
 
 import meshes
 import problems
@@ -42,7 +42,7 @@ def test_tangent_is_the_derivative_of_the_residual(name, record_verification):
     u = X @ (0.25 * rng.uniform(-1, 1, (3, 3))) + 10 * X[:, [2, 0, 1]] * X + rng.normal(0, 1e-4, X.shape)
     unknowns = np.concatenate([u.ravel() / system.length, rng.uniform(-1, 1, system.element.mean_count)])
     free = np.flatnonzero(~system.held)
-    exact = _difference(system, unknowns)[np.ix_(free, free)]
+    exact = difference(system, unknowns)[np.ix_(free, free)]
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
     record_verification(

@@ -13,7 +13,7 @@ without the penalty in the extrapolated stress the factor is 2.
 
 import numpy as np
 import pytest
-from test_tangent import _difference
+from differences import difference
 
 import meshes
 import problems
@@ -81,7 +81,7 @@ def test_energy_residual_and_tangent(kind, bulk, record_verification):
         way = np.where(system.held, 0.0, rng.normal(size=system.size))
         slope = (saddle(system, x + h * way) - saddle(system, x - h * way)) / (2 * h)
         errors.append(abs(slope - residual @ way) / np.linalg.norm(residual[free]) / np.linalg.norm(way))
-    exact = _difference(system, x)[np.ix_(free, free)]
+    exact = difference(system, x)[np.ix_(free, free)]
     tangent = system.tangent(x, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
     record_verification(

@@ -11,6 +11,7 @@ compressibility of 1e-9 that keeps incompressible tangents regular is far below.
 
 import numpy as np
 import pytest
+from differences import difference
 
 import meshes
 import problems
@@ -59,21 +60,12 @@ def _deformed(system, seed):
     return np.concatenate([u.ravel() / system.length, p])
 
 
-def _difference(system, unknowns, h=1e-5):
-    columns = []
-    for j in range(len(unknowns)):
-        step = np.zeros_like(unknowns)
-        step[j] = h
-        columns.append((system.residual(unknowns + step, 1.0) - system.residual(unknowns - step, 1.0)) / (2 * h))
-    return np.array(columns).T
-
-
 @pytest.mark.parametrize("name", CASES)
 def test_tangent_is_the_derivative_of_the_residual(name, record_verification):
     system = _system(name)
     unknowns = _deformed(system, seed=17)
     free = np.flatnonzero(~system.held)
-    exact = _difference(system, unknowns)[np.ix_(free, free)]
+    exact = difference(system, unknowns)[np.ix_(free, free)]
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
     record_verification(
@@ -103,7 +95,7 @@ def test_tangent_of_a_law_in_stretches_where_they_are_equal(state, kappa, record
     p = np.random.default_rng(3).uniform(-1, 1, mesh.vertex_count)
     unknowns = np.concatenate([(mesh.points @ move.T).ravel() / system.length, p])
     free = np.flatnonzero(~system.held)
-    exact = _difference(system, unknowns)[np.ix_(free, free)]
+    exact = difference(system, unknowns)[np.ix_(free, free)]
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
     record_verification(
@@ -125,7 +117,7 @@ def test_mirror_planes_keep_the_pressure_tangent_symmetric(record_verification):
     unknowns = 0.05 * rng.uniform(-1, 1, system.size)
     unknowns[system.held] = 0
     free = np.flatnonzero(~system.held)
-    exact = _difference(system, unknowns)[np.ix_(free, free)]
+    exact = difference(system, unknowns)[np.ix_(free, free)]
     tangent = system.tangent(unknowns, 1.0).toarray()[np.ix_(free, free)]
     error = float(np.abs(tangent - exact).max() / np.abs(exact).max())
     skew = float(np.abs(exact - exact.T).max() / np.abs(exact).max())

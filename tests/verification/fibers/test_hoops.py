@@ -12,32 +12,15 @@ rubber and winding (the table asks 0.2 % of the stretch). Two cells through the 
 
 import numpy as np
 import pytest
+from hoops import CONTACT, PRESSURE, STRETCH, model_of
 
 import problems
 import slices
-import turgor as tg
 from fiber_tube import FiberTube
 
-INNER, OUTER = 6.35 * problems.MM, 8.35 * problems.MM
-STRETCH = (1.02, 1.05, 1.10, 1.20, 1.30, 1.50, 2.00)
-PRESSURE = {  # MPa
-    "neo-Hookean": (0.009216795, 0.02183597, 0.04021383, 0.06974935, 0.09294828, 0.1288545, 0.1944420),
-    "Yeoh": (0.008454466, 0.02009811, 0.03743099, 0.06749241, 0.09495944, 0.1506312, 0.3318453),
-}
-CONTACT = (0.00592104, 0.0142830, 0.0270475, 0.0492514, 0.0683665, 0.101022, 0.167777)  # MPa, neo-Hookean
 RADIUS = (6.395230, 6.459296, 6.557075, 6.724768, 6.863462, 7.079725, 7.417715)  # mm, both: nothing but volume
-LAW = {"neo-Hookean": problems.NEO_HOOKE, "Yeoh": problems.YEOH}
-STIFF_HOOPS = 1e5 * 1e3  # N/m
-HELD = (tg.Fixed("outside", "xy"),)
 #: Wall thickness at 0.05 MPa: inner radius [mm], stretch.
 THICKNESS = {5.35: 1.076743, 5.85: 1.097851, 6.35: 1.130179, 6.85: 1.188006, 7.35: 1.324264}
-
-
-def model_of(name, way, inner=INNER):
-    mesh = slices.quarter(inner, OUTER)
-    if way == "held":
-        return slices.wound(mesh, LAW[name], supports=HELD)
-    return slices.wound(mesh, LAW[name], [slices.family(STIFF_HOOPS, 0.0)])
 
 
 def test_exact_curve_reproduces_the_table():

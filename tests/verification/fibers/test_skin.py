@@ -12,7 +12,7 @@ elongation and no jump.
 
 import numpy as np
 import pytest
-from test_hoops import INNER, OUTER, PRESSURE, STRETCH
+from hoops import INNER, OUTER, PRESSURE, STRETCH
 
 import exact
 import problems

@@ -12,7 +12,7 @@ tensions of single trusses scatter by far more, as the tests show: along a threa
 
 import numpy as np
 import pytest
-from test_hoops import CONTACT, INNER, OUTER, PRESSURE, STIFF_HOOPS, STRETCH, model_of
+from hoops import CONTACT, INNER, OUTER, PRESSURE, STIFF_HOOPS, STRETCH, model_of
 
 import meshes
 import problems

@@ -13,7 +13,7 @@ volumes, which is what their residuals leave.
 
 import numpy as np
 import pytest
-from test_sphere import LAWS, PRESSURES, STRETCHES
+from thick_sphere import INNER, LAWS, OUTER, PRESSURES, STRETCHES
 
 import exact
 import meshes
@@ -25,7 +25,6 @@ from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.procedures.volume_control import VolumeControl
 
-INNER, OUTER = 10 * problems.MM, 15 * problems.MM
 REST = 4 / 3 * np.pi * INNER**3
 LIMITS = {  # kind, pressure [MPa], stretch
     "neo-Hookean": (("maximum", 0.11844454, 1.603434),),

@@ -14,6 +14,7 @@ of radius is 0.01 % of pressure.
 
 import numpy as np
 import pytest
+from thick_tube import INNER, OUTER, inflate
 
 import exact
 import meshes
@@ -21,7 +22,6 @@ import problems
 import turgor as tg
 from turgor.solvers.procedures.volume_control import VolumeControl
 
-INNER, OUTER = 5 * problems.MM, 7 * problems.MM
 STRETCHES = (1.05, 1.10, 1.20, 1.30, 1.50, 1.75, 2.00, 2.50, 3.00)
 TABLE = {  # law, pressure [MPa], axial force [N]
     "neo-Hookean": (
@@ -40,16 +40,6 @@ TABLE = {  # law, pressure [MPa], axial force [N]
         (0.903906, 1.77148, 3.41079, 4.94228, 7.76385),
     ),
 }
-
-
-def inflate(law, pressures, mesh):
-    """States of the tube at the given pressures [Pa]."""
-    model = problems.one_material(
-        mesh, law, supports=problems.PLANE_STRAIN, loads=[tg.Pressure("cavity", pressures[-1])]
-    )
-    factors = tuple(p / pressures[-1] for p in pressures)
-    solution = problems.solve(model, tg.Static(first_step=factors[0], at=factors, tolerance=1e-8))
-    return [problems.state_at(solution, factor) for factor in factors]
 
 
 @pytest.mark.parametrize("name", TABLE)

@@ -8,7 +8,7 @@ must reduce the error at least eightfold (the radius converges like an energy, a
 """
 
 import pytest
-from test_tube import INNER, OUTER, inflate
+from thick_tube import INNER, OUTER, inflate
 
 import meshes
 import problems

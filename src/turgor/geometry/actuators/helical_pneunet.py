@@ -62,7 +62,7 @@ class HelicalPneuNet:
     Raises
     ------
     TurgorError
-        If a dimension cannot be: the field, its value and what is allowed.
+        If a dimension is out of range; the message states the field, its value and the range.
 
     Examples
     --------

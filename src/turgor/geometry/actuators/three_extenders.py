@@ -54,7 +54,7 @@ class ThreeExtenders:
     Raises
     ------
     TurgorError
-        If a dimension cannot be: the field, its value in mm and what is allowed.
+        If a dimension is out of range; the message states the field, its value in mm and the range.
 
     Examples
     --------

@@ -45,7 +45,7 @@ class TwistingTube:
     Raises
     ------
     TurgorError
-        If a dimension cannot be: the field, its value in mm and what is allowed.
+        If a dimension is out of range; the message states the field, its value in mm and the range.
 
     Examples
     --------

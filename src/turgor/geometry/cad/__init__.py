@@ -1,1 +1,1 @@
-"""CAD files: parts drawn elsewhere, with their cavities found and their faces named."""
+"""CAD files: import of parts, detection of their cavities, and names of their faces."""

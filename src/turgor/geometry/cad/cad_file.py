@@ -1,4 +1,4 @@
-"""CadFile: an actuator drawn in a CAD program, as a job names it."""
+"""CadFile: an actuator from a CAD file, as a value of a job."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ class CadFile:
     file : Path
         STEP, BREP or closed STL.
     unit : str, optional
-        Unit of the numbers in the file, whatever the file says.
+        Unit of the numbers in the file; it overrides that of the file.
     faces : mapping of str to Selector
         Names for faces.
     regions : mapping of str to Selector
@@ -29,12 +29,12 @@ class CadFile:
     split : SplitPlane, optional
         A plane that cuts off the bottom as a region of its own.
     sha256 : str
-        Content of the file that is meant, as a lock file notes it; taken from the file where it is empty.
+        Checksum of the file, as a lock file states it; computed if it is empty.
 
     Raises
     ------
     TurgorError
-        If the content of the file is another one.
+        If the file is missing, or its checksum is another one.
 
     Examples
     --------
@@ -62,5 +62,5 @@ class CadFile:
         object.__setattr__(self, "sha256", found)
 
     def build(self) -> Geometry:
-        """Read the file."""
+        """Read the file with `read_cad`."""
         return read_cad(self.file, unit=self.unit, faces=self.faces, regions=self.regions, split=self.split)

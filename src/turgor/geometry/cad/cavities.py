@@ -1,4 +1,4 @@
-"""Cavities: closed voids of a part, and pockets with one opening to the outside."""
+"""Cavities of a part: closed voids, and pockets with one opening to the outside."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,16 +13,16 @@ from turgor.geometry.cad.facets import Facets, edge_pairs, flux
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: A pocket smaller than this share of the box around the part is a dent.
+#: A pocket smaller than this share of the bounding box of the part does not count.
 DENT = 1e-6
 
-#: Two pockets whose volumes differ by less than this share differ by flat surface only.
+#: Two pockets whose volumes differ by less than this share differ by flat faces only.
 SAME_VOLUME = 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Opening:
-    """Where a cavity is open to the outside.
+    """Opening of a cavity to the outside.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class Hollow:
     faces : tuple of int
         CAD faces that are its walls.
     volume : float [CAD units³]
-        Of the facets, with each opening closed by the fan from the middle of its rim.
+        Volume of the facets, with each opening closed by a fan of triangles from the middle of its rim.
     openings : tuple of Opening
         None for a void.
     """
@@ -57,7 +57,7 @@ class Hollow:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Patches:
-    """The connected pieces of faces and the edges between them."""
+    """Connected patches of faces, and the edges between them."""
 
     points: Array
     triangles: Ints
@@ -68,7 +68,7 @@ class _Patches:
     origin: Array
 
     def components(self, cut: NDArray[np.bool_]) -> tuple[int, Ints]:
-        """Number of pieces, and the piece of each patch, when the surface is cut along some edges."""
+        """Return the number of pieces of the surface after cuts along some edges, and the piece of each patch."""
         a, b = self.pairs[~cut].T
         count = len(self.face)
         graph = coo_array((np.ones(len(a)), (a, b)), shape=(count, count))
@@ -76,7 +76,7 @@ class _Patches:
         return int(pieces), label.astype(np.int64)
 
     def volume(self, patches: Ints, rims: Sequence[Ints]) -> tuple[float, list[Opening]]:
-        """Volume within some patches closed by fans, positive for what bulges out, and the openings."""
+        """Return the volume within patches closed by fans, positive for normals that point out, and the openings."""
         rows = np.isin(self.patch, patches)
         total, openings = flux(self.points, self.triangles[rows], self.origin), []
         directed = rim(self.triangles[rows])
@@ -91,11 +91,11 @@ class _Patches:
 
 
 def find_hollows(facets: Facets) -> tuple[list[Hollow], list[Hollow], list[Hollow]]:
-    """Find what is hollow in a part.
+    """Find the voids, pockets and passages of a part.
 
-    A piece of the surface that is closed and faces inward is a void. Elsewhere the surface is cut along every closed
-    chain of edges that bounds a face; a part that this cuts off and that faces inward, once the cut is capped, is a
-    pocket. Of pockets that lie in one another the outermost one counts.
+    A closed piece of the surface with inward normals is a void. For pockets, the surface is cut along each closed chain
+    of edges that bounds a face. A part that the cut separates is a pocket if its normals point inward once the cut is
+    capped. Of nested pockets the outermost one counts.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def find_hollows(facets: Facets) -> tuple[list[Hollow], list[Hollow], list[Hollo
     hollows : list of Hollow
         Voids and outermost pockets, the largest first.
     nested : list of Hollow
-        Pockets within these pockets: the same cavity closed further in.
+        Pockets within these pockets: the same cavity, closed further inside.
     passages : list of Hollow
         Holes with two openings or more.
     """
@@ -155,14 +155,14 @@ def _patches(facets: Facets) -> _Patches:
 
 
 def rim(triangles: Ints) -> Ints:
-    """Edges that one of the triangles has and no other, in its direction, (e, 2)."""
+    """Return the boundary edges of triangles, in the direction of their triangle, (e, 2)."""
     directed = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     _, index, count = np.unique(np.sort(directed, axis=1), axis=0, return_index=True, return_counts=True)
     return np.asarray(directed[index[count == 1]])
 
 
 def _rims(patches: _Patches, among: Ints) -> list[tuple[int, Ints]]:
-    """Closed chains of edges that bound a patch which has two or more: (patch, edges), each chain once a patch."""
+    """Closed chains of edges around patches that have two or more of them: (patch, edges)."""
     rims = []
     for owner in among:
         own = np.flatnonzero((patches.pairs == owner).any(axis=1))
@@ -180,12 +180,12 @@ def chains(edges: Ints, *, closed: bool = True) -> list[Ints]:
     edges : (e, 2) int array
         Corners at the two ends.
     closed : bool
-        Whether to keep only loops, in which two edges meet at every corner.
+        Whether to keep only loops, which have two edges at every corner.
 
     Returns
     -------
     list of (k,) int array
-        Places of the edges of each chain.
+        Indices of the edges of each chain.
     """
     if not len(edges):
         return []
@@ -202,7 +202,7 @@ def chains(edges: Ints, *, closed: bool = True) -> list[Ints]:
 
 
 def _pocket(patches: _Patches, owner: int, cut: Ints) -> tuple[Ints, Hollow] | None:
-    """What a cut takes away from the patch that it bounds, if that faces inward."""
+    """Pocket that a cut separates from a patch, if its normals point inward."""
     mask = np.zeros(len(patches.pairs), dtype=bool)
     mask[cut] = True
     _, piece = patches.components(mask)
@@ -221,10 +221,10 @@ def _hollow(patches: _Patches, members: Ints, rims: Sequence[Ints]) -> Hollow:
 
 
 def _outermost(pockets: list[tuple[Ints, Hollow]]) -> tuple[list[tuple[Ints, Hollow]], list[tuple[Ints, Hollow]]]:
-    """Separate the pockets that lie in no larger one from those that do.
+    """Separate the outermost pockets from those that lie in larger ones.
 
-    A pocket that adds only flat surface to those within it, such as the plane end in which several of them open, is
-    none of its own.
+    A pocket that adds only flat faces to those within it does not count, such as the plane end in which several of
+    them open.
     """
     kept: list[tuple[Ints, Hollow]] = []
     nested: list[tuple[Ints, Hollow]] = []
@@ -239,7 +239,7 @@ def _outermost(pockets: list[tuple[Ints, Hollow]]) -> tuple[list[tuple[Ints, Hol
 
 
 def _passages(patches: _Patches, rims: list[tuple[int, Ints]], among: Ints, dent: float) -> list[Hollow]:
-    """Holes with several openings: cut along all chains at once and join the pieces that face inward."""
+    """Holes with several openings: the surface is cut along all chains, and adjacent inward pieces are joined."""
     cut = np.zeros(len(patches.pairs), dtype=bool)
     for _, chain in rims:
         cut[chain] = True
@@ -250,7 +250,7 @@ def _passages(patches: _Patches, rims: list[tuple[int, Ints]], among: Ints, dent
         own = patches.edges[cut & (np.isin(patches.pairs, members).sum(axis=1) == 1)]
         volumes[members], _ = patches.volume(members, [own[chain] for chain in chains(own)])
     inward = volumes < -dent
-    for i in np.unique(piece[np.abs(volumes) <= dent]):  # flat steps of a hole belong to what is around them
+    for i in np.unique(piece[np.abs(volumes) <= dent]):  # flat steps of a hole belong to the surface around them
         around = patches.pairs[(piece[patches.pairs] == i).sum(axis=1) == 1]
         inward[piece == i] = inward[around[piece[around] != i]].all()
     joined = cut & ~inward[patches.pairs].all(axis=1)

@@ -1,4 +1,4 @@
-"""Colors of faces and bodies, as CAD files state them."""
+"""Colors of faces and bodies in CAD files."""
 
 import re
 from collections.abc import Sequence
@@ -7,10 +7,10 @@ from turgor.errors import TurgorError, near_match
 
 Color = tuple[float, float, float]
 
-#: Largest difference in red, green or blue between two colors that are the same.
+#: Largest difference in red, green or blue between two equal colors.
 SAME_COLOR = 0.02
 
-#: The names that people use in CAD programs.
+#: Names of colors.
 NAMES = {
     "black": "#000000", "gray": "#808080", "silver": "#c0c0c0", "white": "#ffffff",
     "red": "#ff0000", "maroon": "#800000", "orange": "#ffa500", "yellow": "#ffff00",
@@ -55,7 +55,7 @@ def hexadecimal(color: Color) -> str:
 
 
 def shown_color(linear: Sequence[float]) -> Color:
-    """Return a color as screens show it (sRGB) from the linear one that the CAD kernel keeps.
+    """Return the sRGB color for a linear one, which the CAD kernel keeps.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def shown_color(linear: Sequence[float]) -> Color:
 
 
 def same_color(given: Color, wanted: Color) -> bool:
-    """Whether a color of a file is the wanted one; programs that write it as if it were linear are understood too.
+    """Return whether a color of a file equals the wanted one, as sRGB or as a linear color.
 
     Examples
     --------

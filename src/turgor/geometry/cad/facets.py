@@ -1,7 +1,7 @@
-"""Facets: the surface of a CAD part as flat triangles, for finding cavities and measuring walls.
+"""Facets: the surface of a CAD part as flat triangles, for cavities and wall thickness.
 
-The triangles come from the display of the CAD kernel: they are there at once and share their corners, but circles have
-36 corners only. Places and topology are read off them, volumes are not.
+The triangles are those of the display of the CAD kernel. They are available at once and share their corners, but a
+circle has 36 corners only. They give positions and topology; volumes need the exact faces.
 """
 
 from collections.abc import Sequence
@@ -23,7 +23,7 @@ Ints = NDArray[np.int64]
 #: An axis and a position: a mirror plane.
 Mirror = tuple[int, float]
 
-#: Corners nearer than this share of the part's size are one: the display has seven digits.
+#: Corners closer than this share of the size of the part are merged: the display has seven digits.
 WELD = 2e-6
 
 
@@ -35,9 +35,9 @@ class Facets:
     ----------
     points : (n, 3) float array [CAD units]
     triangles : (t, 3) int array
-        Corners, in the order that makes the normal point out of the material; either way inside the material.
+        Corners, with the normal out of the solid; between two bodies in either direction.
     face : (t,) int array
-        Place of the CAD face in the part's list.
+        Index of the CAD face in the list of the part.
     outer : (t,) bool array
         False for faces between two bodies.
     """
@@ -48,13 +48,13 @@ class Facets:
     outer: NDArray[np.bool_]
 
     def corners(self, faces: Ints | None = None) -> Array:
-        """Corners of the triangles of some faces, or of all, (t, 3, 3)."""
+        """Return the corners of the triangles of some faces, or of all, (t, 3, 3)."""
         chosen = self.triangles if faces is None else self.triangles[np.isin(self.face, faces)]
         return np.asarray(self.points[chosen])
 
 
 def find_facets(shape: Any, faces: list[Any]) -> Facets:
-    """Triangulate a part and turn every triangle to point out of its body.
+    """Triangulate a part, with normals that point out of its bodies.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def find_facets(shape: Any, faces: list[Any]) -> Facets:
 
 
 def mirrored(facets: Facets, mirrors: Sequence[Mirror], cuts: Sequence[int]) -> Facets:
-    """Complete a half or a quarter by its images, so that an inlet that a mirror plane cuts is whole.
+    """Add the mirror images to a half or quarter, so that an inlet in a mirror plane is complete.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def mirrored(facets: Facets, mirrors: Sequence[Mirror], cuts: Sequence[int]) -> 
     mirrors : sequence of (int, float)
         Axis and position of each mirror plane [CAD units].
     cuts : sequence of int
-        CAD faces that lie on them; they are no surface of the whole.
+        CAD faces in these planes, which are not on the surface of the whole part.
 
     Returns
     -------
@@ -115,7 +115,7 @@ def mirrored(facets: Facets, mirrors: Sequence[Mirror], cuts: Sequence[int]) -> 
 
 
 def edge_pairs(triangles: Ints) -> tuple[Ints, Ints, NDArray[np.bool_]]:
-    """Find the triangles that share an edge which no third one has.
+    """Find the pairs of triangles that share an edge, without edges of three or more triangles.
 
     Returns
     -------
@@ -124,7 +124,7 @@ def edge_pairs(triangles: Ints) -> tuple[Ints, Ints, NDArray[np.bool_]]:
     edges : (p, 2) int array
         The two corners.
     coherent : (p,) bool array
-        Whether both turn the same way: they run along the edge in opposite directions.
+        Whether both have the same orientation, with opposite directions along the edge.
     """
     directed = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     owner = np.tile(np.arange(len(triangles)), 3)
@@ -138,7 +138,7 @@ def edge_pairs(triangles: Ints) -> tuple[Ints, Ints, NDArray[np.bool_]]:
 
 
 def flux(points: Array, triangles: Ints, origin: Array) -> float:
-    """⅓ ∮ (x − origin)·n da over triangles: the volume that they enclose, if they do."""
+    """Return ⅓ ∮ (x − origin)·n da over triangles, which is the volume within a closed surface."""
     a, b, c = (points[triangles[:, i]] - origin for i in range(3))
     return float(np.einsum("ti,ti->", a, np.cross(b, c)) / 6)
 
@@ -159,7 +159,7 @@ def weld(corners: Array) -> tuple[Array, Ints]:
 
 
 def _outward(points: Array, triangles: Ints, body: str) -> Ints:
-    """Turn the triangles of one body: its largest shell holds the volume, all others are voids."""
+    """Orient the triangles of one body: its largest shell is the outside, all others are voids."""
     pairs, _, coherent = edge_pairs(triangles)
     count = len(triangles)
     graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count)).tocsr()
@@ -175,7 +175,7 @@ def _outward(points: Array, triangles: Ints, body: str) -> Ints:
 
 
 def _turned(triangles: Ints, pairs: Ints, coherent: NDArray[np.bool_], starts: list[int]) -> Ints:
-    """Turn triangles so that neighbors run along their common edge in opposite directions."""
+    """Orient triangles alike: neighbors have opposite directions along their common edge."""
     pairs, first = np.unique(pairs, axis=0, return_index=True)
     sign = np.where(coherent[first], 1.0, 2.0)  # no entry of a sparse matrix may be zero
     count = len(triangles)

@@ -1,4 +1,4 @@
-"""Files: a STEP, BREP or STL file as named CAD bodies in millimeters."""
+"""Reading of STEP, BREP and STL files as named CAD bodies in millimeters."""
 
 import re
 from dataclasses import dataclass
@@ -15,13 +15,13 @@ from turgor.geometry.cad.stl import stl_solids
 from turgor.geometry.quiet import captured_output
 from turgor.units import UNITS, mm
 
-#: What can be read, and what such a file is.
+#: Kind of file by its suffix.
 SUFFIXES = {".step": "STEP", ".stp": "STEP", ".brep": "BREP", ".brp": "BREP", ".stl": "STL"}
 
-#: Sides that an actuator can have [m].
+#: Smallest and largest allowed longest side [m].
 SMALLEST, LARGEST = 1 * mm, 2.0
 
-#: Names that programs write where the user gave none.
+#: Default names of bodies, which count as no name.
 _NO_NAMES = re.compile(r"(?i)|none|solid\d*|body|compound|shell|part|unnamed|open cascade.*|manifold_solid_brep.*")
 
 #: Meters of the prefixes and names of lengths in STEP.
@@ -31,18 +31,18 @@ _NAMED = {"INCH": 25.4e-3, "FOOT": 0.3048, "FEET": 0.3048, "MIL": 25.4e-6}
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class FileContents:
-    """What a file holds.
+    """Bodies of a file.
 
     Parameters
     ----------
     kind : str
         STEP, BREP or STL.
     bodies : list of CAD solids
-        In millimeters, as drawn: not glued yet.
+        In millimeters, not yet glued.
     names : list of str
         Name of each body, empty where the file has none.
     unit : str
-        How its unit is known, for the report.
+        Unit and where it is stated, for the report.
     """
 
     kind: str
@@ -59,13 +59,13 @@ def load_file(path: str | Path, unit: str | None = None) -> FileContents:
     path : str or Path
         A file that ends in .step, .stp, .brep, .brp or .stl.
     unit : str, optional
-        Unit of the numbers in the file, such as ``"mm"``, whatever the file says. A STEP file states its unit; for
-        the others it is millimeters unless this says otherwise.
+        Unit of the numbers in the file, such as ``"mm"``, instead of the stated one. The default is the unit that a
+        STEP file states, and millimeters for other files.
 
     Raises
     ------
     TurgorError
-        If the file is missing, is of no known kind, is damaged, holds no solid, or is of no possible size.
+        If the file is missing, of an unknown kind, damaged, without a solid, or of an impossible size.
     """
     path = Path(path)
     kind = _kind(path)
@@ -108,17 +108,17 @@ def _kind(path: Path) -> str:
 
 
 def _read(path: Path, kind: str) -> tuple[list[Any], list[str]]:
-    """Bodies and their names, from the bodies themselves or from the assembly."""
+    """Bodies and their names, which the bodies or the assembly state."""
     given = path
     with captured_output() as text, TemporaryDirectory() as folder:
         try:
-            if path.suffix not in (".step", ".stp", ".brep"):  # the kernel knows no others, and no capitals
+            if path.suffix not in (".step", ".stp", ".brep"):  # the kernel accepts only these suffixes, in lower case
                 path = Path(copyfile(path, Path(folder) / f"part.{kind.lower()}"))
             geometry = OCCGeometry(str(path))
             shape = geometry.shape
             bodies = list(shape.solids)
             names = _assembly_names(geometry, bodies) if kind == "STEP" else [""] * len(bodies)
-        except Exception as error:  # the kernel raises kinds of its own for damaged files
+        except Exception as error:  # the kernel raises exceptions of its own for damaged files
             said = [line for line in text().splitlines() if "ERR" in line or "Error" in line]
             said_text = re.sub(r"\x1b\[[\d;]*m|\*+", "", said[-1]).strip() if said else str(error)
             raise TurgorError(
@@ -134,7 +134,7 @@ def _read(path: Path, kind: str) -> tuple[list[Any], list[str]]:
 
 
 def _assembly_names(geometry: Any, bodies: list[Any]) -> list[str]:
-    """Names of solids, else those of the products that hold one solid each; what programs invent is left out."""
+    """Names of solids, else of products with one solid each; default names of programs are left out."""
     products: dict[Any, str] = {}
 
     def walk(node: Any) -> None:
@@ -166,7 +166,7 @@ def _unit_name(unit: float | None) -> str:
 
 
 def _check_size(path: Path, bodies: list[Any], stated: float | None, unit: str | None) -> None:
-    """Refuse a part of impossible size and say which unit would make it possible."""
+    """Raise an error for a part of impossible size, with a unit that would make it possible."""
     lows, highs = zip(*(body.bounding_box for body in bodies), strict=True)
     low, high = ([pick(box[i] for box in boxes) for i in range(3)] for pick, boxes in ((min, lows), (max, highs)))
     sides = [(b - a) * mm for a, b in zip(low, high, strict=True)]

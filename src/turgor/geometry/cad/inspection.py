@@ -1,4 +1,4 @@
-"""inspect_cad: what a CAD file holds, before anything is done with it."""
+"""Inspection of a CAD file: its bodies, faces and cavities."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BodyFacts:
-    """One body: its region, its color as ``#rrggbb`` or empty, volume [m³] and box [m]."""
+    """One body: region, color as ``#rrggbb`` or empty, volume [m³] and bounding box [m]."""
 
     region: str
     color: str
@@ -34,7 +34,7 @@ class BodyFacts:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class FaceFacts:
-    """One face: the name that it gets, its name and color in the file, area [m²], center [m], normal if it is plane.
+    """One face: its name, name and color in the file, area [m²], center [m], and normal of a plane face.
 
     ``triangles`` (t, 3, 3) [m] are for pictures.
     """
@@ -60,22 +60,22 @@ class CavityFacts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Inspection:
-    """What a CAD file holds.
+    """Content of a CAD file.
 
     Parameters
     ----------
     name : str
         File name.
     unit : str
-        Unit of its numbers, and how that is known.
+        Unit of its numbers, and where it is stated.
     size : (3,) tuple [m]
-        Sides of the box around it.
+        Sides of the bounding box.
     smallest_wall : float [m]
         Thickness that 99 % of its walls exceed.
     bodies, faces, cavities : tuples
-        What it consists of.
+        Facts about its parts.
     findings : tuple of Finding
-        What was noticed.
+        Findings about cavities and names.
     """
 
     name: str
@@ -96,7 +96,7 @@ def inspect_cad(
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
 ) -> Inspection:
-    """Say what a CAD file holds; arguments and names are those of `read_cad`.
+    """Read a CAD file and return its bodies, faces and cavities; arguments and names are those of `read_cad`.
 
     Examples
     --------

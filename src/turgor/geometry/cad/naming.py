@@ -1,4 +1,4 @@
-"""Naming: the names of the faces of a CAD part, and findings about its cavities."""
+"""Names of the faces of a CAD part, and findings about its cavities."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ from turgor.geometry.cad.selectors import NearestTo, Selector
 from turgor.geometry.cad.volumes import measured
 from turgor.units import mm
 
-#: Names that later rooms know. A face that the file calls so keeps the name; any other name needs ``ByName``.
+#: Names with a meaning in models and measures. A face with such a name in the file keeps it; others need ``ByName``.
 STANDARD = ("fixed", "tip", "strain_limiting_layer", "symmetry_x", "symmetry_y", "symmetry_z")
 
 #: A pocket smaller than this share of the largest cavity is a hole for a screw or a mark, and no cavity.
@@ -30,9 +30,9 @@ class Naming:
     names : tuple of str
         Name of each face.
     cavities : dict of str to Hollow
-        Cavities by name, measured; of the modeled part.
+        Cavities of the modeled part by name, with exact volumes.
     findings : tuple of Finding
-        What was noticed about them.
+        Findings about them.
     """
 
     names: tuple[str, ...]
@@ -43,23 +43,25 @@ class Naming:
 def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | None) -> Naming:
     """Name every face of a part.
 
-    A face that a selector picks gets the name of the selector; else its name in the file if that is a standard one;
-    else the name of the cavity of which it is a wall; else ``strain_limiting_layer`` or ``interface`` between two
-    bodies; else ``outside``.
+    A face gets the first of these names: that of a selector which picks it; its name in the file, if it is one of
+    ``fixed``, ``tip``, ``cavity…``, ``symmetry_…`` and ``strain_limiting_layer``; that of the cavity of which it is a
+    wall; between two bodies ``strain_limiting_layer`` (``body`` and ``base``) or ``interface`` (others); ``outside``.
+    Cavities are numbered along x; those side by side from +z counterclockwise, seen from the tip. A pocket with one
+    opening is closed for measuring its volume and stays open in the mesh.
 
     Parameters
     ----------
     part : Part
-        Where the faces are.
+        The part.
     selected : mapping of str to Selector
-        Faces that the user names. Where one of them is a cavity, only those are cavities.
+        Names that the user gives. If one of them is a cavity, no others are found.
     interface : str or None
         Name of the faces that a split made.
 
     Raises
     ------
     TurgorError
-        If a selector finds nothing, or two of them the same face.
+        If a selector finds nothing, or two selectors find the same face.
     """
     names = [item.name if _standard(item.name) else "" for item in part.items]
     picked = {name: pick(part, name, selector) for name, selector in selected.items()}
@@ -93,7 +95,7 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
 
 
 def pick(part: Part, name: str, selector: Selector) -> list[int]:
-    """Return the faces that a selector picks; a message begins with the name of the face."""
+    """Return the faces that a selector picks; its error messages begin with the name of the face."""
     try:
         return selector.pick(part.items)
     except TurgorError as error:
@@ -119,7 +121,7 @@ def _standard(name: str) -> bool:
 
 
 def _once(hollows: Sequence[Hollow]) -> list[Hollow]:
-    """Drop the images of hollows that no mirror plane cuts."""
+    """Drop duplicate hollows, which are mirror images."""
     return list({hollow.faces: hollow for hollow in hollows}.values())
 
 
@@ -159,7 +161,7 @@ def _found(
     passages: Sequence[Hollow],
     mirrors: Sequence[Mirror],
 ) -> tuple[dict[str, Hollow], list[Finding]]:
-    """Names for the cavities that were found, and what was left out."""
+    """Names of the detected cavities, and findings about other hollows."""
     largest = max((hollow.volume for hollow in hollows), default=0.0)
     large = [hollow for hollow in hollows if hollow.volume >= SMALL * largest]
     ordered = in_order(large, part)
@@ -218,7 +220,7 @@ def _leaks(passages: Sequence[Hollow], found: bool) -> Finding:
 
 
 def where(hollow: Hollow) -> str:
-    """Say where a hollow is open."""
+    """Write the positions of the openings of a hollow."""
     return ", ".join(_place(opening.center, opening.area) for opening in hollow.openings) or "no place"
 
 

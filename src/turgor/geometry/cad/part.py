@@ -1,4 +1,4 @@
-"""Parts: the glued bodies of a CAD file with everything that can be read off their faces."""
+"""Part: the glued bodies of a CAD file, with the properties of their faces."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -21,10 +21,10 @@ from turgor.units import mm
 
 Array = NDArray[np.float64]
 
-#: Volume that may get lost where bodies are glued; more than that and they overlap.
+#: Largest loss of volume when bodies are glued; a larger one means that they overlap.
 OVERLAP = 1e-6
 
-#: Normals of a plane face differ by less than this; the display has seven digits.
+#: Tolerance of the normals of a plane face; the display has seven digits.
 PLANE = 1e-5
 
 
@@ -35,9 +35,9 @@ class Part:
     Parameters
     ----------
     path : Path
-        Where it came from.
+        Path of the file.
     file : FileContents
-        What the file says.
+        Content of the file.
     shape : CAD shape
         The glued bodies, in millimeters.
     regions : tuple of str
@@ -47,7 +47,7 @@ class Part:
     facets : Facets
         Their triangles.
     items : tuple of Item
-        What selectors need to know of each face.
+        Properties of each face for selectors.
     between : (f,) bool array
         Whether a face lies between two bodies.
     """
@@ -75,7 +75,7 @@ def load_part(
     path, unit
         As for `load_file`.
     regions : mapping of str to Selector, optional
-        Region for the bodies that each selector picks; the others keep the name that the file gives them.
+        Region of the bodies that each selector picks; the others keep their name in the file.
     split : SplitPlane, optional
         A plane that cuts the bodies.
 
@@ -116,7 +116,7 @@ def load_part(
 
 
 def body_items(bodies: list[Any], names: list[str]) -> tuple[Item, ...]:
-    """Say of each body what selectors need to know."""
+    """Return the properties of each body for selectors."""
     return tuple(
         _item(body, find_facets(body, list(dict.fromkeys(body.faces))).corners() * mm, name)
         for body, name in zip(bodies, names, strict=True)
@@ -124,7 +124,7 @@ def body_items(bodies: list[Any], names: list[str]) -> tuple[Item, ...]:
 
 
 def _region_names(file: FileContents, regions: Mapping[str, Selector]) -> list[str]:
-    """Region of each body: as selected, as in the file, or body, body_1, body_2, the largest first."""
+    """Region of each body: the selected name, the name in the file, or body, body_1, body_2, the largest first."""
     unnamed = [i for i, name in enumerate(file.names) if not name]
     order = sorted(unnamed, key=lambda i: -file.bodies[i].mass)
     alone = len(unnamed) == 1
@@ -164,7 +164,7 @@ def _item(shape: Any, triangles: Array, name: str | None = None) -> Item:
 
 
 def _body_color(body: Any) -> Any:
-    """The color that most faces of a body have."""
+    """Most frequent color of the faces of a body."""
     colors = Counter(tuple(face.col) if face.col is not None else None for face in body.faces)
     return colors.most_common(1)[0][0]
 
@@ -181,7 +181,7 @@ def _owners(solids: list[Any], faces: list[Any]) -> NDArray[np.int64]:
 
 
 def _check_touching(path: str | Path, solids: list[Any]) -> None:
-    """Refuse bodies that share no face with the rest: what holds one would not hold the other."""
+    """Raise an error for bodies that share no face with the others, because supports would not hold them."""
     reached, left = set(solids[0].faces), list(solids[1:])
     while left:
         nearer = [solid for solid in left if reached & set(solid.faces)]

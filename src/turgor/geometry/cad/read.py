@@ -1,11 +1,11 @@
-"""read_cad: a CAD file as a geometry with named regions and faces."""
+"""Reading of a CAD file as a geometry with named regions and faces."""
 
 from collections.abc import Mapping
 from pathlib import Path
 
 from turgor.errors import TurgorError
-from turgor.geometry.cad.naming import name_faces
-from turgor.geometry.cad.part import load_part
+from turgor.geometry.cad.naming import Naming, name_faces
+from turgor.geometry.cad.part import Part, load_part
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.walls import smallest_wall
@@ -23,12 +23,8 @@ def read_cad(
 ) -> Geometry:
     """Read a STEP, BREP or closed STL file as a geometry.
 
-    Bodies that touch are joined. Cavities are found by themselves: closed voids, and pockets with one opening, which
-    is closed for measuring and stays open in the mesh. One is named ``cavity``; several are ``cavity_1``,
-    ``cavity_2``, … along x, and side by side from +z counterclockwise, seen from the tip. Faces that the file calls
-    ``fixed``, ``tip``, ``cavity…``, ``symmetry_…`` or ``strain_limiting_layer`` keep these names; faces between the
-    regions ``body`` and ``base`` are the ``strain_limiting_layer``, between others ``interface``; the rest is
-    ``outside``.
+    Bodies that touch are joined. Closed voids and pockets with one opening become cavities: one is named ``cavity``,
+    several are ``cavity_1``, ``cavity_2``, …. `name_faces` says how the other faces get their names.
 
     Parameters
     ----------
@@ -37,28 +33,24 @@ def read_cad(
     unit : str, optional
         Unit of its numbers, such as ``"mm"``; by default what a STEP file states, and millimeters for the others.
     faces : mapping of str to Selector, optional
-        Names for faces. The faces of one name must not be those of another. Where a cavity is named here, only
-        those named here are cavities.
+        Names for faces, each face once. If one of them is a cavity, no others are found.
     regions : mapping of str to Selector, optional
-        Names for bodies; the others keep their name in the file, or are ``body``, ``body_1``, ….
+        Names for bodies. The others keep their name in the file, or are ``body``, ``body_1``, ….
     split : SplitPlane, optional
-        A plane that cuts off the bottom as a region of its own.
+        Plane that cuts off the bottom as a region of its own.
 
     Returns
     -------
     Geometry
-        ``findings`` says what was noticed: several places where a cavity could end, holes that are no cavities,
-        names that are missing.
+        Its ``findings`` name cavities that could end in several places, holes that are no cavities, and missing names.
 
     Raises
     ------
     TurgorError
-        If the file is missing or damaged, holds no solid or surfaces that do not close, is of impossible size, if
-        its bodies overlap or do not touch, or if a selector finds nothing.
+        If the file has no closed solid, its bodies overlap or do not touch, or a selector finds nothing.
 
     Examples
     --------
-    >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> from turgor.geometry import FastPneuNet
     >>> finger = FastPneuNet(chambers=2, length=20e-3, symmetric=False).build()
@@ -70,17 +62,19 @@ def read_cad(
     >>> round(part.cavity_volume * 1e9, 6)
     2098.0
     """
-    wanted, named = faces or {}, regions or {}
-    for what, names in (("face", wanted), ("region", named)):
-        for name in names:
-            if not isinstance(name, str) or not name.strip():
-                raise TurgorError(f"{what} name is {name!r}; a text such as 'fixed' is needed.")
-    part = load_part(path, unit, named, split)
-    naming = name_faces(part, wanted, split.interface if split is not None else None)
-    for face, name in zip(part.faces, naming.names, strict=True):
-        face.name = name
+    _check_names("face", faces or {})
+    _check_names("region", regions or {})
+    part = load_part(path, unit, regions or {}, split)
+    naming = name_faces(part, faces or {}, split.interface if split is not None else None)
+    return _geometry(Path(path).stem, part, naming)
+
+
+def _geometry(name: str, part: Part, naming: Naming) -> Geometry:
+    """Write the names into the shape and return it as a geometry."""
+    for face, face_name in zip(part.faces, naming.names, strict=True):
+        face.name = face_name
     return Geometry(
-        name=Path(path).stem,
+        name=name,
         smallest_wall=smallest_wall(part.facets) * mm,
         cavity_volumes={name: hollow.volume * mm**3 for name, hollow in naming.cavities.items()},
         solid_volume=sum(float(solid.mass) for solid in part.shape.solids) * mm**3,
@@ -89,3 +83,10 @@ def read_cad(
         findings=naming.findings,
         _shape=part.shape,
     )
+
+
+def _check_names(what: str, names: Mapping[str, Selector]) -> None:
+    """Raise an error for an empty name."""
+    for name in names:
+        if not isinstance(name, str) or not name.strip():
+            raise TurgorError(f"{what} name is {name!r}; a text such as 'fixed' is needed.")

@@ -1,4 +1,4 @@
-"""Selectors: how a user points at faces and bodies of a CAD file."""
+"""Selectors of faces and bodies of a CAD file."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from turgor.geometry.directions import AXES, DIRECTIONS, Vector
 
 Array = NDArray[np.float64]
 
-#: Cosine of the largest angle between two normals that are the same: 1°.
+#: Cosine of the largest angle between two normals that count as equal: 1°.
 SAME_DIRECTION = 0.99985
 
 #: Directions by name; an axis without a sign is its positive direction.
@@ -22,7 +22,7 @@ NAMED = {**DIRECTIONS, **AXES}
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Item:
-    """One face or one body of a CAD part, as much as selectors need to know.
+    """Properties of a face or a body of a CAD part for selectors.
 
     Parameters
     ----------
@@ -31,9 +31,9 @@ class Item:
     color : tuple of float or None
         Red, green and blue between 0 and 1.
     normal : (3,) tuple or None
-        Outward normal of a plane face, None for what is curved and for bodies.
+        Outward normal of a plane face; None for curved faces and bodies.
     center, low, high : (3,) tuple [m]
-        Centroid, and the corners of the box around it.
+        Centroid, and the corners of the bounding box.
     triangles : (t, 3, 3) float array [m]
         Its surface, for distances.
     """
@@ -86,7 +86,7 @@ def direction(what: str, value: object) -> Vector:
 
 @dataclass(frozen=True, slots=True)
 class ByName:
-    """Everything that the file calls by a name.
+    """Selector of all faces or bodies with a name in the file.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ class ByName:
     name: str
 
     def pick(self, items: Sequence[Item]) -> list[int]:
-        """Return the places of what is selected; nothing is an error that says what there is."""
+        """Return the indices of the selected items; an empty selection is an error that lists what exists."""
         names = sorted({item.name for item in items} - {""})
         listed = f"t has {', '.join(names)}" if names else "t has no names"
         hint = near_match(self.name, names)
@@ -114,13 +114,13 @@ class ByName:
 
 @dataclass(frozen=True, slots=True)
 class ByColor:
-    """Everything of one color.
+    """Selector of all faces or bodies of one color.
 
     Parameters
     ----------
     color : str
-        A name such as ``"red"`` or a hexadecimal number such as ``"#d02020"``; programs that write colors as they
-        glow (linear) and as they are shown are both understood.
+        A name such as ``"red"`` or a hexadecimal number such as ``"#d02020"``; files with sRGB
+        colors and files with linear colors are both understood.
 
     Examples
     --------
@@ -134,7 +134,7 @@ class ByColor:
         parse_color(self.color)
 
     def pick(self, items: Sequence[Item]) -> list[int]:
-        """Return the places of what is selected; nothing is an error that says what there is."""
+        """Return the indices of the selected items; an empty selection is an error that lists what exists."""
         wanted = parse_color(self.color)
         known = sorted({hexadecimal(item.color) for item in items if item.color is not None})
         return _found(
@@ -145,7 +145,7 @@ class ByColor:
 
 @dataclass(frozen=True, slots=True)
 class NearestTo:
-    """The one face or body that is nearest to a point.
+    """Selector of the face or body nearest to a point.
 
     Parameters
     ----------
@@ -164,13 +164,13 @@ class NearestTo:
         object.__setattr__(self, "point", vector("point of NearestTo", self.point))
 
     def pick(self, items: Sequence[Item]) -> list[int]:
-        """Return the place of what is selected."""
+        """Return the index of the selected item."""
         return [int(np.argmin([distance(self.point, item.triangles) for item in items]))]
 
 
 @dataclass(frozen=True, slots=True)
 class InBox:
-    """Everything that lies wholly within a box.
+    """Selector of all faces or bodies that lie completely within a box.
 
     Parameters
     ----------
@@ -198,8 +198,8 @@ class InBox:
                 )
 
     def pick(self, items: Sequence[Item]) -> list[int]:
-        """Return the places of what is selected; nothing is an error that says what there is."""
-        slack = 1e-6  # what CAD programs leave between faces that touch [m]
+        """Return the indices of the selected items; an empty selection is an error that lists what exists."""
+        slack = 1e-6  # tolerance of faces in contact in CAD programs [m]
         inside = [
             i
             for i, item in enumerate(items)
@@ -217,7 +217,7 @@ class InBox:
 
 @dataclass(frozen=True, slots=True)
 class WithNormal:
-    """The plane faces that look in a direction and lie furthest out in it.
+    """Selector of the plane faces with a normal that lie furthest out in its direction.
 
     Parameters
     ----------
@@ -236,7 +236,7 @@ class WithNormal:
         object.__setattr__(self, "normal", direction("normal", self.normal))
 
     def pick(self, items: Sequence[Item]) -> list[int]:
-        """Return the places of what is selected; nothing is an error that says what there is."""
+        """Return the indices of the selected items; an empty selection is an error that lists what exists."""
         wanted = np.array(self.normal)
         looking = [i for i, it in enumerate(items) if it.normal is not None and wanted @ it.normal >= SAME_DIRECTION]
         depth = {i: float(wanted @ items[i].center) for i in looking}

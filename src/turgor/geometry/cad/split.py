@@ -1,4 +1,4 @@
-"""Splitting: cut a part by a plane, so that its bottom can be of another material."""
+"""Split of a part by a plane, so that its bottom can have another material."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -16,7 +16,7 @@ from turgor.units import mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SplitPlane:
-    """Cut a part by a plane; what lies below it becomes a region of its own.
+    """Plane that splits a part; the part below it becomes a region of its own.
 
     Exactly one of position and thickness is needed.
 
@@ -25,13 +25,13 @@ class SplitPlane:
     normal : str or (3,) tuple
         Upward normal of the plane: ``"+z"`` cuts off the bottom, ``"-z"`` the top.
     position : float, optional [m]
-        Where the plane is along the normal, from the origin of the file.
+        Coordinate of the plane along the normal, from the origin of the file.
     thickness : float, optional [m]
         Thickness of the layer that is cut off, from the lowest point of the part along the normal.
     below : str
         Name of the region below the plane.
     interface : str
-        Name of the face between the two.
+        Name of the face in the plane.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def split_bodies(bodies: list[Any], names: list[str], split: SplitPlane) -> tupl
     names : list of str
         Region of each.
     split : SplitPlane
-        Where.
+        The plane.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""STL: triangles without names as a CAD body, the last resort."""
+"""Reading of STL files, which hold triangles without names, as CAD bodies."""
 
 import re
 from pathlib import Path
@@ -14,12 +14,12 @@ from turgor.geometry.cad.facets import find_facets, weld
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Sewing more triangles than this takes minutes, and every one of them would get cells of its own.
+#: Largest number of triangles; sewing more takes minutes, and each triangle would get cells of its own.
 MOST_TRIANGLES = 20_000
 
 
 def stl_solids(path: Path) -> list[Any]:
-    """Read a closed STL file as bodies whose plane walls are faces again.
+    """Read a closed STL file as bodies; triangles in one plane become one face.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def stl_solids(path: Path) -> list[Any]:
     Raises
     ------
     TurgorError
-        If it is damaged, open, crosses itself or is too fine.
+        If it is damaged, open, intersects itself, or has too many triangles.
     """
     corners = read_stl(path)
     if len(corners) > MOST_TRIANGLES:
@@ -73,7 +73,7 @@ def _face(corners: Array) -> Any:
 
 
 def _positive(shell: Any) -> Any:
-    """Body within a shell, whichever way its triangles turn, with plane walls in one piece."""
+    """Body within a shell, for either orientation of its triangles, with one face for each plane wall."""
     solid = Solid(shell)
     if solid.mass < 0:
         solid = Solid(shell.Reversed())
@@ -81,7 +81,7 @@ def _positive(shell: Any) -> Any:
 
 
 def _nested(solids: list[Any]) -> list[Any]:
-    """Take what lies in an odd number of others away from the smallest of them, the largest coming first."""
+    """Subtract each shell that lies in an odd number of others from the smallest of them, the largest first."""
     triangles = [_triangles(solid) for solid in solids]
     bodies: dict[int, Any] = {}
     for i, solid in enumerate(solids):
@@ -98,7 +98,7 @@ def _triangles(solid: Any) -> Array:
 
 
 def winding(point: Array, triangles: Array) -> float:
-    """How often a closed surface goes around a point: 1 inside, 0 outside (van Oosterom and Strackee 1983).
+    """Return the winding number of a closed surface about a point, 1 inside, 0 outside (van Oosterom, Strackee 1983).
 
     Examples
     --------
@@ -162,7 +162,7 @@ def crossings(points: Array, triangles: Ints) -> Ints:
 
 
 def _pierces(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
-    """Whether each segment from p to q passes through the inside of its triangle."""
+    """Whether each segment from p to q intersects the interior of its triangle."""
 
     def side(u: Array, v: Array, w: Array, x: Array) -> Array:
         return np.asarray(np.einsum("pi,pi->p", np.cross(v - u, w - u), x - u))

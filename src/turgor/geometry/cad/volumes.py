@@ -1,4 +1,4 @@
-"""Volumes of hollows, exact where the facets are not: the CAD kernel integrates over the true faces."""
+"""Exact volumes of hollows: the CAD kernel integrates over the true faces, which facets only approximate."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -12,20 +12,20 @@ from turgor.geometry.cad.facets import Facets, Mirror, flux
 
 Array = NDArray[np.float64]
 
-#: Parabolas along each edge of a rim: a circle is then off by 1e-6 of its area.
+#: Parabolas along each edge of a rim; the area of a circle is then exact to 1e-6.
 PIECES = 48
 
-#: The facets miss less than this share of a volume. An exact volume that differs by more is not used.
+#: Largest error of the volume of facets, as a share. An exact volume that differs by more is not used.
 FACETS_MISS = 0.1
 
 
 def measured(hollow: Hollow, facets: Facets, faces: Sequence[Any], mirrors: Sequence[Mirror]) -> Hollow:
-    """Measure a hollow on the true faces.
+    """Return a hollow with the volume and openings of its true faces.
 
     Parameters
     ----------
     hollow : Hollow
-        Its faces; volume and openings are computed again.
+        Hollow with its faces; volume and openings are computed again.
     facets : Facets
         Surface of the part.
     faces : sequence of CAD faces
@@ -36,7 +36,7 @@ def measured(hollow: Hollow, facets: Facets, faces: Sequence[Any], mirrors: Sequ
     Returns
     -------
     Hollow
-        Of the modeled part. The fan over a rim that a mirror plane cuts starts in that plane.
+        Hollow of the modeled part. The fan over a rim that a mirror plane cuts starts in that plane.
     """
     chosen = [faces[i] for i in hollow.faces]
     triangles = facets.triangles[np.isin(facets.face, hollow.faces)]
@@ -87,7 +87,7 @@ def _joined(lines: list[Array], pairs: NDArray[np.int64]) -> Array:
     left, out, at = list(range(1, len(lines))), [lines[0]], pairs[0, 1]
     while left:
         following = next((i for i in left if at in pairs[i]), None)
-        if following is None:  # the rest is another loop through the same corner
+        if following is None:  # the remaining lines are another loop through the same corner
             following = left[0]
             at = pairs[following, 0]
         forward = pairs[following, 0] == at
@@ -104,13 +104,13 @@ def _samples(edge: Any) -> Array:
 
 
 def _mean_vertex(chosen: Sequence[Any]) -> Array:
-    """Mean of the ends of all edges of all faces: the point about which the kernel integrates an open shell."""
+    """Mean of the ends of all edges of all faces, the reference point of the kernel for an open shell."""
     ends = [p for face in chosen for edge in face.edges for p in (edge.start, edge.end)]
     return np.array([[p.x, p.y, p.z] for p in ends]).mean(axis=0)
 
 
 def _kernel_flux(chosen: Sequence[Any]) -> float | None:
-    """⅓ ∫ (x − mean vertex)·n da over the true faces, up to its sign; None where they do not hang together."""
+    """⅓ ∫ (x − mean vertex)·n da over the true faces, up to its sign; None if they are not connected."""
     try:
         shell = Sew(list(chosen))
         whole = len(list(shell.shells)) == 1 or (not list(shell.shells) and len(chosen) == 1)
@@ -120,7 +120,7 @@ def _kernel_flux(chosen: Sequence[Any]) -> float | None:
 
 
 def _apex(loop: Array, mirrors: Sequence[Mirror]) -> tuple[Array, NDArray[np.bool_]]:
-    """Tip of the fan over a loop, and which pieces of the loop lie in no mirror plane."""
+    """Apex of the fan over a loop, and the mask of its pieces outside the mirror planes."""
     tolerance = 1e-6 * float(np.ptp(loop, axis=(0, 1)).max())
     free, cutting = np.ones(len(loop), dtype=bool), []
     for axis, position in mirrors:
@@ -148,7 +148,7 @@ def _straight(start: Array, end: Array) -> Array:
 
 
 def _chain_at(facets: Facets, edges: NDArray[np.int64], loop: Array) -> NDArray[np.int64]:
-    """Edges of the facets' rim that belong to a loop: their corners lie on it."""
+    """Boundary edges of the facets whose corners lie on a loop."""
     best, found = np.inf, np.zeros(0, dtype=np.int64)
     for chain in chains(edges, closed=False):
         points = facets.points[np.unique(edges[chain])]

@@ -1,4 +1,4 @@
-"""Walls: how thin a part is, seen along rays into the material."""
+"""Wall thickness of a part, measured along rays into the material."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,27 +7,26 @@ from turgor.geometry.cad.facets import Facets
 
 Array = NDArray[np.float64]
 
-#: Rays that are sent into a part: as many as are followed past this many triangles in a second or two, within limits.
+#: Budget of ray–triangle tests (one or two seconds), which gives the number of rays, and the limits of this number.
 WORK, FEWEST, MOST = 3e7, 1_000, 3_000
 
-#: The opposite wall must look the other way to within 25°, so that corners and wedges are no walls.
+#: Cosine of the largest angle, 25°, between the ray and the normal of the opposite wall; it excludes wedges.
 OPPOSED = 0.9
 
-#: This share of the surface may be thinner than the wall that is reported: chips, knife edges, ends of fillets.
+#: Share of the surface that may be thinner than the reported wall: chips, sharp edges, ends of fillets.
 THINNER = 0.01
 
-#: A ray that leaves along a face, to within this sine, misses it.
+#: A ray misses a face that it meets at an angle below this sine.
 SLANTED = 1e-6
 
-#: Rays followed together.
+#: Rays evaluated together, to bound the memory.
 CHUNK = 200
 
 
 def smallest_wall(facets: Facets) -> float:
-    """Thickness that 99 % of the walls of a part exceed [CAD units].
+    """Return the thickness that 99 % of the walls of a part exceed [CAD units].
 
-    Rays start evenly over the surface and go straight into the material until they leave it through a face that looks
-    the other way.
+    Rays start at points spread evenly over the surface and follow the inward normal to the opposite face.
 
     Parameters
     ----------
@@ -37,7 +36,7 @@ def smallest_wall(facets: Facets) -> float:
     Returns
     -------
     float
-        At most the extent of the part, where nothing faces anything.
+        At most the extent of the part, if no walls face each other.
     """
     triangles = facets.corners()[facets.outer]
     normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
@@ -54,7 +53,7 @@ def smallest_wall(facets: Facets) -> float:
 
 
 def _starts(triangles: Array, area: Array) -> tuple[Array, NDArray[np.int64]]:
-    """Points spread evenly over triangles, always the same ones."""
+    """Points spread evenly over triangles, with a fixed seed."""
     generator = np.random.default_rng(0)
     rays = int(np.clip(WORK / len(area), FEWEST, MOST))
     of = np.searchsorted(np.cumsum(area) / area.sum(), (np.arange(rays) + 0.5) / rays)
@@ -66,10 +65,10 @@ def _starts(triangles: Array, area: Array) -> tuple[Array, NDArray[np.int64]]:
 
 
 def _through(start: Array, of: NDArray[np.int64], triangles: Array, normal: Array) -> Array:
-    """Length of each ray in the material; inf where it leaves through a face that does not oppose.
+    """Length of each ray in the material; inf if it leaves through a face that is not opposite.
 
-    A line passes through a triangle when it passes all three edges on the same side: products of the line's and the
-    edges' coordinates (Plücker), which are matrix products.
+    A line intersects a triangle if it passes all three edges on the same side. The test is a matrix product of the
+    Plücker coordinates of lines and edges.
     """
     along = -normal[of]
     moment = np.cross(start, along)

@@ -1,1 +1,1 @@
-"""Parts that several actuator families are made of: rows of chambers, bellows, ends, inlets, layouts of prisms."""
+"""Parts of several actuator families: rows of chambers, bellows, ends, inlets, layouts of prisms."""

@@ -1,4 +1,4 @@
-"""Row of straight bellows: a folded roof of constant wall thickness over an air space, the same all across."""
+"""Row of straight bellows: a folded roof of constant thickness over an air space, constant across the width."""
 
 from dataclasses import dataclass, fields
 from math import cos, inf, sin, tan
@@ -13,7 +13,7 @@ from turgor.units import mm
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BellowsRow:
-    """Bellows in a row on a base; between them and at the ends the roof comes down to a passage for the air.
+    """Bellows in a row on a base; between them and at the ends the roof is lower and leaves an air passage.
 
     Parameters
     ----------
@@ -115,13 +115,13 @@ class BellowsRow:
 
     @property
     def whole_volume(self) -> float:
-        """Volume of everything, air space filled, of the modeled part [m³]."""
+        """Volume of all solids with a filled air space, of the modeled part [m³]."""
         slab = (self.clamp_length + self.length) * self.valley
         one = (self.base_length + self.top_length) / 2 * (self.height - self.valley)
         return (slab + self.chambers * one) * self.width / copies(self)
 
     def starts(self) -> list[float]:
-        """Where the foot of each of the bellows begins [m]."""
+        """Start of the foot of each of the bellows along x [m]."""
         first = self.clamp_length + self.end_wall
         return [first + i * (self.base_length + self.gap) for i in range(self.chambers)]
 
@@ -171,14 +171,14 @@ def foot(actuator: Any) -> float:
 
 
 def bellows_of(actuator: Any, *, flank_angle: float, top_wall: float) -> BellowsRow:
-    """Take the row of bellows out of a family that has its dimensions as fields."""
+    """Return the row of bellows of a family that has its dimensions as fields."""
     own: dict[str, Any] = {"flank_angle": flank_angle, "top_wall": top_wall}
     given = {item.name: getattr(actuator, item.name) for item in fields(BellowsRow) if item.name not in own}
     return BellowsRow(**given, **own)
 
 
 def check_bellows(actuator: Any) -> None:
-    """Refuse dimensions that leave no room, whatever the flanks: the field, its value, what is allowed."""
+    """Raise an error for dimensions without room for bellows, at any flank angle."""
     least, chambers = SMALLEST_LENGTH, actuator.chambers
     why = f"so that {chambers} chambers fit in {in_mm(actuator.length)}"
     if chambers > 1:
@@ -198,7 +198,7 @@ def check_bellows(actuator: Any) -> None:
 
 
 def check_inside(row: BellowsRow) -> None:
-    """Refuse bellows without air inside, or an inlet that does not fit: the field, its value, what is allowed."""
+    """Raise an error for bellows without air inside, or an inlet that does not fit."""
     least = 10 * SMALLEST_LENGTH  # and so a top a little above the ceiling
     share = (1 - sin(row.flank_angle)) / cos(row.flank_angle)
     why = f"so that air remains in bellows {row.base_length / mm:.4g} mm long"

@@ -1,4 +1,4 @@
-"""Block with embedded chambers in a row, without gaps: what the slow PneuNet and the manta fin are made of."""
+"""Block with embedded chambers in a row, without gaps: part of the slow PneuNet and the manta fin."""
 
 from dataclasses import dataclass, fields
 from math import hypot
@@ -24,7 +24,7 @@ class ChamberBlock:
     root_width, tip_width : float [m]
         Width at the first and at the other end of the chambers' part.
     sweep : float [m]
-        How far the middle moves along y from the one to the other.
+        Offset of the center line along y between the two ends.
 
     Examples
     --------
@@ -142,14 +142,14 @@ class ChamberBlock:
 
 
 def block_of(actuator: Any, *, root_width: float, tip_width: float, sweep: float = 0.0) -> ChamberBlock:
-    """Take the block out of a family that has its dimensions as fields."""
+    """Return the block of a family that has its dimensions as fields."""
     own: dict[str, Any] = {"root_width": root_width, "tip_width": tip_width, "sweep": sweep}
     given = {item.name: getattr(actuator, item.name) for item in fields(ChamberBlock) if item.name not in own}
     return ChamberBlock(**given, **own)
 
 
 def check_block(block: ChamberBlock) -> None:
-    """Refuse dimensions that leave no room for walls, cavity or channel: the field, its value, what is allowed."""
+    """Raise an error for dimensions without room for walls, cavity or channel."""
     _check_along(block)
     _check_across(block)
     _check_up(block)

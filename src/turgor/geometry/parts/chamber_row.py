@@ -1,4 +1,4 @@
-"""Row of chambers with gaps between them, above a common floor: what the fast PneuNet and its relatives are made of."""
+"""Row of chambers with gaps between them, above a common floor: part of the fast PneuNet and similar families."""
 
 from dataclasses import dataclass, field, fields
 from math import cos, tan
@@ -20,7 +20,7 @@ class ChamberRow:
     Parameters
     ----------
     chambers, length, width, height, wall, gap, side_wall, top_wall, end_wall, base, floor
-        As in the fast PneuNet; no base (None) where another bender takes its place.
+        As in the fast PneuNet; ``base`` is None where another bender takes its place.
     channel_width, channel_height, channel_wall, clamp_length, inlet_diameter, symmetric
         As in the fast PneuNet.
     slant : float [rad]
@@ -161,7 +161,7 @@ class ChamberRow:
         return air
 
     def gap_ranges(self) -> list[Range]:
-        """From where to where each gap reaches along the middle [m]."""
+        """Range of each gap along x, in the middle [m]."""
         starts = [self.clamp_length + i * self.pitch + self.block for i in range(self.joints)]
         return [(start, start + self.gap_along) for start in starts]
 
@@ -182,14 +182,14 @@ class ChamberRow:
 
 
 def row_of(actuator: Any, *, slant: float = 0.0, channel_rise: float = 0.0) -> ChamberRow:
-    """Take the row of chambers out of a family that has its dimensions as fields; one without a base has none."""
+    """Return the row of chambers of a family that has its dimensions as fields; the base may be missing."""
     own: dict[str, Any] = {"slant": slant, "channel_rise": channel_rise}
     given: dict[str, Any] = {item.name: getattr(actuator, item.name, None) for item in fields(ChamberRow)}
     return ChamberRow(**(given | own))
 
 
 def check_row(row: ChamberRow) -> None:
-    """Refuse dimensions that leave no room for walls, cavity or channel: the field, its value, what is allowed."""
+    """Raise an error for dimensions without room for walls, cavity or channel."""
     _check_along(row)
     _check_across(row)
     _check_up(row)

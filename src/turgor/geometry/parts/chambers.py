@@ -1,4 +1,4 @@
-"""Chambers: sections of the cavities that lie around the axis of an omnidirectional actuator."""
+"""Sections of the chambers around the axis of an omnidirectional actuator."""
 
 from dataclasses import dataclass
 from math import asin, cos, hypot, pi, sin, sqrt
@@ -83,7 +83,7 @@ class ChamberSection:
         return 2 * min(z * sin(half) - y * cos(half) for y, z in corners)
 
     def middle(self, number: int = 1) -> Point:
-        """Where an inlet ends: the centroid of a chamber, halfway up a ring sector, as (y, z) [m]."""
+        """Position of the inlet: the centroid of a chamber, or the middle of a ring sector, as (y, z) [m]."""
         height = (self.nearest + self.reach) / 2 if self.shape == "ring_sector" else self._first().centroid[1]
         angle = 2 * pi * (number - 1) / self.count
         return -height * sin(angle), height * cos(angle)
@@ -115,7 +115,7 @@ class ChamberSection:
         return self._ring_sector()
 
     def _ring_sector(self) -> Outline:
-        """A ring sector whose sides keep half the web away from the planes between neighbors."""
+        """A ring sector with sides half a web away from the planes between neighbors."""
         inner, outer = (pi / self.count - asin(self.web / 2 / r) for r in (self.nearest, self.reach))
         right_low, right_top = (
             (r * sin(angle), r * cos(angle)) for r, angle in ((self.nearest, inner), (self.reach, outer))

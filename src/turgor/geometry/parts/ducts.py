@@ -14,10 +14,10 @@ from turgor.geometry.shapes.arcs import split_edge
 from turgor.geometry.shapes.sections import Outline
 from turgor.geometry.shapes.solids import union
 
-#: Where an inlet can open: at the fixed end, or on top.
+#: Sides at which an inlet can open: the fixed end, or the top.
 SIDES = ("fixed", "top")
 
-#: Points of the integral over the duct; the walls are smooth there, so that they reach rounding.
+#: Points of the Gauss–Chebyshev quadrature over the duct; the walls are smooth, so it is exact to rounding.
 POINTS = 40
 
 
@@ -28,9 +28,9 @@ class Duct:
     Parameters
     ----------
     name : str
-        Face of the cavity that it leads to.
+        Face of the connected cavity.
     x : float [m]
-        Where its axis is; the axis lies in the plane y = 0.
+        Position of its axis, which lies in the plane y = 0.
     diameter : float [m]
         Its diameter, less than the width of the cavity.
     below : Outline
@@ -47,7 +47,7 @@ class Duct:
 
     @property
     def volume(self) -> float:
-        """Volume between the two outlines [m³], by Gauss's rule with the weight of a circle."""
+        """Volume between the two outlines [m³], by Gauss–Chebyshev quadrature of the second kind."""
         radius, total = self.diameter / 2, 0.0
         for i in range(1, POINTS + 1):
             angle = i * pi / (POINTS + 1)
@@ -65,7 +65,7 @@ class Duct:
 
 
 def top(outline: Outline, y: float) -> float:
-    """Height of the upper side of an outline at a place across it.
+    """Return the height of the upper side of an outline at a position across it.
 
     Examples
     --------
@@ -80,7 +80,7 @@ def top(outline: Outline, y: float) -> float:
 
 
 def check_inlet(actuator: Any, *, end: float, above: float, inside: float, quarter: bool = False) -> None:
-    """Refuse an inlet that does not end in the cavity, a side that does not exist, and an inlet that is mirrored.
+    """Raise an error for an inlet that does not end in the cavity, has an unknown side, or would be mirrored.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def check_inlet(actuator: Any, *, end: float, above: float, inside: float, quart
     inside : float [m]
         Length of the cavity.
     quarter : bool
-        Whether a symmetric model is a quarter, where what is on top is at the bottom too.
+        Whether a symmetric model is a quarter, which mirrors the top to the bottom.
     """
     if actuator.inlet_side not in SIDES:
         raise TurgorError(f"inlet_side is {actuator.inlet_side!r}; allowed: {', '.join(SIDES)}.")

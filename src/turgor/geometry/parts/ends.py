@@ -1,4 +1,4 @@
-"""Ends: the names that actuators with their axis on x give to their faces, from where these lie."""
+"""Names of the faces of actuators along x, from the position of the faces."""
 
 from typing import Any
 
@@ -8,14 +8,14 @@ from turgor.geometry.shapes.solids import PLANE_TOLERANCE, name_plane, name_rest
 
 
 def name_faces(shape: Any, *, end: float, clamp: float = 0.0, mirrors: str = "") -> None:
-    """Name the faces of a finished shape; those that touch a cavity carry its name already.
+    """Name the faces of a finished shape; walls of cavities have names already.
 
     Parameters
     ----------
     shape : netgen.occ shape
         All regions.
     end : float [m]
-        Where the plane of the face ``tip`` is.
+        Position of the plane of the face ``tip``.
     clamp : float [m]
         Length of the clamped block: its sides up to there belong to ``fixed``, as the plane x = 0 does.
     mirrors : str

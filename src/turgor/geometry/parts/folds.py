@@ -1,4 +1,4 @@
-"""Folds: the profile of a corrugated tube of even wall, shared by all bellows."""
+"""Folds: profile of a corrugated tube of constant wall thickness, for all bellows."""
 
 from dataclasses import dataclass
 from math import pi, sqrt
@@ -11,7 +11,7 @@ MOST_FOLDS = 50
 
 SHAPES = ("rounded", "straight")
 
-#: Edges of an outline in order: where each starts, and the angle through which it turns.
+#: Edges of an outline in order: the start of each, and its angle of turn.
 Path = list[tuple[Point, float]]
 
 
@@ -120,7 +120,7 @@ fit between the radii 8 mm and 16 mm.
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Necks:
-    """Where a bellows is held together along its way: straight necks between equal groups of folds.
+    """Straight necks between equal groups of folds.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def bellows_profiles(
     folds : Folds
         The folds of one group.
     start : float [m]
-        Where the fixed end is on the x axis.
+        Position of the fixed end on the x axis.
     cap : float [m]
         Thickness of the caps.
     clamp : float [m]
@@ -152,7 +152,7 @@ def bellows_profiles(
     inlet : float [m]
         Diameter of the duct through the fixed end; 0 for none.
     necks : Necks
-        What lies between the groups of folds.
+        Necks between the groups of folds.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Layout: an actuator as prisms along x, some of silicone and some of air; shared by all tubes and benders."""
+"""Layout: an actuator as prisms of silicone and air along x, for all tubes and benders."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
@@ -36,11 +36,11 @@ class Layout:
     title : str
         Name of the geometry, for reports.
     pieces : tuple of Prism
-        What is solid, filled where the cavities will be; pieces do not overlap.
+        Solids with filled cavities; they do not overlap.
     air : tuple of Prism
         The cavities, inside the pieces; they do not overlap.
     length : float [m]
-        Where the tip's plane is; the fixed end is at x = 0.
+        Position of the plane of the tip; the fixed end is at x = 0.
     clamp_length : float [m]
         Length of the solid block before the fixed end: the pieces that begin at x = 0 go on to x = −clamp_length.
     inlet_diameter : float [m]
@@ -83,7 +83,7 @@ class Layout:
         return sum(piece.volume for piece in self._pieces()) - sum(self.cavity_volumes.values())
 
     def build(self) -> Geometry:
-        """Build the solids, check their volumes and name everything.
+        """Build the solids, check their volumes and name regions and faces.
 
         Raises
         ------
@@ -151,7 +151,7 @@ class Layout:
                 face.name = "outside"
 
     def _face_names(self) -> tuple[FaceName, ...]:
-        """Names of faces for the sweep; later ones win."""
+        """Rules for the names of faces of the sweep; the last rule that fits counts."""
         names: list[FaceName] = [
             RangeName(name="fixed", axis=0, low=-self.clamp_length, high=0.0),
             PlaneName(name="tip", axis=0, position=self.length),
@@ -209,7 +209,7 @@ class Layout:
 
 
 def check_fields(actuator: Any) -> None:
-    """Refuse what is no length in a field for one, what is no truth value in ``symmetric``, and a wrong ``length``.
+    """Raise an error for a field that is not a length, a wrong ``length``, or a ``symmetric`` other than True or False.
 
     Parameters
     ----------
@@ -226,7 +226,7 @@ def check_fields(actuator: Any) -> None:
 
 
 def check_ends(actuator: Any, name: str) -> None:
-    """Refuse end walls or a block that do not fit an actuator.
+    """Raise an error for end walls or a block that do not fit an actuator.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Plates: straight-edged outlines swept upwards or across into solids, for shapes that are not made of boxes."""
+"""Plates: polygons swept along z or y into solids."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -55,6 +55,6 @@ def _swept(corners: Sequence[tuple[float, ...]], by: tuple[float, ...]) -> Any:
 
 
 def wire(corners: Sequence[tuple[float, float, float]]) -> Any:
-    """Make a line of straight pieces through points [m]; glued to a solid, it splits the faces that it lies on."""
+    """Make a polyline through points [m]; glued to a solid, it splits the faces below it."""
     points = [Pnt(*(value / METERS_PER_CAD_UNIT for value in corner)) for corner in corners]
     return Wire([Segment(a, b) for a, b in pairwise(points)])

@@ -1,4 +1,4 @@
-"""What all PneuNets share: the rules for their ends, the clamped block, the air inlet, and the names of their faces."""
+"""Common parts of all PneuNets: rules for their ends, clamped block, air inlet, and names of their faces."""
 
 from collections.abc import Mapping, Sequence
 from math import pi
@@ -27,7 +27,7 @@ MOST_CHAMBERS = 100
 
 
 class Part(Protocol):
-    """What the air inlet and the mirror plane need to know."""
+    """Interface of a part for the air inlet and the mirror plane."""
 
     @property
     def inlet_diameter(self) -> float:
@@ -39,7 +39,7 @@ class Part(Protocol):
 
 
 class PneuNet(Part, Protocol):
-    """What the names and the checks need to know of a family."""
+    """Interface of a family for names and checks."""
 
     @property
     def chambers(self) -> int:
@@ -67,7 +67,7 @@ class PneuNet(Part, Protocol):
 
 
 def check_envelope(actuator: PneuNet, sizes: tuple[str, ...] = ("length", "width", "height")) -> None:
-    """Refuse fields that are no numbers, a count of chambers or outer dimensions that cannot be."""
+    """Raise an error for fields that are not numbers, or a number of chambers or outer dimensions out of range."""
     check_count("chambers", actuator.chambers, low=1, high=MOST_CHAMBERS)
     check_fields(actuator)
     for name in sizes:
@@ -76,7 +76,7 @@ def check_envelope(actuator: PneuNet, sizes: tuple[str, ...] = ("length", "width
 
 
 def check_inlet(part: Part, width: float, height: float) -> None:
-    """Refuse an air inlet that does not fit into the first chamber, of inner ``width`` and ``height`` [m].
+    """Raise an error for an air inlet that does not fit into the first chamber, of inner ``width`` and ``height`` [m].
 
     Examples
     --------
@@ -103,7 +103,7 @@ def across(part: Part, width: float) -> Range:
 
 
 def copies(part: Part) -> int:
-    """How many of the modeled part make the whole."""
+    """Return how often the modeled part is contained in the whole."""
     return 2 if part.symmetric else 1
 
 
@@ -129,14 +129,14 @@ def inlet_volume(part: Part, end: float) -> float:
 def finished(
     actuator: PneuNet, title: str, blocks: Sequence[tuple[str, Any]], cavities: Mapping[str, Any], layer: float
 ) -> Geometry:
-    """Hollow out the blocks, join them, check their volumes and name everything.
+    """Cut the cavities out of the blocks, join these, check their volumes and name regions and faces.
 
     Parameters
     ----------
     actuator : PneuNet
         The dimensions.
     title : str
-        What the geometry shows.
+        Title of the geometry.
     blocks : sequence of (str, shape)
         Solids with their regions, the cavities still filled; a region may have several.
     cavities : mapping of str to shape

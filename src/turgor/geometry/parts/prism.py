@@ -1,4 +1,4 @@
-"""Prism: an outline swept along x, the piece that layouts are made of."""
+"""Prism: an outline swept along x, a piece of a `Layout`."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -18,9 +18,9 @@ class Prism:
     outline : Outline
         Section of the whole actuator; `Layout` cuts it at the mirror planes.
     along : (2,) floats [m]
-        From where to where on the x axis.
+        Range along x.
     hole : Outline or None
-        What is left out inside the outline.
+        Outline of a hole inside the outline.
     lateral : str
         Name of the faces along x where another region covers them; empty for no name of their own.
     """

@@ -9,7 +9,7 @@ SAME_POINT = 1e-12
 
 
 def edge_radius(a: Point, b: Point, arc: float) -> float:
-    """Radius of the circle of an arc."""
+    """Return the radius of the circle of an arc."""
     return hypot(b[0] - a[0], b[1] - a[1]) / (2 * abs(sin(arc / 2)))
 
 
@@ -39,7 +39,7 @@ def segment_area(a: Point, b: Point, arc: float) -> float:
 def segment_centroid(a: Point, b: Point, arc: float) -> Point:
     """Center of the area between an arc and its chord."""
     (cy, cz), (my, mz) = edge_center(a, b, arc), edge_middle(a, b, arc)
-    share = 4 * sin(abs(arc) / 2) ** 3 / (3 * (abs(arc) - sin(abs(arc))))  # of the way from the center to the arc
+    share = 4 * sin(abs(arc) / 2) ** 3 / (3 * (abs(arc) - sin(abs(arc))))  # from the center
     return cy + share * (my - cy), cz + share * (mz - cz)
 
 

@@ -1,4 +1,4 @@
-"""Planar faces: outlines as one flat CAD shape, cut where they cross each other."""
+"""Planar faces: outlines as one flat CAD shape, split at their intersections."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -10,12 +10,12 @@ from turgor.geometry.shapes.sections import Outline, Point, edge_middle
 
 
 def planar_faces(outlines: Sequence[Outline]) -> Any:
-    """Lay outlines into the plane of the first two CAD axes and cut them where they cross.
+    """Make faces from outlines in the plane of the first two CAD axes, split at their intersections.
 
     Parameters
     ----------
     outlines : sequence of Outline
-        They may overlap, touch and lie within each other.
+        Outlines, which may overlap, touch and lie within each other.
 
     Returns
     -------

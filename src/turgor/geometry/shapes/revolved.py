@@ -23,7 +23,7 @@ def revolved(outline: Outline, turn: float = WHOLE, center: Point = (0.0, 0.0)) 
     turn : float [rad]
         `WHOLE`, or on the x axis also `HALF` or `QUARTER`.
     center : (2,) floats [m]
-        Where the axis passes, as (y, z).
+        Position of the axis, as (y, z).
 
     Returns
     -------
@@ -38,7 +38,7 @@ def revolved(outline: Outline, turn: float = WHOLE, center: Point = (0.0, 0.0)) 
     >>> [round(volume(revolved(profile, turn)) / revolved_volume(profile, turn), 9) for turn in (WHOLE, HALF, QUARTER)]
     [1.0, 1.0, 1.0]
     """
-    across = (1.0, 0.0) if turn == QUARTER else (0.0, -1.0)  # from where a turn about +x covers the wanted part
+    across = (1.0, 0.0) if turn == QUARTER else (0.0, -1.0)  # start of the turn about +x
 
     def place(point: Point) -> Any:
         scale = METERS_PER_CAD_UNIT
@@ -53,7 +53,7 @@ def revolved(outline: Outline, turn: float = WHOLE, center: Point = (0.0, 0.0)) 
 
 
 def revolved_volume(outline: Outline, turn: float = WHOLE) -> float:
-    """Volume of a revolved outline [m³]: its area times the way of its centroid (Pappus).
+    """Volume of a revolved outline [m³]: its area times the path of its centroid (Pappus).
 
     Examples
     --------

@@ -24,12 +24,12 @@ from turgor.geometry.shapes.solids import Range
 class Outline:
     """A closed outline in the y-z plane, counterclockwise seen from the tip, of straight edges and circular arcs.
 
-    Area and centroid follow from the corners and arcs alone, so that they can check the CAD volumes.
+    Area and centroid are computed from corners and arcs alone, so that they can check the CAD volumes.
 
     Parameters
     ----------
     corners : tuple of (2,) floats [m]
-        Where the edges meet, as (y, z).
+        Corners, as (y, z).
     arcs : tuple of float [rad]
         Angle through which each edge turns on its way to the next corner: 0 for a straight edge, positive where it
         turns to the left, at most a full turn less a little. The circle of an arc follows from it.
@@ -131,7 +131,7 @@ def disc(radius: float, center: Point = (0.0, 0.0)) -> Outline:
 
 
 def half_disc(radius: float, center: Point = (0.0, 0.0)) -> Outline:
-    """Make a half disc with its flat side down; turn it before moving it if it must look elsewhere.
+    """Make a half disc with its flat side down; turn it before moving it for another orientation.
 
     Examples
     --------
@@ -149,7 +149,7 @@ def ring_sector(inner: float, outer: float, start: float, stop: float) -> Outlin
     inner, outer : float [m]
         Radii; an inner one of 0 makes a sector of a disc.
     start, stop : float [rad]
-        From where to where, less than a full turn.
+        Range of angles, less than a full turn.
 
     Examples
     --------
@@ -232,7 +232,7 @@ def prism(outline: Outline, along: Range) -> Any:
     outline : Outline
         The section.
     along : (2,) floats [m]
-        From where to where on the x axis.
+        Range along x.
 
     Returns
     -------
@@ -248,7 +248,7 @@ def prism(outline: Outline, along: Range) -> Any:
 
 
 def tube(outer: Outline, inner: Outline, along: Range) -> Any:
-    """Sweep what lies between two outlines along x: a ring from two discs, or its half from two half discs."""
+    """Sweep the area between two outlines along x: a ring from two discs, or its half from two half discs."""
     return prism(outer, along) - prism(inner, along)
 
 

@@ -1,4 +1,4 @@
-"""Boxes, names and volumes on the CAD kernel: everything of netgen.occ that the actuators need."""
+"""Boxes, booleans, names and volumes of the CAD kernel netgen.occ, for the actuators."""
 
 from collections.abc import Mapping, Sequence
 from functools import reduce
@@ -11,7 +11,7 @@ from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 
 Range = tuple[float, float]
 
-#: How far a face may be from a plane and still lie in it [CAD units].
+#: Tolerance of a face in a plane [CAD units].
 PLANE_TOLERANCE = 1e-6
 
 
@@ -27,7 +27,7 @@ def union(shapes: Sequence[Any]) -> Any:
 
 
 def cut(shape: Any, tools: Sequence[Any]) -> Any:
-    """Take shapes away from a shape."""
+    """Subtract shapes from a shape."""
     return reduce(sub, tools, shape)
 
 

@@ -1,1 +1,1 @@
-"""Actuator families described as sweeps, for meshes of hexahedra."""
+"""Sweeps of actuator families, for meshes of hexahedra."""

@@ -1,4 +1,4 @@
-"""The sweep of a layout: its prisms along x, cut into layers where one begins or ends."""
+"""Sweep of a layout: its prisms along x, divided into layers at their ends."""
 
 from collections.abc import Sequence
 
@@ -28,7 +28,7 @@ def layout_sweep(pieces: Sequence[Prism], air: Sequence[Prism], names: Sequence[
         parts.append((piece.outline.area, True, (piece.name, piece.outline, piece.along)))
         if piece.hole:
             parts.append((piece.hole.area, False, (None, piece.hole, piece.along)))
-    # from the largest to the smallest, so that what lies within a hole is painted after it; a hole and what fills it
+    # from the largest to the smallest, so that the content of a hole covers it; a hole and its content
     # have the same area but for rounding
     parts.sort(key=lambda part: (-float(f"{part[0]:.9e}"), part[1]))
     hollow: list[Part] = [(part.name, part.outline, part.along) for part in air]

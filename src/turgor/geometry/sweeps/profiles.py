@@ -1,4 +1,4 @@
-"""Sweeps of bellows in a row: their profile is the same all across, so that layers run along y."""
+"""Sweeps of bellows in a row: layers along y, because their profile is constant across the width."""
 
 from typing import TYPE_CHECKING
 
@@ -27,7 +27,7 @@ def bellows_sweep(row: "BellowsRow") -> Sweep | None:
         ("base", rectangle((0.0, end), (0.0, row.base)), outside),
         ("body", polygon(row.roof()), outside),
     ]
-    if row.clamp_length:  # cells end where the clamped block does
+    if row.clamp_length:  # a boundary between cells at the end of the clamped block
         parts.append(("base", rectangle((0.0, row.clamp_length), (0.0, row.base)), outside))
         parts.append(("body", rectangle((0.0, row.clamp_length), (row.base, row.valley)), outside))
     parts.append(("cavity", polygon(row.air_space()), inside))

@@ -1,4 +1,4 @@
-"""Sweeps of PneuNets made of blocks: layers along x where the walls stand across, layers along z where not."""
+"""Sweeps of PneuNets from blocks: layers along x for walls across the axis, layers along z for slanted ones."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -31,7 +31,7 @@ class Block:
     up : (2,) floats [m]
         Its range along z.
     straight : (2,) bools
-        Whether each of its ends stands across although the walls are slanted.
+        Whether each of its ends is perpendicular to x although the walls are slanted.
     """
 
     name: str | None
@@ -42,12 +42,12 @@ class Block:
 
 
 def row_blocks(row: "ChamberRow") -> list[Block]:
-    """List the blocks of a row of chambers: silicone, the gaps with their bridges, the air; later ones win."""
+    """Return the blocks of a row of chambers: silicone, gaps with bridges, air; later ones cover earlier ones."""
     whole, base = (0.0, row.clamp_length + row.length), row.base or 0.0
     both = (True, True)
     blocks = []
     stretches = [(0.0, row.clamp_length), (row.clamp_length, whole[1])] if row.clamp_length else [whole]
-    for along in stretches:  # cells end where the clamped block does
+    for along in stretches:  # a boundary between cells at the end of the clamped block
         blocks.append(Block(name="body", along=along, width=row.width, up=(base, row.height), straight=both))
         if base:
             blocks.append(Block(name="base", along=along, width=row.width, up=(0.0, base), straight=both))
@@ -75,7 +75,7 @@ def row_air(row: "ChamberRow") -> list[Block]:
 
 
 def mirrored(blocks: Sequence[Block], cavity: str) -> list[Block]:
-    """Turn blocks over at the plane z = 0; their cavity gets another name."""
+    """Mirror blocks at the plane z = 0; their cavity gets another name."""
     return [
         replace(block, name=cavity if block.name == "cavity" else block.name, up=(-block.up[1], -block.up[0]))
         for block in blocks
@@ -88,9 +88,9 @@ def row_sweep(row: "ChamberRow", blocks: Sequence[Block], layer: float | None) -
     Parameters
     ----------
     row : ChamberRow
-        Its slant, its inlet, its ends.
+        Row of chambers with its slant, inlet and ends.
     blocks : sequence of Block
-        Everything but the inlet; later ones win.
+        All blocks but the inlet; later ones cover earlier ones.
     layer : float or None [m]
         Height of the strain-limiting layer.
 

@@ -1,1 +1,1 @@
-"""Output: the folder of results and what a run writes into it."""
+"""Output: the folder of results and the files that a run writes into it."""

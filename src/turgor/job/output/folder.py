@@ -1,4 +1,4 @@
-"""Folder of results: made before anything is computed, so that every run can write its results."""
+"""Folder of results, created before the computation, so that no run fails when it writes its results."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -18,14 +18,14 @@ DEFORMED = "deformed.png"
 CONTACT = "contact.png"
 FIELDS = "vtu"
 
-#: What a run writes; `clear` removes these and nothing else.
+#: Names of the files of a run; `clear` removes these and nothing else.
 RESULTS = (
     RESPONSE, STEPS, LOG, LOCK, REPORT, PLOT, UNDEFORMED, DEFORMED, CONTACT, f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd",
 )  # fmt: skip
 
 
 def default_folder(name: str) -> Path:
-    """Return the folder that a run writes into unless told otherwise: ``<name>-results`` in the working directory.
+    """Return the default folder of a run: ``<name>-results`` in the working directory.
 
     Examples
     --------
@@ -37,14 +37,14 @@ def default_folder(name: str) -> Path:
 
 @contextmanager
 def claimed(folder: Path, force: bool) -> Iterator[Path]:
-    """Make a folder and see that it can be written; leave no empty one behind when the block fails.
+    """Create a folder and check that it can be written; remove it if it is empty after an error in the block.
 
     Parameters
     ----------
     folder : Path
-        The folder; parents are made too.
+        The folder; its parents are created too.
     force : bool
-        Whether it may hold something already.
+        Whether it may hold files already.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def claimed(folder: Path, force: bool) -> Iterator[Path]:
 
 
 def clear(folder: Path) -> None:
-    """Remove what an earlier run wrote, so that no file of it stays beside the new ones."""
+    """Remove the files of an earlier run, so that none of them stays beside the new ones."""
     for pattern in RESULTS:
         for file in folder.glob(pattern):
             file.unlink()

@@ -1,4 +1,4 @@
-"""Lock file: every value that a run used, defaults included, as a job file from which it can be repeated."""
+"""Lock file: every value of a run, defaults included, as a job file that repeats the run."""
 
 from collections.abc import Mapping
 from dataclasses import fields
@@ -20,7 +20,7 @@ from turgor.job.tables.procedures import written_procedure
 from turgor.job.tables.setups import written_setup
 from turgor.job.tables.stages import STAGES, stages_tables
 from turgor.job.tables.supports import held_text
-from turgor.materials.laws.conventions import is_dimensionless
+from turgor.materials.laws.law_spec import is_dimensionless
 from turgor.materials.laws.laws import LAWS
 from turgor.materials.library.record_history import history_tables
 from turgor.materials.material import Material
@@ -54,7 +54,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     job : Job
         The run.
     written_by : mapping
-        Versions and settings of the program that do not belong to the question, for the record.
+        Versions and settings of the program; they are recorded, and not read back.
     """
     content: dict[str, Any] = {
         "name": job.name,
@@ -80,7 +80,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
 
 
 def dimensions(actuator: Any) -> dict[str, Any]:
-    """Return the fields of an actuator as a job file states them: lengths and angles with their unit."""
+    """Return the fields of an actuator in the form of a job file: lengths and angles with their unit."""
     if isinstance(actuator, CadFile):
         return cad_file_table(actuator)
     if isinstance(actuator, MeshFile):
@@ -111,7 +111,7 @@ def _mesh(job: Job) -> dict[str, Any]:
 
 
 def _target(job: Job) -> dict[str, Any]:
-    """What the mesh is refined to, where it is."""
+    """Keys of the target of the mesh refinement, if there is one."""
     if job.mesh_target is None:
         return {}
     measure = {"target_measure": job.mesh_target_measure} if job.mesh_target_measure else {}
@@ -144,7 +144,7 @@ def _material(entry: Material | Membrane) -> dict[str, Any]:
 
 
 def _constants(value: Any, unit: str | None) -> Any:
-    """A constant, those of all terms, or coefficients by their exponents, as `law_table` reads them."""
+    """A constant, a list for all terms, or coefficients by their exponents, in the form that `law_table` reads."""
     if not isinstance(value, tuple):
         return value if unit is None else format_quantity(value, unit)
     if isinstance(value[0], tuple):

@@ -16,7 +16,7 @@ from turgor.solvers.solution import Solution
 
 
 def constants_in_doubt(model: Model) -> tuple[Finding, ...]:
-    """Warnings about the constants of the model's materials (M04 to M07), each once; notes stay with the material."""
+    """Return the warnings about constants of the materials of a model (M04 to M07), each once."""
     materials: list[Material] = [*model.region_materials.values(), *(m.material for m in model.membranes.values())]
     return _each_once(
         finding for material in materials for finding in doubts_of(material) if finding.severity is not Severity.NOTE
@@ -24,9 +24,9 @@ def constants_in_doubt(model: Model) -> tuple[Finding, ...]:
 
 
 def laws_beyond_their_tests(solution: Solution) -> tuple[Finding, ...]:
-    """M01 for every region of which more than 1 % of the volume is stretched beyond the tests of its law.
+    """Return M01 for every region in which more than 1 % of the volume is stretched beyond the tests of its law.
 
-    Single points do not count, because the stretch at sharp edges grows with every finer mesh. The check uses the last
+    Single points do not count, because the stretch at sharp edges grows with mesh refinement. The check uses the last
     state, the extrema of the pressure, and the state with the largest displacement.
     """
     model, turns = solution.model, kinks(solution.model)

@@ -1,4 +1,4 @@
-"""Outcome: the results of a run, and the files that hold them."""
+"""Outcome: the results of a run and their files."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,26 +12,26 @@ from turgor.solvers.solution import Solution
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class RunOutcome:
-    """What a run found and where it wrote it.
+    """Results of a run and their files.
 
     Parameters
     ----------
     job : Job
-        What was asked.
+        The job.
     solution : Solution
         The path, complete or not.
     response : Response
         The measures along it.
     findings : tuple of Finding
-        What the checks noticed before, during and after the solve.
+        Findings of the checks before, during and after the solve.
     written_by : mapping
         Versions of the programs, threads and linear solver.
     notices : tuple of str
-        What was done before the solve ended, in order.
+        Notices of the run, in order.
     folder : Path
-        Where everything was written.
+        Folder of the results.
     files : tuple of Path
-        What was written, in the order of interest.
+        Files, the most important first.
     """
 
     job: Job

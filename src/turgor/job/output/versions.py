@@ -22,7 +22,7 @@ def package_version(name: str) -> str | None:
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of Python, the platform and every installed package that the numbers depend on.
+    """Return the versions of Python, the platform and every installed package that may change the results.
 
     Examples
     --------

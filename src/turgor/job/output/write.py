@@ -1,4 +1,4 @@
-"""write_results: what a run leaves in its folder."""
+"""Files of a run: tables, pictures, fields, report and log."""
 
 import csv
 from collections.abc import Callable, Mapping, Sequence
@@ -31,7 +31,7 @@ from turgor.results.report.page import Picture, Report, write_report
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution
 
-#: What each file holds, for the report.
+#: Description of each file, for the report.
 CONTENTS: Mapping[str, str] = {
     RESPONSE: "the measures at every state, with units in the header",
     LOCK: "every value that was used, from which the run can be repeated",
@@ -45,7 +45,7 @@ CONTENTS: Mapping[str, str] = {
     CONTACT: "what touches at the last state, seen through the actuator",
 }
 
-#: What stands below each picture in the report.
+#: Caption of each picture in the report.
 CAPTIONS: Mapping[str, str] = {
     UNDEFORMED: "Undeformed",
     DEFORMED: "At the last state",
@@ -56,9 +56,9 @@ STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted"
 
 
 def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[Path, ...]:
-    """Write everything that the job asks for, the tables first, and return the files in the order of interest.
+    """Write all files that the job asks for, tables first; return them with the most important first.
 
-    Results that an earlier run left in the folder are removed.
+    The results of an earlier run in the folder are removed.
     """
     folder, output = outcome.folder, outcome.job.output
     clear(folder)
@@ -88,7 +88,7 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[P
 
 
 def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
-    """Gather what the report tells about a run and the files beside it."""
+    """Collect the content of the report about a run and its files."""
     job, solution = outcome.job, outcome.solution
     beside = {str(file.relative_to(outcome.folder)): file for file in files}
     return Report(
@@ -111,9 +111,9 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
 
 
 def write_pictures(outcome: RunOutcome) -> list[Path]:
-    """Draw the first and the last state with the same view, scale and colors; the last one over the first.
+    """Draw the first and the last state with the same view, scale and colors, the last one over the first.
 
-    Where something touches in the last state, a third picture shows it by contact pressure.
+    If there is contact in the last state, a third picture shows the contact pressure.
     """
     folder, states, facts = outcome.folder, outcome.solution.states, MeshFacts(outcome.solution.model.mesh)
     first, last = StateFields(states[0], facts), StateFields(states[-1], facts)
@@ -141,7 +141,7 @@ def write_steps(file: Path, solution: Solution) -> None:
 
 
 def log_text(outcome: RunOutcome) -> str:
-    """Write how a run went: versions, what was done, the end with its advice, findings, and where the time went."""
+    """Write the log of a run: versions, notices, the end with its advice, findings, and times."""
     solution, timing = outcome.solution, outcome.solution.timing
     made = ", ".join(f"{name} {value}" for name, value in outcome.written_by.items())
     accepted = sum(step.accepted for step in solution.steps)

@@ -21,7 +21,7 @@ CAD_FILE = "cad_file"
 
 
 class SelectorTable(Table):
-    """One way to point at faces or bodies, in braces: ``{near = [0, 0, "5 mm"]}``."""
+    """Selector of faces or bodies, in braces: ``{near = [0, 0, "5 mm"]}``."""
 
     name: str | None = None
     color: str | None = None
@@ -31,11 +31,11 @@ class SelectorTable(Table):
 
     @model_validator(mode="after")
     def _one(self) -> "SelectorTable":
-        self.made()  # so that what is wrong is said at the key
+        self.made()  # so that an error is reported at the key
         return self
 
     def made(self) -> Selector:
-        """The selector that is stated."""
+        """Return the selector of the table."""
         given = [key for key in type(self).model_fields if getattr(self, key) is not None]
         if len(given) != 1:
             known = ", ".join(type(self).model_fields)

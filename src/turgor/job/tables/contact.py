@@ -15,7 +15,7 @@ from turgor.model.obstacles import SelfContact
 from turgor.model.rigid import RigidFile
 from turgor.units import format_quantity
 
-#: What stands for the default of self-contact.
+#: Text for the default of self-contact.
 _AUTOMATIC = "automatic"
 
 
@@ -53,7 +53,7 @@ def read_contact(
     Returns
     -------
     contact : Contact
-        The default where something is wrong.
+        The default after a mistake.
     files : dict of str to RigidFile
         The files of the obstacles that come from one.
     """
@@ -68,7 +68,7 @@ def read_contact(
 
 
 def _self_contact(table: ContactTable, problems: Problems) -> SelfContact | bool | None:
-    """What is stated about self-contact; a friction or a stiffness of it switches it on."""
+    """Value of self-contact; a friction or a stiffness for it switches it on."""
     stated = [name for name in ("friction", "stiffness") if getattr(table, name) is not None]
     if not stated:
         switch: bool | None = table.self_contact
@@ -81,7 +81,7 @@ def _self_contact(table: ContactTable, problems: Problems) -> SelfContact | bool
 
 
 def contact_table(contact: Contact) -> dict[str, Any]:
-    """Write what is asked of contact, without the obstacles, as `read_contact` reads it.
+    """Write the settings of contact, without the obstacles, in the form that `read_contact` reads.
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ from turgor.model.fibers import Fibers, Winding
 from turgor.source import Source
 from turgor.units import format_quantity
 
-#: Keys of a table that say how threads run, with the unit in which a lock file states each.
+#: Keys of a table for the path of threads, with the unit of each in a lock file.
 _WINDING = {
     "angle_from_axis": "deg",
     "angle_from_circumference": "deg",
@@ -42,7 +42,7 @@ _WINDING = {
     "hand": "",
 }
 
-#: Poisson's ratio of fibers that state none; it does not count.
+#: Poisson's ratio of fibers that state none; it has no effect.
 _NU = 0.3
 
 
@@ -138,7 +138,7 @@ def _faces_are_there(table: FibersTable, key: Key, geometry: Geometry | None, pr
 
 
 def _material(table: FibersTable, key: Key, problems: Problems) -> Material | None:
-    """What the threads are made of: of the library, or stated by its modulus."""
+    """Material of the threads: from the library, or stated by its modulus."""
     if table.law != "hooke":
         problems.add((*key, "law"), f"{shown(table.law)} is not allowed; fibers have the law 'hooke'.")
         return None
@@ -165,7 +165,7 @@ def _winding(table: FibersTable) -> Winding:
 
 
 def _check_turns(table: FibersTable, key: Key, geometry: Geometry | None, problems: Problems) -> None:
-    """Note it where a mirror plane turns a helix of one hand into the other."""
+    """Note a mirror plane that turns a helix of one hand into the other."""
     mirrors = [] if geometry is None else [face for face in geometry.faces if face.startswith("symmetry_")]
     angle = table.angle_from_axis if table.angle_from_axis is not None else table.angle_from_circumference
     straight = angle is not None and not 1e-9 < angle < pi / 2 - 1e-9
@@ -179,7 +179,7 @@ def _check_turns(table: FibersTable, key: Key, geometry: Geometry | None, proble
 
 
 def _diameter(table: FibersTable, key: Key, problems: Problems) -> float | None:
-    """The stated diameter, or that of the record."""
+    """Diameter of the table, or that of the record."""
     if table.diameter is not None:
         return table.diameter
     if table.library is not None and not table.library.endswith(".toml"):

@@ -54,14 +54,14 @@ def read_loads(
 
 
 def _without_history(values: Mapping[str, Any], cavities: tuple[str, ...], problems: Problems) -> dict[str, Any]:
-    """The keys of ``[loads]`` without a history, which belongs into the table of a cavity."""
+    """Keys of ``[loads]`` without a history, because a history belongs to the table of a cavity."""
     if "history" in values and cavities:
         problems.add(("loads", "history"), f"a history belongs to one cavity; write it below [loads.{cavities[0]}].")
     return {name: value for name, value in values.items() if name != "history" or not cavities}
 
 
 def _is_cavity(name: str, value: object, cavities: tuple[str, ...]) -> bool:
-    """Whether a key of ``[loads]`` is meant as a cavity: a name of one, or a table."""
+    """Whether a key of ``[loads]`` stands for a cavity: it is a name of one, or holds a table."""
     called = name in cavities or name.startswith("cavity_")
     return called or (isinstance(value, Mapping) and name not in LoadsTable.model_fields)
 
@@ -69,7 +69,7 @@ def _is_cavity(name: str, value: object, cavities: tuple[str, ...]) -> bool:
 def _in_all(
     pressure: float, cavities: tuple[str, ...], own: Mapping[str, Any], problems: Problems
 ) -> dict[str, Pressure]:
-    """The same pressure in every cavity that has none of its own."""
+    """Pressures of all cavities without one of their own."""
     rest = [name for name in cavities if name not in own]
     if not rest:
         why = "the actuator has no cavity" if not cavities else "every cavity has a pressure of its own"
@@ -80,7 +80,7 @@ def _in_all(
 def _in_each(
     own: Mapping[str, Any], cavities: tuple[str, ...] | None, duration: float | None, problems: Problems
 ) -> dict[str, Pressure]:
-    """The pressures of tables such as ``[loads.cavity_1]``; ``cavities`` is None where the shape is not known."""
+    """Pressures of tables such as ``[loads.cavity_1]``; ``cavities`` is None if the shape is unknown."""
     found = {}
     for name, values in own.items():
         key = ("loads", name)
@@ -103,7 +103,7 @@ def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure
 
 
 def _history(table: CavityTable | GravityTable, what: str, duration: float | None) -> Any:
-    """The history that a table states over the load factor or, with a duration, over the time in seconds."""
+    """History of a table, over the load factor or, with a duration, over the time in seconds."""
     if table.history_over_time is None:
         return RAMP if table.history is None else table.history
     if table.history is not None:
@@ -129,16 +129,16 @@ def _gravity_allowed(
 
 
 def only_pressure(loads: tuple[Load, ...]) -> float | None:
-    """Return the pressure that stands for the load factor: the only one, growing in proportion to it; else None."""
+    """Return the pressure that is proportional to the load factor, if there is only one; else None."""
     different = {(load.pressure, load.history) for load in loads if isinstance(load, Pressure)}
     pressure, history = different.pop() if len(different) == 1 else (None, RAMP)
     return pressure if history == RAMP else None
 
 
 def requested_factors(requested: list[Any], loads: tuple[Load, ...], problems: Problems) -> list[float]:
-    """Turn requested pressures, written as ``(pressure,)``, into load factors among those that are given as such.
+    """Convert requested pressures, written as ``(pressure,)``, into load factors; load factors stay as they are.
 
-    Pressures can be requested where there is one only, and it grows in proportion to the load factor.
+    Pressures can be requested if there is only one, and it is proportional to the load factor.
     """
     key, factors, top = ("procedure", "at"), [], only_pressure(loads)
     for value in requested:
@@ -194,7 +194,7 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
 
 
 def _gravity_table(load: Gravity, direction: str) -> dict[str, Any]:
-    """Gravity with what is not as usual about it."""
+    """Table of gravity, without the keys that have their default."""
     values: dict[str, Any] = {"direction": direction}
     if load.acceleration != STANDARD_GRAVITY:
         values["acceleration"] = format_quantity(load.acceleration, "m/s²")
@@ -202,5 +202,5 @@ def _gravity_table(load: Gravity, direction: str) -> dict[str, Any]:
 
 
 def _listed(history: History) -> Any:
-    """A history as a job file states it."""
+    """History in the form of a job file."""
     return history if isinstance(history, str) else [list(point) for point in history]

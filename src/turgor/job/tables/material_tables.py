@@ -9,7 +9,7 @@ import pydantic
 from pydantic import AllowInfNan, BeforeValidator, create_model
 
 from turgor.job.text.quantities import Density, Length, Pressure, Table, default_of
-from turgor.materials.laws.conventions import is_dimensionless
+from turgor.materials.laws.law_spec import is_dimensionless
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.units import parse_quantity
@@ -31,7 +31,7 @@ class LibraryTable(Table):
 
 
 class SourceTable(Table):
-    """Where the constants of a material came from."""
+    """Source of the constants of a material."""
 
     text: str
     detail: str = ""

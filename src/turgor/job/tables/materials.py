@@ -19,14 +19,14 @@ from turgor.model.layers import as_solid
 from turgor.model.model import Membrane
 from turgor.source import Source
 
-#: What a strain-limiting layer can be: a sheet that bends freely or like a plate, a thin solid region of its own, or
-#: the constants of the whole region below it.
+#: Forms of a strain-limiting layer: a membrane without bending stiffness, a shell, a thin solid region of its own, or
+#: combined constants for the region below it.
 MEMBRANE, SHELL, SOLID, COMBINED = FORMS = ("membrane", "shell", "solid", "combined")
 
-#: What a rubber can do in time, besides its law.
+#: Keys of a rubber for its behavior in time, besides its law.
 HISTORY = ("viscoelasticity", "stress_softening")
 
-#: The region that combined constants stand for.
+#: Region that combined constants apply to.
 BASE = "base"
 
 
@@ -101,7 +101,7 @@ def _form_fits(
     geometry: Geometry | None,
     problems: Problems,
 ) -> bool:
-    """Whether a form that is not a sheet suits the name, and has no thickness of its own."""
+    """Whether a form other than a sheet fits the name, and has no thickness of its own."""
     name = key[-1]
     if geometry is None or form is None:
         return True
@@ -131,10 +131,10 @@ def _from_library(table: LibraryTable, key: Key, problems: Problems) -> Material
 
 
 def read_library(name: str, record: str | None, density: float | None, key: Key, problems: Problems) -> Material | None:
-    """Take a material of the library or of a file beside the job, with a density of its own where one is stated."""
+    """Return a material of the library or of a file beside the job; a stated density replaces its own."""
     wrong = "record" if name in library() else "library"
     if name.endswith(".toml"):
-        name = str(Path(problems.file).parent / name)  # beside the job
+        name = str(Path(problems.file).parent / name)  # relative to the folder of the job
     material = problems.attempt((*key, wrong), lambda: from_library(name, record=record))
     if material is None or density is None:
         return material
@@ -172,7 +172,7 @@ def _law(kind: Any, constants: Mapping[str, Any]) -> Any:
 
 
 def refuse_shells(materials: Mapping[str, Material | Membrane], mesh: MeshTable | None, problems: Problems) -> None:
-    """Note every sheet that resists bending where the mesh cannot carry it."""
+    """Note every shell on a mesh of tetrahedra, which do not support shells."""
     for name, entry in materials.items():
         if mesh is not None and mesh.cells != "hexahedra" and isinstance(entry, Membrane) and entry.bending:
             problems.add(("materials", name, "form"), '"shell" needs hexahedra; add cells = "hexahedra" to [mesh].')

@@ -20,7 +20,7 @@ from turgor.meshing.exchange.selectors import Choice
 #: The type of an actuator that comes from a mesh file.
 MESH_FILE = "mesh_file"
 
-#: Endings of files that can be a mesh, or be filled with one.
+#: Suffixes of mesh files and of surfaces that can be filled with a mesh.
 SUFFIXES = (*READERS, ".stl")
 
 

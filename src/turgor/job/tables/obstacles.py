@@ -19,7 +19,7 @@ from turgor.model.obstacles import Obstacle, RigidSurface, Shape, Vector
 from turgor.model.rigid import RigidFile
 from turgor.units import format_quantity, parse_quantity
 
-#: Shapes by the names that job files use, all but those of files; their keys are their fields.
+#: Shapes by their names in job files, except those from files; their fields are their keys.
 SHAPES: Mapping[str, type] = {kind.__name__.lower(): kind for kind in get_args(Shape) if kind is not RigidSurface}
 
 #: The shape that comes from an STL file.
@@ -77,7 +77,7 @@ class ObstacleTable(Table):
 
 
 class StlTable(ObstacleTable):
-    """The keys of a body from an STL file."""
+    """Keys of a body from an STL file."""
 
     file: str
     unit: str = "mm"
@@ -116,7 +116,7 @@ def _default_of(item: Field[Any]) -> Any:
 def read_obstacles(
     values: Any, geometry: Geometry | None, problems: Problems
 ) -> tuple[list[Obstacle], dict[str, RigidFile]]:
-    """Read ``[obstacles]``: a table for each rigid body; the files of those that come from one are named beside them.
+    """Read ``[obstacles]``, a table for each rigid body; return the bodies, and the STL files of some of them.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ def _read_obstacle(values: Any, key: Key, geometry: Geometry | None, problems: P
 
 
 def _file(table: StlTable, key: Key, problems: Problems) -> RigidFile | None:
-    """The file of a body; its path counts from the folder of the job file."""
+    """STL file of a body; its path is relative to the folder of the job file."""
     file = Path(problems.file).parent / table.file
     where = (*key, "file") if not file.is_file() else key
     make = partial(RigidFile, file=file.resolve(), unit=table.unit, sha256=table.sha256)

@@ -1,9 +1,9 @@
-"""Procedures in a job: ``[procedure]``, both ways; those of stages are written alike."""
+"""Procedures in a job: reading and writing of ``[procedure]``, also within a stage."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import Field
 from functools import cache, partial
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import BeforeValidator
 
@@ -17,14 +17,11 @@ from turgor.solvers.procedures.stages import OneProcedure
 from turgor.solvers.procedures.step_options import StepOptions, fields_in_order
 from turgor.units import format_quantity, kPa, parse_quantity
 
-#: Procedures by the name that job files use: the classes in their folder; the keys of one are its fields.
+#: Procedures by their names in job files: the classes in their folder; the fields of a procedure are its keys.
 PROCEDURES: Registry[type[Any]] = Registry(
     "turgor.solvers.procedures",
     class_of_file(lambda kind: issubclass(kind, OneProcedure) and kind is not StepOptions),
 )
-
-#: Procedures that drive the actuator without any load.
-DRIVING = ("volume_control", "gas_mass")
 
 #: Units in which lock files state the fields of a procedure.
 _UNITS = {"volume": "mL", "pressure": "kPa", "length": "mm", "time": "s", "rate": "1/s"}
@@ -35,7 +32,7 @@ def read_procedure(
 ) -> OneProcedure | None:
     """Read ``[procedure]``, or that of a stage; requested pressures become load factors.
 
-    ``others`` are further names that may stand there, for the message where one is unknown.
+    ``others`` are further names for the message about an unknown one.
     """
     key = ("procedure",)
     kind = chosen_kind(PROCEDURES, "procedure", values, key, problems, others)
@@ -52,7 +49,7 @@ def read_procedure(
 
 
 def states_requested(at: Sequence[Any], why: str, problems: Problems) -> bool:
-    """Whether requested states can be told; where there is a reason why not, pressures among them are noted."""
+    """Return whether requested states are clear; if there is a reason against pressures, note those among them."""
     if why and any(isinstance(value, tuple) for value in at):
         problems.add(("procedure", "at"), f"a pressure does not say which state is meant: {why}; request load factors.")
         return False
@@ -60,12 +57,13 @@ def states_requested(at: Sequence[Any], why: str, problems: Problems) -> bool:
 
 
 def drives(values: Any) -> bool:
-    """Whether ``[procedure]`` drives the actuator by itself, so that there need not be any load."""
-    return isinstance(values, Mapping) and values.get("type") in DRIVING
+    """Return whether ``[procedure]`` drives the actuator without a load: it takes a value for each cavity."""
+    kind = PROCEDURES.get(str(values.get("type"))) if isinstance(values, Mapping) else None
+    return kind is not None and any(_by_cavity(item) for item in procedure_fields(kind))
 
 
 def duration_of(values: Any) -> float | None:
-    """Duration of ``[procedure]`` [s], None where it has none or a wrong one, which `read_procedure` will say."""
+    """Return the duration of ``[procedure]`` [s]; None without one, or if `read_procedure` will reject it."""
     try:
         return parse_quantity(values["duration"], "time")
     except (TurgorError, TypeError, KeyError):
@@ -76,8 +74,8 @@ def duration_of(values: Any) -> float | None:
 def procedure_table(value: type) -> type[Table]:
     """Make the table of a procedure: one key per field, and ``at`` as pressures or load factors.
 
-    Fields are plain numbers unless they state a dimension: ``field(metadata={"dimension": "volume"})``; such a field
-    may be a table with one value for each cavity. The dimension ``"names"`` takes a name or a list of names.
+    Fields are numbers without a unit, unless they state a dimension: ``field(metadata={"dimension": "volume"})``. Such
+    a field may be a table with one value for each cavity. The dimension ``"names"`` takes a name or a list of names.
     """
     return made_table(f"{value.__name__}Table", field_keys(procedure_fields(value)))
 
@@ -91,7 +89,7 @@ def field_keys(items: Iterable[Field[Any]]) -> dict[str, Any]:
 
 
 def procedure_fields(value: type) -> list[Field[Any]]:
-    """Return the fields of a procedure that job files state: all but functions, ``field(metadata={"job": False})``."""
+    """Return the fields of a procedure for job files: all but functions, ``field(metadata={"job": False})``."""
     return [item for item in fields_in_order(value) if item.init and item.metadata.get("job", True)]
 
 
@@ -102,7 +100,7 @@ def written_procedure(procedure: OneProcedure, loads: tuple[Load, ...] = ()) -> 
     ----------
     procedure : Procedure
     loads : tuple of Load
-        Loads whose only pressure says which states are requested; in a stage there are none.
+        Loads; if they have a single pressure, requested states are written as pressures. Empty in a stage.
     """
     name = name_in(PROCEDURES, procedure)
     if name is None:
@@ -112,14 +110,19 @@ def written_procedure(procedure: OneProcedure, loads: tuple[Load, ...] = ()) -> 
 
 
 def stated_fields(value: Any, items: Iterable[Field[Any]]) -> dict[str, Any]:
-    """Return fields as a job file states them, those that are None left out."""
+    """Return fields in the form of a job file, without those that are None."""
     stated = {item.name: _stated(item, getattr(value, item.name)) for item in items}
     return {key: each for key, each in stated.items() if each is not None}
 
 
 def requested(at: Iterable[float], top: float | None) -> list[str | float]:
-    """Return requested states as a job file states them: as pressures where there is a top pressure."""
+    """Return requested states in the form of a job file: as pressures if there is a top pressure."""
     return [_requested(factor, top) for factor in at]
+
+
+def _by_cavity(item: Field[Any]) -> bool:
+    """Return whether a field takes a number for each cavity, as the volume of `VolumeControl` does."""
+    return any(get_origin(each) is Mapping for each in get_args(item.type))
 
 
 def _step_type(item: Field[Any]) -> Any:
@@ -150,14 +153,14 @@ def _names(value: object) -> tuple[str, ...]:
 
 
 def _load_factor_or_pressure(value: object) -> object:
-    """A plain number is a load factor; text is a pressure, kept as ``(pressure,)`` until the top pressure is known."""
+    """Read a number as a load factor, and text as a pressure ``(pressure,)`` until the top pressure is known."""
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value)
     return (parse_quantity(value, "pressure"),)
 
 
 def _requested(factor: float, top: float | None) -> str | float:
-    """The pressure at a load factor, where one reads back as exactly this factor; else the load factor itself."""
+    """Pressure at a load factor if it reads back as exactly this factor, else the load factor."""
     if top is None:
         return factor
     for digits in range(1, 18):
@@ -168,7 +171,7 @@ def _requested(factor: float, top: float | None) -> str | float:
 
 
 def _stated(item: Field[Any], value: Any) -> Any:
-    """A field of a procedure as a job file states it: with its unit, for each cavity where there are several."""
+    """Field of a procedure in the form of a job file: with its unit, and for each cavity if there are several."""
     if isinstance(value, Mapping):
         return {name: _stated(item, each) for name, each in value.items()}
     unit = _UNITS.get(item.metadata.get("dimension", ""))

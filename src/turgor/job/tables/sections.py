@@ -43,7 +43,7 @@ def read_actuator(values: Any, problems: Problems) -> Actuator | None:
 
 
 def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> MeshTable | None:
-    """Read ``[mesh]``; where the shape is known, choose a missing size and refuse at once what `mesh` will refuse."""
+    """Read ``[mesh]``; if the shape is known, choose a missing size and report what `mesh` would refuse."""
     key = ("mesh",)
     table: MeshTable | None = read_table(MeshTable, values, key, problems)
     if table is None or geometry is None:

@@ -1,6 +1,6 @@
 """Setups in a job: ``[procedure]`` with ``type = "blocked_force"`` or ``"grasp"``, both ways.
 
-Such a table states what is added to the model and how its path is followed, which is by `Static`.
+Such a table states the change of the model and the steps of the procedure, which is `Static`.
 """
 
 from collections.abc import Mapping
@@ -17,13 +17,13 @@ from turgor.model.loads import Gravity, Load, Pressure
 from turgor.setups.values import BlockedForce, Grasp, Setup
 from turgor.solvers.procedures.static import Static
 
-#: Setups by the name that job files use; the keys of one are its fields and those of `Static`.
+#: Setups by their names in job files; the keys of a setup are its fields and those of `Static`.
 SETUPS: Mapping[str, type[Setup]] = MappingProxyType({"blocked_force": BlockedForce, "grasp": Grasp})
 
-#: Defaults of steps that are not those of `Static`: where things slide with friction the result depends on the path.
+#: Defaults of steps other than those of `Static`: with friction the result depends on the path, so steps are short.
 _STEPS: Mapping[type, Mapping[str, Any]] = {Grasp: {"max_step": 0.1}}
 
-#: Why a setup is no stage, and what to write instead.
+#: Reason why a setup cannot be a stage, with the alternative.
 _INSTEAD: Mapping[str, str] = {
     "blocked_force": "it puts a plate before the tip at rest; add the plate as an obstacle, let a stage move it to the "
     "tip, and read its force, such as plate_force",
@@ -33,13 +33,13 @@ _INSTEAD: Mapping[str, str] = {
 
 
 def setup_type(values: Any) -> str | None:
-    """Return which setup ``[procedure]`` names, None where it names none."""
+    """Return the class of the setup that ``[procedure]`` names, None if it names none."""
     name = values.get("type") if isinstance(values, Mapping) else None
     return name if isinstance(name, str) and name in SETUPS else None
 
 
 def refuse_setup(values: Any, stage: str, problems: Problems) -> bool:
-    """Note that a setup is no stage, if ``[procedure]`` of the stage names one; return whether it does."""
+    """Note a mistake if ``[procedure]`` of a stage names a setup; return whether it does."""
     name = setup_type(values)
     if name is not None:
         problems.add(("procedure",), f"stage '{stage}': {name} cannot be a stage, because {_INSTEAD[name]}.")
@@ -49,7 +49,7 @@ def refuse_setup(values: Any, stage: str, problems: Problems) -> bool:
 def read_setup(
     name: str, values: Any, loads: tuple[Pressure | Gravity, ...], problems: Problems
 ) -> tuple[Setup, Static] | None:
-    """Read ``[procedure]`` that names a setup: what it adds, and how the path is followed."""
+    """Read ``[procedure]`` that names a setup: the setup and the procedure."""
     key = ("procedure",)
     kind: Any = SETUPS[name]
     table = read_table(setup_table(kind), values, key, problems)
@@ -75,7 +75,7 @@ def setup_table(kind: type) -> type[Table]:
 
 
 def written_setup(setup: Setup, procedure: Static, loads: tuple[Load, ...]) -> dict[str, Any]:
-    """Write a setup and how its path is followed as the table of a job file; `read_setup` gives both back."""
+    """Write a setup and its procedure as the table of a job file; `read_setup` returns both."""
     name = next(name for name, kind in SETUPS.items() if type(setup) is kind)
     top = None if isinstance(setup, Grasp) else only_pressure(loads)
     asked = stated_fields(setup, fields(setup)) | stated_fields(procedure, procedure_fields(Static))

@@ -29,7 +29,7 @@ STAGES = "stages"
 
 
 class StageTable(Table):
-    """``[[stages]]``; its tables are read on their own."""
+    """``[[stages]]``; other functions read the tables in it."""
 
     name: str
     procedure: Any = None
@@ -40,7 +40,7 @@ class StageTable(Table):
 
 @dataclass(frozen=True, slots=True)
 class Around:
-    """What the rest of a job states, on which stages act.
+    """Sections of a job on which stages act.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ class Around:
 
 
 def with_names(lines: Mapping[Key, int], content: Mapping[str, Any]) -> dict[Key, int]:
-    """Return the lines of keys with those of stages by the name of the stage instead of its number."""
+    """Return the lines of keys, with the name of a stage in the place of its number."""
     named = {str(number): name for number, name in enumerate(_labels(content.get(STAGES)), start=1)}
     found = {}
     for key, line in lines.items():
@@ -73,7 +73,7 @@ def with_names(lines: Mapping[Key, int], content: Mapping[str, Any]) -> dict[Key
 
 
 def _labels(values: Any) -> list[str]:
-    """What messages call each stage: its name, or its number where it has none of its own."""
+    """Label of each stage in messages: its name, or its number if it has none of its own."""
     labels: list[str] = []
     for number, entry in enumerate(values if isinstance(values, list) else [], start=1):
         name = entry.get("name") if isinstance(entry, Mapping) else None
@@ -82,7 +82,7 @@ def _labels(values: Any) -> list[str]:
 
 
 def first_duration(values: Any) -> float | None:
-    """Duration of the first stage [s], over which histories of ``[loads]`` go; None where it has none."""
+    """Duration of the first stage [s], the time of histories in ``[loads]``; None if it has none."""
     first = values[0] if isinstance(values, list) and values else None
     return duration_of(first.get("procedure")) if isinstance(first, Mapping) else None
 
@@ -122,7 +122,7 @@ def read_stages(values: Any, around: Around, problems: Problems) -> Stages | Non
 
 
 def _changes(stage: Stage) -> bool:
-    """Whether a stage does more than wait."""
+    """Whether a stage changes a load, a support or an obstacle."""
     driving = getattr(stage.procedure, "volume", None) or getattr(stage.procedure, "mass_ratio", None)
     return bool(stage.loads or stage.displacements or stage.moves or driving)
 
@@ -151,7 +151,7 @@ def _read_stage(entry: Any, number: int, around: Around, problems: Problems) -> 
 
 
 def _displacements(stated: Mapping[str, Vector], around: Around, problems: Problems) -> tuple[Displacement, ...]:
-    """Faces that are moved, in the directions in which ``[supports]`` holds them."""
+    """Displacements of faces, in the directions in which ``[supports]`` holds them."""
     held = {support.face: support.directions for support in around.supports if isinstance(support, Fixed)}
     found = []
     for face, vector in stated.items():

@@ -5,16 +5,13 @@ from typing import Any
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
+from turgor.geometry.directions import AXES, Vector
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import shown
 from turgor.model.supports import Fixed, Radial
 
-#: What holds the radius of a face, by the axis of its cylinder.
-RADIAL: Mapping[str, tuple[float, float, float]] = {
-    "radial": (1.0, 0.0, 0.0),
-    "radial about y": (0.0, 1.0, 0.0),
-    "radial about z": (0.0, 0.0, 1.0),
-}
+#: Text of a support that holds the radius of a face, by the axis of its cylinder.
+RADIAL: Mapping[str, Vector] = {"radial": AXES["x"], **{f"radial about {axis}": AXES[axis] for axis in "yz"}}
 
 
 def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[Fixed | Radial, ...]:

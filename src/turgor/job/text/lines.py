@@ -1,4 +1,4 @@
-"""Lines: find the line of each key of a TOML text, which `tomllib` does not report."""
+"""Line numbers of the keys of a TOML text, which `tomllib` does not report."""
 
 import re
 from collections.abc import Iterator
@@ -76,7 +76,7 @@ def key_lines(text: str) -> dict[Key, int]:
 
 
 def _brackets(tokens: _Tokens) -> int:
-    """Pass the brackets that open the head of a table, and count them."""
+    """Skip the opening brackets of a table header, and count them."""
     count = 0
     while tokens.text == "[":
         tokens.advance()
@@ -85,7 +85,7 @@ def _brackets(tokens: _Tokens) -> int:
 
 
 def _numbered(table: Key, counts: dict[Key, int], another: bool) -> Key:
-    """The key of a table, with its number where it is one of an array."""
+    """Key of a table; a table of an array has its number as the last part."""
     if another:
         counts[table] = counts.get(table, 0) + 1
     return (*table, str(counts[table])) if table in counts else table

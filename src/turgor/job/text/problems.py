@@ -1,4 +1,4 @@
-"""Problems: everything that is wrong with one job file, collected and reported together."""
+"""Problems: all mistakes in one job file, collected and reported together."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -10,12 +10,12 @@ from turgor.job.text.lines import Key
 
 Made = TypeVar("Made")
 
-#: Stands for the line of what is absent from the file; such problems come last.
+#: Line number of keys that are absent from the file; their problems come last.
 _NOWHERE = 10**9
 
 
 class JobError(TurgorError):
-    """What is wrong with a job file: one line for each problem.
+    """Error about a job file, with one line for each problem.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class Problems:
     file : str
         Name of the file as the user gave it.
     lines : mapping of key to int
-        Where each key stands, from `key_lines`.
+        Line of each key, from `key_lines`.
     found : list of (int, str)
         Line and sentence of each problem noted so far.
     within : tuple of str
@@ -50,11 +50,11 @@ class Problems:
     within: Key = ()
 
     def below(self, key: Key) -> "Problems":
-        """Return the problems of a table inside the file; what it notes is noted here, too."""
+        """Return the problems of a table inside the file; its notes are noted here too."""
         return replace(self, within=(*self.within, *key))
 
     def head(self, key: Key) -> str:
-        """The head under which the keys of a table stand in the file: ``[loads]``, or ``[stages.loads]`` of a stage."""
+        """Return the header of a table in the file: ``[loads]``, or ``[stages.loads]`` of a stage."""
         return f"[{'.'.join((*self.within[:1], *key))}]"
 
     @property
@@ -63,7 +63,7 @@ class Problems:
         return replace(self, within=())
 
     def add(self, key: Key, sentence: str) -> None:
-        """Note a problem at a key, which may be absent from the file: then its table's line is named."""
+        """Note a problem at a key; if the key is absent from the file, at the line of its table."""
         key = (*self.within, *key)
         known = next((key[:n] for n in range(len(key), 0, -1) if key[:n] in self.lines), None)
         line = self.lines[known] if known is not None else _NOWHERE
@@ -71,14 +71,14 @@ class Problems:
         self.found.append((line, f"{place}: {'.'.join(key)}: {sentence}"))
 
     def attempt(self, key: Key, make: Callable[[], Made], fields: Iterable[str] = ()) -> Made | None:
-        """Make a value; note a `TurgorError` at the key, or at the one of its fields that the message begins with.
+        """Make a value; note a `TurgorError` at the key, or at the field that its message begins with.
 
         Parameters
         ----------
         key : tuple of str
             Key of a table or value.
         make : callable
-            Makes the value from what stands there.
+            Makes the value.
         fields : iterable of str
             Keys of the table that are fields of the value; the message names the one that is wrong.
 

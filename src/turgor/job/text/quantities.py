@@ -1,6 +1,6 @@
-"""Tables of a job file: which keys each has, and what their values must be.
+"""Tables of a job file: the keys of each, and the types of their values.
 
-The keys of an actuator are the fields of its dataclass, so that a new one needs no code here.
+The keys of an actuator are the fields of its dataclass, so a new family needs no code here.
 """
 
 from collections.abc import Iterable, Mapping
@@ -97,7 +97,7 @@ class MeshTable(Table):
 
     @property
     def settings(self) -> MeshSettings:
-        """How to mesh."""
+        """Return the settings of the mesh."""
         return MeshSettings(
             size=self.size,
             grading=self.grading,
@@ -108,14 +108,14 @@ class MeshTable(Table):
 
 
 def _history(value: object) -> object:
-    """Points or an expression; what they must be is checked where the load is made."""
+    """Points or an expression of a history; `turgor.model.loads` checks them."""
     if not isinstance(value, str | list):
         raise TurgorError(f"{shown(value)} is not a list in square brackets, nor an expression in quotes.")
     return value
 
 
 class GravityTable(Table):
-    """``[loads.gravity]``: where things fall, how fast, and when they begin to."""
+    """``[loads.gravity]``: direction, acceleration and history."""
 
     direction: Annotated[str, AfterValidator(_direction)]
     acceleration: Acceleration = STANDARD_GRAVITY
@@ -140,7 +140,7 @@ class LoadsTable(Table):
 
 
 class CavityTable(Table):
-    """``[loads.cavity_1]``: the pressure in one cavity and how it gets there."""
+    """``[loads.cavity_1]``: pressure in one cavity, and its history."""
 
     pressure: Pressure
     history: Annotated[Any, BeforeValidator(_history)] = None
@@ -165,7 +165,7 @@ class OutputTable(Table):
 
 @cache
 def dataclass_table(value: type) -> type[Table]:
-    """Make the table of a dataclass: one key per field, with units where the field is a length, and a ``type``.
+    """Make the table of a dataclass: one key per field, and a ``type``.
 
     A float is a length unless its field says otherwise: ``field(metadata={"dimension": "angle"})``; the dimension
     ``"number"`` takes no unit.
@@ -189,7 +189,7 @@ def read_table(table: type[Table], values: object, key: Key, problems: Problems)
         return table.model_validate(dict(values))
     except ValidationError as error:
         for item in error.errors(include_url=False):
-            place = tuple(part for part in item["loc"] if isinstance(part, str))  # without places in lists
+            place = tuple(part for part in item["loc"] if isinstance(part, str))  # without indices of lists
             problems.add((*key, *place), _sentence(table, place, item))
         return None
 
@@ -197,7 +197,7 @@ def read_table(table: type[Table], values: object, key: Key, problems: Problems)
 def chosen_kind(
     kinds: Mapping[str, Any], what: str, values: Any, key: Key, problems: Problems, others: Iterable[str] = ()
 ) -> Any | None:
-    """The kind that the key ``type`` of a table names; ``others`` are names that are read elsewhere."""
+    """Return the kind that the key ``type`` of a table names; ``others`` are names that other functions read."""
     if not isinstance(values, Mapping):
         problems.add(key, f"{shown(values)} is not a table; write {problems.head(key)} and its keys below it.")
         return None
@@ -212,12 +212,12 @@ def chosen_kind(
 
 
 def fields_of_table(table: Any) -> dict[str, Any]:
-    """The values of a checked table without its type."""
+    """Return the values of a checked table, without its type."""
     return {name: getattr(table, name) for name in type(table).model_fields if name != "type"}
 
 
 def shown(value: object) -> str:
-    """Write a value about as it stands in the file."""
+    """Write a value in the notation of TOML, for messages."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Mapping):
@@ -239,7 +239,7 @@ _NEEDED = {
 
 
 def _sentence(table: type[BaseModel], place: Key, item: Any) -> str:
-    """One sentence for one of pydantic's findings."""
+    """Sentence for an error of pydantic."""
     kind, given = item["type"], item["input"]
     if kind == "extra_forbidden":
         known = list(_model_at(table, place[:-1]).model_fields)
@@ -263,7 +263,7 @@ def _model_at(table: type[BaseModel], place: Key) -> type[BaseModel]:
 
 
 def _kinds(annotation: Any) -> list[Any]:
-    """The types that an annotation is made of."""
+    """Types in an annotation."""
     inner = get_args(annotation)
     return [kind for one in inner for kind in _kinds(one)] if inner else [annotation]
 
@@ -273,7 +273,7 @@ def _type_of(item: Field[Any]) -> Any:
 
 
 def default_of(item: Field[Any]) -> Any:
-    """Default of a field of a dataclass as pydantic takes it."""
+    """Return the default of a field of a dataclass in the form of pydantic."""
     if item.default is not MISSING:
         return item.default
     return item.default_factory() if item.default_factory is not MISSING else ...

@@ -1,4 +1,4 @@
-"""Columns of a testing machine's table: their role, their unit, and the stress measure they state."""
+"""Columns of a table from a testing machine: role, unit and stress measure."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from turgor.errors import TurgorError, unknown
 from turgor.units import UNITS
 
-#: Units by dimension as testing machines write them, in SI.
+#: Factor to SI of each unit, as testing machines write it, by dimension.
 FACTORS: Mapping[str, Mapping[str, float]] = {
     "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3, "kgf": 9.80665, "gf": 9.80665e-3, "lbf": 4.4482216152605},
     "length": UNITS["length"],
@@ -25,7 +25,7 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     "ratio": {"-": 1.0, "": 1.0, "1": 1.0, "%": 0.01, "mm/mm": 1.0, "m/m": 1.0},
 }
 
-#: What a role is measured in.
+#: Dimension of each role.
 DIMENSIONS: Mapping[str, str] = {
     "time": "time",
     "stretch": "ratio",
@@ -43,7 +43,7 @@ DIMENSIONS: Mapping[str, str] = {
     "stress": "stress",
 }
 
-#: The first pattern that a name matches, in lower case and without its unit, tells its role.
+#: Patterns and roles. The first pattern that matches the name, in lower case and without its unit, gives the role.
 _PATTERNS: tuple[tuple[str, str], ...] = (
     (r"^(test |elapsed |total )?time$|^t$", "time"),
     (r"time|cycle|resistance|temperature|width|thickness|area|speed|load factor", ""),
@@ -66,18 +66,18 @@ _PATTERNS: tuple[tuple[str, str], ...] = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
-    """A column of a table and what it holds.
+    """A column of a table, with its role and unit.
 
     Parameters
     ----------
     index : int
-        Place in the table, from 0.
+        Index in the table, from 0.
     name : str
         As written.
     role : str
         A key of `DIMENSIONS`, or ``specimen``.
     factor : float
-        What its numbers are multiplied by to become SI.
+        Factor of its numbers to SI.
     """
 
     index: int
@@ -87,7 +87,7 @@ class Column:
 
 
 def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> tuple[Column, ...]:
-    """Find the role and unit of every column that matters.
+    """Return the role and unit of every column that is needed.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Cycles of a test: where the stretch turns round, and one curve of all."""
+"""Cycles of a test: reversals of the stretch, and selection of one curve."""
 
 from itertools import pairwise
 
@@ -7,7 +7,7 @@ import numpy as np
 from turgor.errors import TurgorError, unknown
 from turgor.materials.experiments.material_test import MaterialTest
 
-#: A half cycle counts when it covers this share of the whole range of stretch.
+#: Smallest range of a half cycle, as a share of the whole range of stretch.
 HALF_CYCLE = 0.2
 
 
@@ -52,7 +52,7 @@ def select_cycle(test: MaterialTest, number: int = -1, *, part: str = "loading")
     test : MaterialTest
         Points in the order of time.
     number : int
-        Which of the curves, from 0; negative numbers count from the last.
+        Number of the curve, from 0; negative numbers count from the last.
     part : str
         ``"loading"`` or ``"unloading"``.
     """
@@ -66,7 +66,7 @@ def select_cycle(test: MaterialTest, number: int = -1, *, part: str = "loading")
     wanted = chosen[number]
     stretch = test.stretch[wanted]
     keep = np.zeros(len(test.stretch), dtype=bool)
-    # only points that go on: small steps back are noise of the crosshead
+    # only points with increasing stretch: small steps back are noise of the crosshead
     onward = stretch if part == "loading" else -stretch
     keep[wanted] = onward >= np.maximum.accumulate(onward)
     place = number % len(chosen) + 1

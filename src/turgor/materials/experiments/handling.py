@@ -1,4 +1,4 @@
-"""Handling of tests: each edit is a function that returns a new test and records what it did."""
+"""Preparation of tests: each function returns a new test with a record of the edit."""
 
 from collections.abc import Sequence
 
@@ -21,7 +21,7 @@ def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> M
     stress : float [Pa]
         Nominal stress at which the specimen counts as taut: the preload.
     shift : bool
-        Whether to subtract the stress left at that point, too, so that the curve begins at zero.
+        Whether to subtract the stress at that point too, so that the curve begins at zero.
     """
     below = np.flatnonzero(test.nominal_stress <= stress)
     if test.nominal_stress.max() <= stress:
@@ -90,7 +90,7 @@ def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
     test : MaterialTest
         The test.
     stretch : float [-]
-        Stretch, in the counting so far, that becomes 1.
+        Present stretch that becomes 1.
 
     Examples
     --------
@@ -112,8 +112,7 @@ def remove_tail(test: MaterialTest, *, drop: float = 0.2) -> MaterialTest:
     test : MaterialTest
         One loading curve.
     drop : float [-]
-        Share of the largest stress by which it must fall for this to be a break; a curve that does not fall so far
-        stays as it is.
+        Share of the largest stress by which the stress falls at a break. A curve with a smaller fall stays as it is.
     """
     if not 0 < drop < 1:
         raise TurgorError(f"drop is {drop:g}; allowed is between 0 and 1.")
@@ -132,7 +131,7 @@ def crop(test: MaterialTest, low: float, high: float) -> MaterialTest:
     test : MaterialTest
         The test.
     low, high : float [-]
-        Smallest and largest stretch that stay.
+        Smallest and largest stretch of the points that stay.
     """
     keep = (test.stretch >= low) & (test.stretch <= high)
     return _note(test, "Nothing to crop.") if keep.all() else test.keeping(keep, f"Outside stretch {low:g} to {high:g}")
@@ -146,7 +145,7 @@ def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
     test : MaterialTest
         One loading curve.
     points : int
-        Intervals over the whole range; a test with no more points stays as it is.
+        Number of intervals over the whole range; a test with fewer points stays as it is.
 
     Examples
     --------
@@ -190,9 +189,9 @@ def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") 
     tests : sequence of MaterialTest
         Loading curves of the same mode.
     points : int
-        Points of the mean, equally spaced in stretch.
+        Number of points of the mean, equally spaced in stretch.
     name : str
-        What the mean is called.
+        Name of the mean.
     """
     if len(tests) < 2:
         raise TurgorError("one test has no mean; give two replicates or more.")

@@ -1,4 +1,4 @@
-"""MaterialTest: one experiment on a rubber, its measured values, and every change made to them."""
+"""MaterialTest: one experiment on a rubber, with its measured values and a record of every edit."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws.homogeneous import equibiaxial, nominal_stress, planar, simple_shear, uniaxial
+from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.materials.material import UNSTATED
 from turgor.source import Source
 
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 #: The tests of a rubber; pure shear is another name for planar tension.
 MODES = ("uniaxial", "equibiaxial", "planar", "simple_shear", "biaxial")
 
-#: How far a stretch may step back, as a share of its whole range, before it counts as a reversal.
+#: Smallest step back of the stretch that counts as a reversal, as a share of the whole range.
 JITTER = 0.01
 
 
@@ -28,9 +28,9 @@ class Edit:
     Parameters
     ----------
     text : str
-        What was done, with its numbers, as a sentence.
+        Description of the edit with its numbers, as a sentence.
     stretch : (n,) array [-]
-        Stretch of the points taken away, as it was before the edit.
+        Stretch of the removed points, before the edit.
     nominal_stress : (n,) array [Pa]
         Their nominal stress.
     """
@@ -42,7 +42,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class MaterialTest:
-    """One experiment on a rubber: mode, stretch and nominal stress, their source, and every change made to them.
+    """One experiment on a rubber: mode, stretch and nominal stress, their source, and a record of every edit.
 
     Parameters
     ----------
@@ -54,9 +54,9 @@ class MaterialTest:
         Force per initial area along the first axis; the shear stress in ``simple_shear``. In a ``biaxial`` test without
         ``nominal_stress_2`` it is the difference of the Cauchy stresses over the stretch, (σ₁ − σ₂)/λ₁.
     name : str
-        What the test is called in tables.
+        Name of the test in tables.
     source : Source
-        Where it came from.
+        Source of the data.
     stretch_2 : (n,) array [-], optional
         Stretch along the second axis, in ``biaxial`` tests only.
     nominal_stress_2 : (n,) array [Pa], optional
@@ -64,11 +64,11 @@ class MaterialTest:
     spread : (n,) array [Pa], optional
         Standard deviation of the replicates that were averaged.
     time : (n,) array [s], optional
-        Time of every point, none before the one ahead of it; needed for relaxation, hysteresis and softening.
+        Time of every point, not decreasing; needed for relaxation, hysteresis and softening.
     raw : MaterialTest, optional
-        The test as it was read, before anything was done to it.
+        The test as it was read, before all edits.
     edits : tuple of Edit
-        What was done since, in order.
+        Edits since then, in order.
 
     Examples
     --------
@@ -123,8 +123,7 @@ class MaterialTest:
         if self.stretch_2 is not None:
             third = 1.0 / (self.stretch * self.stretch_2)
             return np.asarray(np.stack([self.stretch, self.stretch_2, third], axis=-1)[..., None] * np.eye(3))
-        make = {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": planar, "simple_shear": simple_shear}
-        return make[self.mode](self.stretch)
+        return DEFORMATIONS[self.mode](self.stretch)
 
     @property
     def measured(self) -> Array:
@@ -144,7 +143,7 @@ class MaterialTest:
         return self.components(nominal_stress(law, self.deformation))
 
     def components(self, P: Array) -> Array:
-        """Pick from nominal stress tensors what this test measures, in the order of `measured` [Pa].
+        """Return the measured components of nominal stress tensors, in the order of `measured` [Pa].
 
         Parameters
         ----------
@@ -180,9 +179,9 @@ class MaterialTest:
         Parameters
         ----------
         keep : (n,) array of bool
-            Which points stay.
+            Mask of the points that stay.
         text : str
-            Why the others go; written behind their number.
+            Reason for the removal of the others, with which the record begins.
         """
         gone = ~keep
         if keep.sum() < 2:
@@ -203,7 +202,7 @@ class MaterialTest:
         Parameters
         ----------
         edit : Edit
-            What is done.
+            Record of the edit.
         values : mapping of str to array
             New values by the name of their field.
         """

@@ -1,4 +1,4 @@
-"""Read tests: from the table of a testing machine to stretch and nominal stress, without guessing."""
+"""Reading of tests: stretch and nominal stress from the table of a testing machine, without guessing."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -14,7 +14,7 @@ from turgor.materials.experiments.specimen import Specimen
 from turgor.materials.experiments.table_text import Table, read_table
 from turgor.source import Source
 
-#: Words of a file name that state its mode; the longer ones first.
+#: Words of a file name that state its mode; longer ones come first.
 _MODE_WORDS = (
     ("equibiaxial", "equibiaxial"),
     ("equi_biaxial", "equibiaxial"),
@@ -36,7 +36,7 @@ def read_test(
     columns: Mapping[str, str] | Sequence[str] | None = None,
     cyclic: bool = False,
 ) -> MaterialTest:
-    r"""Read one test from the table of a testing machine; nothing that the file does not say is guessed.
+    r"""Read one test from the table of a testing machine; an error asks for facts that the file does not state.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def read_tests(
     Parameters
     ----------
     path, mode, stress_measure, specimen, columns, cyclic
-        As of `read_test`.
+        See `read_test`.
     """
     table = read_table(path)
     if isinstance(columns, Sequence):

@@ -1,4 +1,4 @@
-"""Specimen: the dimensions that turn length and force into stretch and nominal stress."""
+"""Specimen: dimensions for the conversion of length and force to stretch and nominal stress."""
 
 from dataclasses import dataclass
 from math import inf
@@ -8,7 +8,7 @@ from turgor.errors import TurgorError
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Specimen:
-    """Dimensions of a specimen before the test, which turn length and force into stretch and nominal stress.
+    """Dimensions of a specimen before the test, for the conversion of length and force to stretch and nominal stress.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Tables of a testing machine as text: find separator, decimal comma, header lines and numbers."""
+"""Tables of testing machines as text: separator, decimal comma, header lines and numbers."""
 
 import re
 from dataclasses import dataclass
@@ -14,13 +14,13 @@ _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 _COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?")
 _UNIT = re.compile(r"[(\[][^)\]]*[)\]]")
 _CLOCK = re.compile(r"\d+:\d\d(:\d\d)?([.,]\d+)?")
-#: What machines write where a number is missing.
+#: Texts of testing machines for a missing number.
 _MISSING = frozenset({"", "nan", "n/a", "na", "-", "--", "inf", "-inf", "#n/a", "null"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Table:
-    """A table as it stands in a file.
+    """Text of a table.
 
     Parameters
     ----------
@@ -43,12 +43,12 @@ class Table:
     first_line: int
 
     def column(self, index: int) -> NDArray[np.float64]:
-        """Return a column as numbers; a cell that is none is refused with its line.
+        """Return a column as numbers; the error for another cell states its line.
 
         Parameters
         ----------
         index : int
-            Place of the column, from 0.
+            Index of the column, from 0.
         """
         values = []
         for number, row in enumerate(self.rows):
@@ -72,7 +72,7 @@ class Table:
         Parameters
         ----------
         index : int
-            Place of the column, from 0.
+            Index of the column, from 0.
         """
         values = []
         for row in self.rows:
@@ -103,7 +103,7 @@ def read_table(path: str | Path) -> Table:
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        text = data.decode("latin-1")  # older machines write µ and ² so
+        text = data.decode("latin-1")  # older machines write µ and ² in Latin-1
     lines = text.splitlines()
     if not any(line.strip() for line in lines):
         raise TurgorError(f"'{path.name}' is empty; a test needs a header line and at least two rows of numbers.")
@@ -126,7 +126,7 @@ def read_table(path: str | Path) -> Table:
 
 
 def _separator(lines: list[str]) -> str | None:
-    """Find the sign that splits most of the lines that begin with a number; None means blanks."""
+    """Return the separator that splits most of the lines with a leading number; None means blanks."""
     numeric = [line for line in lines if line.strip()[:1].isdigit() or line.strip()[:1] in "+-."][:200] or lines
     for sign in (";", "\t", ","):
         if sum(sign in line for line in numeric) > len(numeric) / 2:

@@ -1,1 +1,1 @@
-"""Fitting: coefficients of laws from tests, the ranking of laws, and files of what was fitted."""
+"""Fitting of laws to tests, ranking of laws, and files of fitted constants."""

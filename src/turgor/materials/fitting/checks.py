@@ -1,29 +1,26 @@
-"""Checks of fitted laws: their fitted range (M01), their tests (M02), the stretch that their order can follow (M03)."""
+"""Checks of fitted laws: range of the fit (M01), modes of the tests (M02), largest stretch for the order (M03)."""
 
 from collections.abc import Sequence
 from typing import Any
 
 from turgor.finding import Finding, Severity
 from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.laws.laws import StretchLaw
 from turgor.materials.material import Material
 
-#: Largest stretch at which the laws of low order describe rubber well: strains of 50 % and 200 % (Xavier, Fleming and
-#: Yong 2021, section 3.2).
-LARGEST_STRETCH = {"NeoHooke": 1.5, "MooneyRivlin": 3.0}
-
-#: A range counts as left when it is passed by more than this share; digitized ends are not sharp.
+#: Tolerance of the ends of a range, as a share, because digitized curves have no sharp ends.
 SLACK = 0.02
 
 
 def check_stretch_range(material: Material, stretch: tuple[float, float]) -> tuple[Finding, ...]:
-    """M01: a law is used beyond the stretch that it was fitted in.
+    """Check whether a law is used beyond the stretches of its tests (M01).
 
     Parameters
     ----------
     material : Material
         Its ``stretch_range`` is compared; without one there is no finding.
     stretch : (float, float) [-]
-        Smallest and largest stretch of the use.
+        Smallest and largest stretch in use.
 
     Examples
     --------
@@ -53,7 +50,7 @@ def check_stretch_range(material: Material, stretch: tuple[float, float]) -> tup
 
 
 def check_modes(law: Any, modes: Sequence[str]) -> tuple[Finding, ...]:
-    """M02: a law with freedom between the modes was fitted to uniaxial tests alone.
+    """Check whether a law in principal stretches or the second invariant was fitted to uniaxial tests alone (M02).
 
     Parameters
     ----------
@@ -70,10 +67,9 @@ def check_modes(law: Any, modes: Sequence[str]) -> tuple[Finding, ...]:
     >>> check_modes(Yeoh(C10=1e5, C20=1e3), ["uniaxial"])
     ()
     """
-    kind = type(law).__name__
-    if set(modes) != {"uniaxial"} or kind not in ("Ogden", "MooneyRivlin", "GeneralizedRivlin"):
+    if set(modes) != {"uniaxial"} or not (isinstance(law, StretchLaw) or law.energy(4.0, 4.0) != law.energy(4.0, 5.0)):
         return ()
-    what = "Ogden constants" if kind == "Ogden" else "coefficients of the second invariant"
+    what = f"{type(law).__name__} constants" if isinstance(law, StretchLaw) else "coefficients of the second invariant"
     return (
         Finding(
             code="M02",
@@ -86,17 +82,19 @@ def check_modes(law: Any, modes: Sequence[str]) -> tuple[Finding, ...]:
 
 
 def check_order(law: Any, stretch: float, *, reinforced: bool = False) -> tuple[Finding, ...]:
-    """M03: a neo-Hookean or Mooney–Rivlin law is used at stretches where rubber stiffens more than the law.
+    """Check whether a law of low order is used at stretches where rubber stiffens more than the law (M03).
+
+    The neo-Hookean law and the Mooney–Rivlin law state a ``max_stretch_hint``; so may a law of your own.
 
     Parameters
     ----------
     law : Law
         The law.
     stretch : float [-]
-        Largest stretch of the use.
+        Largest stretch in use.
     reinforced : bool
-        Whether fibers or chambers keep the actuator from ballooning; laws of low order are then good to larger
-        stretches.
+        Whether fibers or chambers prevent ballooning; the finding is then a note, because laws of low order are good to
+        larger stretches.
 
     Examples
     --------
@@ -104,16 +102,14 @@ def check_order(law: Any, stretch: float, *, reinforced: bool = False) -> tuple[
     >>> [finding.code for finding in check_order(NeoHooke(C10=1e5), 3.0)], check_order(NeoHooke(C10=1e5), 1.4)
     (['M03'], ())
     """
-    kind = type(law).__name__
-    limit = LARGEST_STRETCH.get(kind)
+    limit = getattr(law, "max_stretch_hint", None)
     if limit is None or stretch <= limit:
         return ()
-    name = {"NeoHooke": "neo-Hookean", "MooneyRivlin": "Mooney–Rivlin"}[kind]
     return (
         Finding(
             code="M03",
             severity=Severity.NOTE if reinforced else Severity.WARNING,
-            message=f"The {name} law suits strains up to {100 * (limit - 1):.0f} %, "
+            message=f"The law {type(law).__name__} suits strains up to {100 * (limit - 1):.0f} %, "
             f"but {100 * (stretch - 1):.0f} % is wanted.",
             advice="Use the Yeoh law, or Ogden's with tests in more than one mode, above all where walls balloon.",
         ),
@@ -138,16 +134,16 @@ def covered_range(tests: Sequence[MaterialTest], stretch: tuple[float, float]) -
 def fit_findings(
     law: Any, name: str, tests: Sequence[MaterialTest], stretch: tuple[float, float]
 ) -> tuple[Finding, ...]:
-    """Everything that the checks notice about a fit for a range of stretch.
+    """Return the findings of all checks about a fit for a range of stretch.
 
     Parameters
     ----------
     law : Law
         The fitted law.
     name : str
-        What it is called.
+        Name of the law in messages.
     tests : sequence of MaterialTest
-        What it was fitted to.
+        Tests of the fit.
     stretch : (float, float) [-]
         The range that is wanted.
     """

@@ -1,4 +1,4 @@
-"""Linear least squares with linear inequalities, solved exactly; they keep a fitted law stable."""
+"""Linear least squares with linear inequality constraints, which keep a fitted law stable."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,24 +6,24 @@ from scipy.optimize import nnls
 
 Array = NDArray[np.float64]
 
-#: How far a row may be below its limit, of its largest term, and still count as kept.
+#: Tolerance of a constraint, relative to its largest term.
 _KEPT = 1e-9
 
 
 def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, NDArray[np.bool_]]:
     """Minimize ‖A x − b‖ subject to G x ≥ h.
 
-    The problem is turned into a least distance problem and that into non-negative least squares: C. L. Lawson and
+    The problem is transformed into a least distance problem, and this into nonnegative least squares: C. L. Lawson and
     R. J. Hanson, Solving Least Squares Problems, 1974, chapter 23.
 
     Parameters
     ----------
     A : (m, n) array
-        Columns, of full rank.
+        Matrix of full column rank.
     b : (m,) array
-        What they are to sum up to.
+        Right-hand side.
     G : (k, n) array
-        Inequalities, one a row.
+        Constraints, one per row.
     h : (k,) array
         Their lower limits.
 
@@ -32,7 +32,7 @@ def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, ND
     x : (n,) array
         The solution.
     active : (k,) array of bool
-        Which inequalities are active.
+        Which constraints are active.
 
     Examples
     --------
@@ -71,15 +71,15 @@ def standard_errors(jacobian: Array, residual: Array, limits: Array) -> tuple[Ar
     Parameters
     ----------
     jacobian : (m, n) array
-        Of the residual by the parameters.
+        Derivatives of the residual by the parameters.
     residual : (m,) array
     limits : (k, n) array
-        Directions that constraints hold, a row each.
+        Gradients of the active constraints, one per row.
 
     Returns
     -------
     (n,) array
-        Standard errors, zero where a constraint holds a parameter.
+        Standard errors, zero for a parameter that a constraint fixes.
     (n, n) array
         Correlations.
     """

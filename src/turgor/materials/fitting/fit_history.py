@@ -18,22 +18,22 @@ from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
 from turgor.source import Source
 
-#: Bounds of 1/r, of m over the largest energy in the tests, and of β.
+#: Bounds of 1/r, of m relative to the largest energy density in the tests, and of β.
 SOFTENING_BOUNDS = ((0.05, 0.95), (1e-3, 20.0), (0.0, 5.0))
 
-#: Starts of the search, drawn with a fixed seed.
+#: Number of random starts of the search, with a fixed seed.
 STARTS = 6
 
-#: Share of the instantaneous stress that must be left at rest; a rubber does not flow.
+#: Smallest long-term share of the instantaneous stress; a rubber does not flow.
 LEAST_LEFT = 1e-3
 
 #: A parameter whose standard error exceeds this share of it counts as not determined.
 LOOSE_SHARE = 0.5
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class _Search:
-    """Which parameters are sought, and their bounds in the variables of the search."""
+    """Parameters of the search, with their bounds in its variables (logarithms of times and of m, and 1/r)."""
 
     terms: int
     softening: bool
@@ -75,25 +75,23 @@ def fit_history(
 ) -> HistoryFit:
     """Fit a Prony series, stress softening, or both to tests with time; the form of the law stays as it is.
 
-    All tests count alike, each against its largest stress. Relaxation times are searched between the interval of the
-    points and ten times the longest test; for given times the shares gᵢ are linear and never negative.
+    The residual of each test is divided by its largest stress. The search finds relaxation times between the interval
+    of the points and ten times the longest test. For given times, nonnegative least squares gives the shares gᵢ.
 
     Parameters
     ----------
     law : Law
-        Fitted before, to first loading curves.
+        Law that was fitted to first loading curves.
     tests : MaterialTest or sequence of MaterialTest
-        With time, uniaxial, equibiaxial or planar: relaxation, cycles, any history. Points at stretch 1 without any
-        stress, as from `rest_below`, are not used.
+        With time, in uniaxial, equibiaxial or planar mode. Points at rest, as from `rest_below`, are not used.
     terms : int
         Terms of the Prony series; terms that come out as zero are left out.
     stress_softening : bool
         Whether to fit r and m; this needs cycles.
     beta : bool
-        Whether to fit β, too; this needs cycles to several largest stretches.
+        Whether to fit β too; this needs cycles to several largest stretches.
     rescale : bool
-        Whether the law may be multiplied by a factor: a law from tests of finite speed is neither instantaneous nor
-        long-term, so it should where there are terms.
+        Whether a factor multiplies the law: a law from tests of finite speed is neither instantaneous nor long-term.
 
     Returns
     -------
@@ -107,29 +105,33 @@ def fit_history(
     Examples
     --------
     >>> from turgor.materials.laws.laws import NeoHooke
-    >>> time = np.linspace(0.0, 40.0, 81)
-    >>> stress = 2.5e5 * (0.7 + 0.3 * np.exp(-time / 4.0))
-    >>> held = MaterialTest(mode="uniaxial", stretch=np.full(81, 1.5), nominal_stress=stress, time=time, name="held")
+    >>> t = np.linspace(0.0, 40.0, 81)
+    >>> stress = 2.5e5 * (0.7 + 0.3 * np.exp(-t / 4.0))
+    >>> held = MaterialTest(mode="uniaxial", stretch=0 * t + 1.5, nominal_stress=stress, time=t, name="held")
     >>> fitted = fit_history(NeoHooke(C10=0.12e6), held, terms=1)
-    >>> round(fitted.values["g1"], 4), round(fitted.values["tau1"], 4)
-    (0.3, 4.0)
+    >>> round(fitted.values["tau1"], 4)
+    4.0
     """
     tests = [tests] if isinstance(tests, MaterialTest) else list(tests)
-    if not tests:
-        raise TurgorError("no test was given; fit_history needs at least one test with time.")
-    if terms < 0 or not (terms or stress_softening):
-        raise TurgorError(f"terms is {terms} without stress_softening; ask for one term or more, or for softening.")
-    points = HistoryPoints(law, tests, POINTS)
-    search = _Search(terms=terms, softening=stress_softening, beta=beta, rescale=rescale, points=points)
+    _check(tests, terms, stress_softening)
+    search = _Search(terms, stress_softening, beta, rescale, HistoryPoints(law, tests, POINTS))
     values = _values(search, _best(search))
     material = _material(law, values, search, tests)
     return HistoryFit(
         material=material,
         values=_of_scaled_law(values),
         **_trust(search, values),
-        largest_softening=_largest_softening(material.stress_softening, points.top * values["scale"]),
+        largest_softening=_largest_softening(material.stress_softening, search.points.top * values["scale"]),
         quality=quality_of(material, tests),
     )
+
+
+def _check(tests: Sequence[MaterialTest], terms: int, stress_softening: bool) -> None:
+    """Raise an error for a fit without tests or without parameters."""
+    if not tests:
+        raise TurgorError("no test was given; fit_history needs at least one test with time.")
+    if terms < 0 or not (terms or stress_softening):
+        raise TurgorError(f"terms is {terms} without stress_softening; ask for one term or more, or for softening.")
 
 
 def _best(search: _Search) -> Array:
@@ -143,7 +145,7 @@ def _best(search: _Search) -> Array:
 
 
 def _values(search: _Search, x: Array) -> dict[str, float]:
-    """The parameters by name; terms sorted by their times, those of no share left out."""
+    """Parameters by name; terms are sorted by relaxation time, and those of zero share are left out."""
     mullins, tau = search.parts(x)
     shares = search.points.shares(search.points.columns(mullins, tau), search.rescale)
     scale = float(shares.sum())
@@ -161,7 +163,7 @@ def _values(search: _Search, x: Array) -> dict[str, float]:
 
 
 def _of_scaled_law(values: Mapping[str, float]) -> dict[str, float]:
-    """Scale m, too: it counts in the energy of the law."""
+    """Parameters of the scaled law: m is an energy density and scales with it."""
     return dict(values) | ({"m": values["m"] * values["scale"]} if "m" in values else {})
 
 
@@ -189,7 +191,7 @@ def _material(law: Law, values: Mapping[str, float], search: _Search, tests: Seq
 
 
 def _trust(search: _Search, values: Mapping[str, float]) -> dict[str, Any]:
-    """Standard errors, bounds that hold, and what is not determined."""
+    """Standard errors, active bounds, and parameters that the tests do not determine."""
     held = _held(search, values)
     free = [name for name in values if name not in held and (search.rescale or name != "scale")]
     best = np.array([values[name] for name in free])

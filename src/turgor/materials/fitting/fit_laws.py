@@ -1,8 +1,8 @@
-"""Fitting a law to any set of tests at once: nominal stress, least squares, stable over the range wanted."""
+"""Fit of a law to any set of tests: least squares of the nominal stress, stable over the wanted range."""
 
 from collections.abc import Sequence
 from math import log
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -11,19 +11,20 @@ from turgor.errors import TurgorError, unknown
 from turgor.materials.experiments.material_test import Array, MaterialTest
 from turgor.materials.fitting.checks import covered_range, fit_findings
 from turgor.materials.fitting.constrained import solve_constrained, standard_errors
-from turgor.materials.fitting.law_specs import LawSpec, law_spec, shape_bounds
+from turgor.materials.fitting.law_specs import law_spec, shape_bounds
 from turgor.materials.fitting.points import FitPoints, ModeRanges, modulus_row, off_zero, stability_rows, within
 from turgor.materials.fitting.result import Fit, FitResidual
 from turgor.materials.laws.homogeneous import equibiaxial, planar, uniaxial
+from turgor.materials.laws.law_spec import LawSpec
 from turgor.materials.laws.laws import Law
 from turgor.materials.laws.stability import Mode, first_instability
 
 Shapes: TypeAlias = Sequence[float] | Array
 
-#: Least slope and initial shear modulus of a fitted law, as a share of the shear modulus that the tests show.
+#: Smallest slope and initial shear modulus of a fitted law, relative to the neo-Hookean modulus of the tests.
 LEAST_MODULUS = 1e-3
 
-#: Starts that are refined to the end, of all that were tried.
+#: Number of best starts that are iterated to convergence.
 REFINED = 3
 
 
@@ -39,8 +40,8 @@ def fit(
 ) -> Fit:
     """Fit a law to one or more tests at once, by least squares of the nominal stress.
 
-    The stress of every law is linear in its coefficients; these are solved for exactly, under the constraint of
-    stability, and only exponents or a limiting stretch are searched, from several starts.
+    The stress of every law is linear in its coefficients. Linear least squares finds these exactly, with inequality
+    constraints for stability. Only exponents or a limiting stretch need a nonlinear search, from several starts.
 
     Parameters
     ----------
@@ -49,18 +50,14 @@ def fit(
     tests : MaterialTest or sequence of MaterialTest
         Any modes together. Each point counts the same, so `thin` those that hold many.
     stretch : (float, float), optional [-]
-        The range that is wanted: points outside are left out, and the law is stable inside, in every mode. By default
-        all points, and stable in every mode to the first invariant of uniaxial tension at their largest stretch.
+        Range that is wanted. Points outside are left out, and the law is stable inside, in every mode. By default all
+        points count, and each mode is stable up to the first invariant of uniaxial tension at their largest stretch.
     weights : str
-        ``"relative"`` divides each deviation by the stress measured (at least 5 % of the largest of its test);
-        ``"absolute"`` takes it in Pa, so that large stretches decide.
+        ``"relative"`` divides deviations by the stress (at least 5 % of the test's largest); ``"absolute"`` does not.
     stable : bool
-        Whether the stresses must rise with the stretch over the range, in uniaxial, equibiaxial and planar tests;
-        for Ogden that all μᵢ αᵢ are positive.
-    starts : int
-        Starts of the search for shape parameters.
-    seed : int
-        Seed of the random starts; the same seed gives the same result.
+        Whether uniaxial, equibiaxial and planar stresses must rise with the stretch; for Ogden all μᵢ αᵢ ≥ 0.
+    starts, seed : int
+        Number of random starts of the search for shape parameters, and their seed.
 
     Returns
     -------
@@ -69,51 +66,69 @@ def fit(
 
     Examples
     --------
-    >>> stretch = np.linspace(1.1, 2.0, 10)
-    >>> stress = 0.24e6 * (stretch - stretch**-2)
-    >>> test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stress, name="a strip")
+    >>> x = np.linspace(1.1, 2.0, 10)
+    >>> test = MaterialTest(mode="uniaxial", stretch=x, nominal_stress=0.24e6 * (x - x**-2), name="a strip")
     >>> round(fit("neo-hooke", test).values["C10"])
     120000
     """
     spec = law_spec(law)
     given = (tests,) if isinstance(tests, MaterialTest) else tuple(tests)
     _check(given, stretch, weights, starts)
-    used = tuple(part for part in (within(test, stretch) for test in given) if part is not None)
-    if not used:
-        raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")  # type: ignore[index]
-    points = FitPoints(used, weights)
-    if len(points.target) <= len(spec.names):
-        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {len(points.target)} points cannot fit them.")
+    used = _used(given, stretch, spec)
     wanted = _range(used, stretch)
-    search = _Search(spec, points, _mode_ranges(wanted, strict=stretch is not None), stable)
+    search = _Search(spec, FitPoints(used, weights), _mode_ranges(wanted, strict=stretch is not None), stable)
+    made, found = _solved(search, starts, seed)
+    return Fit(
+        **found,
+        quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
+        stretch=wanted,
+        stretch_range=covered_range(given, wanted),
+        instability=_instability(made, wanted),
+        weights=weights,
+        tests=used,
+        findings=fit_findings(made, spec.name, given, wanted),
+    )
+
+
+def _used(
+    tests: Sequence[MaterialTest], stretch: tuple[float, float] | None, spec: LawSpec
+) -> tuple[MaterialTest, ...]:
+    """Points of tests within the wanted range; an error if there are too few."""
+    used = tuple(part for part in (within(test, stretch) for test in tests) if part is not None)
+    if not used and stretch is not None:
+        raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")
+    points = sum(len(test.measured) for test in used)
+    if points <= len(spec.names):
+        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {points} points cannot fit them.")
+    return used
+
+
+def _solved(search: "_Search", starts: int, seed: int) -> tuple[Any, dict[str, Any]]:
+    """Find the law, and what a `Fit` states about its parameters."""
+    spec = search.spec
     shapes, agreed = search.run(starts, seed) if spec.shapes else ((), 1)
     coefficients, held = search.coefficients(shapes)
     try:
         made = spec.make(coefficients.tolist(), shapes)
     except TurgorError as error:
         raise TurgorError(f"{spec.name} cannot be fitted to these tests: {error}") from error
+    residual = search.residual(coefficients, shapes)
+    search.check_linear(made, residual)
     errors, correlation = search.uncertainty(coefficients, shapes, held)
-    result = Fit(
-        spec=spec,
-        law=made,
-        values=dict(zip(spec.names, (*map(float, coefficients), *map(float, shapes)), strict=True)),
-        errors=dict(zip(spec.names, errors, strict=True)),
-        correlation=correlation,
-        bounds_hit=search.bounds_hit(coefficients, shapes, held),
-        quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
-        aic=_aic(search.residual(coefficients, shapes), len(spec.names)),
-        stretch=wanted,
-        stretch_range=covered_range(given, wanted),
-        instability=_instability(made, wanted),
-        weights=weights,
-        starts=(agreed, starts if spec.shapes else 1),
-        tests=used,
-    )
-    return result.with_findings(fit_findings(made, spec.name, given, wanted))
+    return made, {
+        "spec": spec,
+        "law": made,
+        "values": dict(zip(spec.names, (*map(float, coefficients), *map(float, shapes)), strict=True)),
+        "errors": dict(zip(spec.names, errors, strict=True)),
+        "correlation": correlation,
+        "bounds_hit": search.bounds_hit(coefficients, shapes, held),
+        "aic": _aic(residual, len(spec.names)),
+        "starts": (agreed, starts if spec.shapes else 1),
+    }
 
 
 class _Search:
-    """The search for shape parameters; the coefficients follow from them."""
+    """Search for the shape parameters; for given shapes, linear least squares gives the coefficients."""
 
     def __init__(self, spec: LawSpec, points: FitPoints, ranges: ModeRanges, stable: bool) -> None:
         self.spec, self.points, self.stable = spec, points, stable
@@ -128,7 +143,7 @@ class _Search:
         if spec.sign == "slope":
             rows, steps = stability_rows(spec, ranges) if stable else (self.G, self.h)
             self.G = np.vstack([rows, modulus_row(spec)])
-            # a slope of exactly zero would count as unstable, so a little is asked for
+            # a slope of exactly zero would count as unstable, so the limit is a small positive one
             self.h = LEAST_MODULUS * modulus * np.append(steps, 1.0)
             self._slope_columns: Array | None = points.columns(spec, ())
         elif stable or spec.sign == "positive":
@@ -142,7 +157,7 @@ class _Search:
         return self.points.columns(self.spec, shapes)
 
     def _modulus(self) -> float:
-        """Neo-Hookean modulus of all points: the size of what is measured [Pa]."""
+        """Neo-Hookean shear modulus of all points, as the scale of the stresses [Pa]."""
         column = self.points.columns(law_spec("neo-hooke"), ())[:, 0]
         modulus = 2 * float(column @ self.points.target / (column @ column))
         if not modulus > 0:
@@ -157,21 +172,27 @@ class _Search:
         return np.where(np.asarray(shapes) < 0, -1.0, 1.0) if self.spec.sign == "shape" else signs
 
     def coefficients(self, shapes: Shapes) -> tuple[Array, Array]:
-        """Best coefficients for given shapes, and the active inequalities as rows."""
+        """Return the best coefficients for given shapes, and the active constraints as rows."""
         found, active = solve_constrained(self._columns(shapes), self.points.target, self.G, self.h)
         if self.spec.sign != "slope" and len(self.G):
             found = np.where(active, 0.0, np.maximum(found, 0.0))
         return found * self._signs(shapes) + 0.0, self.G[active]
 
     def residual(self, coefficients: Array, shapes: Shapes) -> Array:
-        """Weighted deviations at every point."""
+        """Return the weighted residual at every point."""
         return self._columns(shapes) @ (coefficients * self._signs(shapes)) - self.points.target
+
+    def check_linear(self, law: Any, residual: Array) -> None:
+        """Raise an error for a law whose stress is not linear in its coefficients."""
+        own = self.points.stress(law) * self.points.weight - self.points.target
+        if not np.allclose(own, residual, rtol=0.0, atol=1e-6 * float(np.abs(self.points.target).max())):
+            raise TurgorError(f"{self.spec.name} cannot be fitted: its stress is not linear in its coefficients.")
 
     def _reduced(self, shapes: Array) -> Array:
         return self.residual(self.coefficients(shapes)[0], shapes)
 
     def run(self, starts: int, seed: int) -> tuple[tuple[float, ...], int]:
-        """Search from several starts; return the best shapes and how many starts ended at the same misfit."""
+        """Search from several starts; return the best shapes and the number of starts with the same residual."""
         random = np.random.default_rng(seed)
         ends = [self._descend(self._start(random), 25, 1e-4) for _ in range(starts)]
         ends.sort(key=lambda end: end[0])
@@ -205,7 +226,7 @@ class _Search:
         return np.asarray(np.clip(sizes * signs, low + 1e-6, high - 1e-6))
 
     def uncertainty(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[Array, Array]:
-        """Standard errors and correlations from the Jacobian, in the directions without an active constraint."""
+        """Return standard errors and correlations from the Jacobian, in the directions without an active constraint."""
         J = [self._columns(shapes) * self._signs(shapes)]
         for k, value in enumerate(shapes):
             step = 1e-5 * max(1.0, abs(value))
@@ -224,7 +245,7 @@ class _Search:
         )
 
     def bounds_hit(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[str, ...]:
-        """Bounds and constraints that are active, in words."""
+        """Return a sentence for each active bound or constraint."""
         hit = []
         for name, value, (low, high) in zip(self.spec.shapes, shapes, self.bounds, strict=True):
             for bound in (low, high):
@@ -249,7 +270,7 @@ def _mode_ranges(wanted: tuple[float, float], *, strict: bool) -> ModeRanges:
     low, high = wanted
     if strict:
         return tuple((mode, wanted) for mode in (uniaxial, equibiaxial, planar))
-    # where I₁ is that of uniaxial tension: 2 λ² for equal biaxial and λ² for planar tension, small powers left out
+    # at the I₁ of uniaxial tension: I₁ ≈ 2 λ² in equibiaxial and λ² in planar tension, for large stretches
     return ((uniaxial, wanted), (equibiaxial, (low, max(high / np.sqrt(2), 1.0))), (planar, wanted))
 
 

@@ -1,4 +1,4 @@
-"""HistoryFit: a rubber fitted to tests over time, and how well the tests determine its parameters."""
+"""HistoryFit: a rubber fitted to tests over time, with the uncertainty of its parameters."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -11,13 +11,13 @@ from turgor.materials.fitting.result import FitResidual
 from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
 
-#: Points of each test that are used.
+#: Number of points of each test that are used.
 POINTS = 400
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class HistoryFit:
-    """A rubber whose viscoelasticity and softening were fitted, and how well the tests determine them.
+    """A rubber with fitted viscoelasticity and stress softening, and the uncertainty of the parameters.
 
     Parameters
     ----------
@@ -29,14 +29,14 @@ class HistoryFit:
         Their standard errors from the scatter about the curve; 0 for one at a bound. Deviations of neighboring points
         are correlated, so these errors are too small.
     bounds_hit : tuple of str
-        Parameters that a bound holds: the tests do not determine them.
+        Parameters at a bound, which the tests do not determine.
     undetermined : tuple of str
         Parameters whose standard error exceeds half their value.
     largest_softening : float [-]
-        Share of the stress lost near rest after the largest stretch of the tests, 1 − η; this is determined even where
-        r, m and β, which make it up, are not.
+        Share 1 − η of the stress that is lost near rest after the largest stretch of the tests. The tests determine it
+        even where they do not determine r, m and β one by one.
     quality : tuple of FitResidual
-        Error of every test where it carries load.
+        Error of every test, over the points with load.
     """
 
     material: Material
@@ -58,7 +58,7 @@ class HistoryFit:
         return quality_of(self.material, [tests] if isinstance(tests, MaterialTest) else tests)
 
     def describe(self) -> str:
-        """Say the parameters with their standard errors, and what the tests do not determine."""
+        """Write the parameters with their standard errors, and name those that the tests do not determine."""
         lines = [f"{name} = {value:.4g} ± {self.errors[name]:.2g}" for name, value in self.values.items()]
         held = (*self.bounds_hit, *(f"{name} is not determined" for name in self.undetermined))
         return "\n".join((*lines, *held))

@@ -1,4 +1,4 @@
-"""The points of tests with time as one linear system: the softened stress of a law, and its relaxing parts."""
+"""Points of tests with time as one linear system: the softened stress of a law, and its internal stresses."""
 
 from collections.abc import Sequence
 
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 class HistoryPoints:
-    """Measured stresses of several tests over time, and the stress that parts of a model have there.
+    """Measured stresses of several tests over time, and the stresses of the terms of a model at these points.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ class HistoryPoints:
     tests : sequence of MaterialTest
         Tests with time, in tension.
     points : int
-        About how many points of each test are used; where the stretch turns round, all are.
+        Approximate number of points of each test; all points where the stretch reverses are added.
 
     Attributes
     ----------
@@ -48,7 +48,7 @@ class HistoryPoints:
         self.top = max(float(part.energy.max()) for part in self._parts)
 
     def columns(self, mullins: Mullins | None, tau: Sequence[float]) -> Array:
-        """Return the softened stress of the law and that of each internal stress, over the largest of each test.
+        """Return the softened stress of the law and each internal stress, relative to the largest stress of each test.
 
         Parameters
         ----------
@@ -64,7 +64,7 @@ class HistoryPoints:
         return np.concatenate([part.columns(mullins, tau) for part in self._parts])
 
     def shares(self, columns: Array, rescale: bool) -> Array:
-        """Return the best non-negative factors of the columns; their sum is 1 where the law keeps its size.
+        """Return the nonnegative least-squares factors of the columns; their sum is 1 unless the law is rescaled.
 
         Parameters
         ----------
@@ -82,7 +82,7 @@ class HistoryPoints:
 
 
 class HistoryPart:
-    """One test: its points that carry load, and the law's stress at all of them.
+    """One test: its points with load, and the stress of the law at all of them.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ class HistoryPart:
     test : MaterialTest
         A test with time.
     points : int
-        About how many of its points are used.
+        Approximate number of its points that are used.
 
     Attributes
     ----------
@@ -132,7 +132,7 @@ class HistoryPart:
 
 
 def _chosen(test: MaterialTest, points: int) -> NDArray[np.intp]:
-    """Every so many points, and those where the stretch turns round."""
+    """Evenly spaced points, and those where the stretch reverses."""
     count = len(test.stretch)
     stride = max(1, count // points)
     turns = [edge for half in half_cycles(test) for edge in (half.start, half.stop - 1)]

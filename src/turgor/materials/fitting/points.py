@@ -1,4 +1,4 @@
-"""The points of several tests as one system: weighted stresses, and the stress of a law's terms at them."""
+"""Points of several tests as one linear system: weighted stresses, and the stress of each term of a law."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -9,19 +9,19 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import Array, MaterialTest
-from turgor.materials.fitting.law_specs import LawSpec, law_spec
 from turgor.materials.laws.homogeneous import nominal_stress
+from turgor.materials.laws.law_spec import LawSpec
 
 #: The deformation of each mode with its range of stretch.
 ModeRanges: TypeAlias = Sequence[tuple[Callable[[Any], Array], tuple[float, float]]]
 
-#: Relative weights count a stress below this share of the largest of its test as if it were that share.
+#: Smallest stress for relative weights, as a share of the largest of its test.
 WEIGHT_FLOOR = 0.05
 
-#: Smallest exponent of Ogden's law; below it two laws cannot be told apart by any test.
+#: Smallest exponent of Ogden's law; no test distinguishes smaller ones.
 LEAST_EXPONENT = 0.05
 
-#: Stretches at which stability is looked at, in each mode.
+#: Number of stretches in each mode at which stability is required, and the factor by which they exceed the range.
 STABILITY_POINTS = 240
 BEYOND = 1.005
 
@@ -32,7 +32,7 @@ class FitPoints:
     Parameters
     ----------
     tests : sequence of MaterialTest
-        What to fit to.
+        Tests of the fit.
     weights : str
         ``"relative"`` or ``"absolute"``.
     """
@@ -57,19 +57,19 @@ class FitPoints:
         self._known: dict[float, Array] = {}
 
     def stress(self, law: Any) -> Array:
-        """Nominal stress of a law at every point, in the order of ``measured`` [Pa]."""
+        """Return the nominal stress of a law at every point, in the order of ``measured`` [Pa]."""
         P = nominal_stress(law, self.F)
         return np.concatenate([test.components(P[start : start + len(test.stretch)]) for start, test in self._rows])
 
     def columns(self, spec: LawSpec, shapes: Sequence[float] | Array) -> Array:
-        """Weighted stress of every coefficient's term at its unit value; (m, n) array."""
+        """Return the weighted stress of the term of each coefficient, at a coefficient of 1; (m, n) array."""
         return columns_of(spec, shapes, lambda law: self.stress(law) * self.weight, self._known)
 
 
 def columns_of(
     spec: LawSpec, shapes: Sequence[float] | Array, stress: Callable[[Any], Array], known: dict[float, Array]
 ) -> Array:
-    """Stress of each term of a law alone, from the law itself: nothing is written down twice.
+    """Return the stress of each term of a law, evaluated with the law itself.
 
     Parameters
     ----------
@@ -78,9 +78,9 @@ def columns_of(
     shapes : sequence of float
         Its shape parameters.
     stress : callable
-        From a law to its stresses.
+        ``stress(law)`` returns the stresses of a law.
     known : dict
-        Terms that were evaluated before, by their shape; new ones are added.
+        Stresses of the terms that were evaluated before, by shape; new ones are added.
     """
     if spec.sign == "slope":
         count = len(spec.coefficients)
@@ -98,7 +98,7 @@ def columns_of(
 
 
 def off_zero(exponent: float) -> float:
-    """Return an exponent of Ogden's law, moved away from 0, where its coefficient would grow without limit.
+    """Return an exponent of Ogden's law, moved away from 0, where the coefficient would tend to infinity.
 
     Examples
     --------
@@ -110,7 +110,7 @@ def off_zero(exponent: float) -> float:
 
 
 def stability_rows(spec: LawSpec, ranges: ModeRanges) -> tuple[Array, Array]:
-    """Return rows g and steps s: the stress of a law linear in its coefficients rises by g · coefficients over each s.
+    """Return the constraints of stability: rows g, with stress increments g · coefficients, and stretch increments s.
 
     Both the nominal and the Cauchy stress must rise with the stretch.
 
@@ -119,11 +119,11 @@ def stability_rows(spec: LawSpec, ranges: ModeRanges) -> tuple[Array, Array]:
     spec : LawSpec
         A law without shape parameters.
     ranges : sequence of (mode, (float, float)) [-]
-        The deformation of each mode as a function, and its range of stretch, which is made to include 1.
+        The deformation of each mode as a function, and its range of stretch, which is extended to include 1.
     """
     rows, steps = [], []
     for mode, (low, high) in ranges:
-        # a little beyond both ends, so that the slope at the very end counts, too
+        # a little beyond both ends, so that the slope at the ends counts too
         grid = np.geomspace(min(low, 0.999) / BEYOND, max(high, 1.001) * BEYOND, STABILITY_POINTS)
         F = mode(grid)
         nominal = columns_of(spec, (), partial(_pull, F), {})
@@ -133,7 +133,7 @@ def stability_rows(spec: LawSpec, ranges: ModeRanges) -> tuple[Array, Array]:
 
 
 def modulus_row(spec: LawSpec) -> Array:
-    """Initial shear modulus of each unit coefficient; (n,) array [-]."""
+    """Return the initial shear modulus of each term, at a coefficient of 1; (n,) array [-]."""
     unit = np.eye(len(spec.coefficients))
     first = spec.make(unit[0], ()).shear_modulus
     rest = (spec.make(unit[0] + row, ()).shear_modulus - first for row in unit[1:])
@@ -161,6 +161,4 @@ def _pull(F: Array, law: Any) -> Array:
 
 def _single(spec: LawSpec, shape: float) -> Any:
     """One term of a law with shape parameters, with a positive shear modulus."""
-    if spec.sign == "shape":
-        return law_spec("ogden-1").make([np.sign(shape)], [shape])
-    return spec.make([1.0], [shape])
+    return spec.make([np.sign(shape) if spec.sign == "shape" else 1.0], [shape])

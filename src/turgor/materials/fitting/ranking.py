@@ -1,11 +1,10 @@
-"""Rank laws on the same tests, and say in words what the numbers mean."""
+"""Ranking of laws on the same tests, with sentences that explain the numbers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.fitting.checks import LARGEST_STRETCH
 from turgor.materials.fitting.fit_laws import fit
 from turgor.materials.fitting.result import Fit
 
@@ -19,7 +18,7 @@ class Ranking:
     fits : tuple of Fit
         In the order of Akaike's criterion.
     failed : tuple of str
-        Laws that could not be fitted, and why.
+        A sentence for each law that could not be fitted.
     """
 
     fits: tuple[Fit, ...]
@@ -32,7 +31,7 @@ class Ranking:
 
     @property
     def words(self) -> tuple[str, ...]:
-        """What a person should know before choosing one, as sentences."""
+        """Sentences that help to choose a law: order, modes, range and search."""
         return (*_on_order(self.fits), *_on_modes(self.fits), *_on_range(self.fits), *_on_search(self.fits))
 
 
@@ -52,7 +51,7 @@ def rank(
     laws : sequence of str or type
         Such as ``["yeoh", "ogden-3"]``.
     tests, stretch, weights, starts, seed
-        As of `fit`.
+        See `fit`.
     """
     if not laws:
         raise TurgorError("no law was given; name one or more, for example 'yeoh'.")
@@ -70,7 +69,7 @@ def rank(
 def _on_order(fits: Sequence[Fit]) -> list[str]:
     said = []
     for each in fits:
-        limit = LARGEST_STRETCH.get(type(each.law).__name__)
+        limit = getattr(each.law, "max_stretch_hint", None)
         if limit is not None and each.stretch[1] > limit:
             said.append(
                 f"{each.spec.name} suits strains up to {100 * (limit - 1):.0f} %; over the "

@@ -9,8 +9,8 @@ import numpy as np
 
 from turgor.finding import Finding
 from turgor.materials.experiments.material_test import Array, MaterialTest
-from turgor.materials.fitting.law_specs import LawSpec
 from turgor.materials.fitting.points import WEIGHT_FLOOR
+from turgor.materials.laws.law_spec import LawSpec
 from turgor.materials.material import Material
 from turgor.source import Source
 
@@ -20,7 +20,7 @@ LOOSE = 0.99
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FitResidual:
-    """How far a law lies from a test.
+    """Error of a law for one test.
 
     Parameters
     ----------
@@ -29,12 +29,12 @@ class FitResidual:
     mode : str
         Its mode.
     points : int
-        How many stresses were compared.
+        Number of stresses that were compared.
     relative : float [-]
-        Root mean square of deviation over measured stress, this taken as at least 5 % of the largest.
+        Root mean square of the deviation over the measured stress (at least 5 % of the largest).
     r2 : float [-]
-        1 − Σ deviation² / Σ (measured − mean)²; negative where the mean would do better,
-        and no number where every stress is the same.
+        Coefficient of determination, 1 − Σ deviation² / Σ (measured − mean)²; negative where the mean fits better, NaN
+        if all stresses are equal.
     """
 
     __test__ = False  # not a class of tests for pytest
@@ -52,9 +52,9 @@ class FitResidual:
         Parameters
         ----------
         test : MaterialTest
-            What was measured.
+            The test.
         predicted : (n,) array [Pa]
-            What a law says, in the order of ``test.measured``.
+            Nominal stress of a law, in the order of ``test.measured``.
         """
         off = predicted - test.measured
         size = np.abs(test.measured)
@@ -72,7 +72,7 @@ class FitResidual:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Fit:
-    """A fitted law, how well it fits, how well it is determined, and where it may be used.
+    """A fitted law with its errors, the uncertainty of its parameters, and its range of use.
 
     Parameters
     ----------
@@ -83,8 +83,8 @@ class Fit:
     values : mapping of str to float
         Parameters in SI, by name.
     errors : mapping of str to float
-        Their standard errors, from the scatter about the curve; 0 for one held by a bound. Where a law cannot follow a
-        curve, deviations are no scatter, and these errors are too small.
+        Standard errors, from the scatter about the curve; 0 for a parameter at a bound. If the law cannot follow the
+        curve, the deviations are not scatter, and these errors are too small.
     correlation : (n, n) array [-]
         Correlations of the parameters; ±1 means that the tests determine only a combination.
     bounds_hit : tuple of str
@@ -94,19 +94,19 @@ class Fit:
     aic : float
         Akaike's criterion, smaller is better; comparable for the same tests, range and weights only.
     stretch : (float, float) [-]
-        The range it was fitted for.
+        Range that was wanted.
     stretch_range : (float, float) [-]
-        The part of it that the tests cover, in which the law may be used; the undeformed state belongs to it.
+        Part of it that the tests cover, in which the law may be used; it includes the undeformed state.
     instability : mapping of str to float
         Stretch at which Drucker's postulate first fails in this range, by mode; empty where the law is stable.
     weights : str
         ``"relative"`` or ``"absolute"``.
     starts : (int, int)
-        How many starts of the search ended at this misfit, and how many there were.
+        Number of starts of the search that reached this residual, and number of all starts.
     tests : tuple of MaterialTest
         The points that were used.
     findings : tuple of Finding
-        What the checks noticed.
+        Findings of the checks.
     """
 
     spec: LawSpec
@@ -136,7 +136,7 @@ class Fit:
 
     @property
     def undetermined(self) -> tuple[str, str] | None:
-        """The two most correlated parameters, if the tests determine only a combination of them; None otherwise."""
+        """The two most correlated parameters, if the tests determine only a combination of them, else None."""
         off = np.abs(self.correlation - np.diag(np.diag(self.correlation)))
         i, j = np.unravel_index(int(np.argmax(off)), off.shape)
         names = self.spec.names
@@ -154,11 +154,11 @@ class Fit:
         Parameters
         ----------
         name : str
-            What it is called; by default law and tests.
+            Name of the material; by default it names law and tests.
         density : float, optional [kg/m³]
             Mass per volume.
         bulk_modulus : float [Pa]
-            Resistance to a change of volume; by default it keeps its volume.
+            Bulk modulus; infinite (incompressible) by default.
         """
         names = ", ".join(test.name for test in self.tests)
         detail = (
@@ -174,7 +174,7 @@ class Fit:
             source=Source(
                 text=f"fitted to {names}",
                 detail=detail,
-                # M01 and M03 are about a use, M02 is about the constants themselves
+                # M01 and M03 concern a use, M02 the constants themselves
                 doubts=tuple(f"{found.code}: {found.message}" for found in self.findings if found.code == "M02"),
             ),
         )
@@ -182,7 +182,7 @@ class Fit:
     def describe(self) -> str:
         """Write the parameters with their standard errors.
 
-        Moduli stand in kPa, shapes as they are.
+        Moduli are in kPa, shapes without a unit.
         """
         return ", ".join(self.parameter(name) for name in self.spec.names)
 
@@ -214,6 +214,6 @@ class Fit:
         Parameters
         ----------
         findings : sequence of Finding
-            What checks noticed.
+            Findings of the checks.
         """
         return replace(self, findings=tuple(findings))

@@ -1,4 +1,4 @@
-"""Saving fits: a file of records in the form of the library, which a job or a script can name."""
+"""Files of fitted materials: records in the form of the library, for jobs and scripts."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
@@ -9,38 +9,26 @@ import tomlkit
 
 from turgor.errors import TurgorError
 from turgor.materials.fitting.result import Fit
-from turgor.materials.laws.conventions import CONVENTIONS, DIMENSIONLESS, law_from_printed
-from turgor.materials.laws.laws import LAWS
+from turgor.materials.laws.conventions import has_no_unit, law_from_printed, saved_convention
+from turgor.materials.laws.laws import LAWS, Ogden
 from turgor.materials.library.record_history import history_tables
 from turgor.materials.material import Material
 from turgor.registry import name_in
 from turgor.units import format_quantity
 
-#: How files write a law: its name there and the convention that says what its symbols mean.
-_FORMS = {
-    "neo-hooke": ("neo_hooke", "two_index"),
-    "mooney-rivlin": ("mooney_rivlin", "two_index"),
-    "yeoh": ("yeoh", "two_index"),
-    "yeoh-2": ("yeoh", "two_index"),
-    "gent": ("gent", "canonical"),
-    "arruda-boyce": ("arruda_boyce", "canonical"),
-}
+#: Law and convention of files for a law with coefficients Cij that has no form of its own, such as Yeoh's with four.
+_POLYNOMIAL = ("generalized_rivlin", "two_index")
 
 
 def can_be_saved(fit: Fit) -> bool:
-    """Whether files of records have a form for the law of a fit.
+    """Return whether files of records have a form for the law of a fit.
 
     Parameters
     ----------
     fit : Fit
         The fit.
     """
-    law, convention = _form(fit)
-    try:
-        law_from_printed(law, convention, _printed(fit))
-    except (TurgorError, TypeError):
-        return False
-    return True
+    return _form(fit) is not None
 
 
 def records_toml(name: str, fits: Sequence[Fit]) -> str:
@@ -49,7 +37,7 @@ def records_toml(name: str, fits: Sequence[Fit]) -> str:
     Parameters
     ----------
     name : str
-        What the material is called.
+        Name of the material.
     fits : sequence of Fit
         One or more, each of another law.
     """
@@ -72,7 +60,7 @@ def save_fits(path: str | Path, name: str, fits: Sequence[Fit]) -> None:
     path : str or Path
         A file ending in ``.toml``.
     name : str
-        What the material is called.
+        Name of the material.
     fits : sequence of Fit
         One or more, each of another law.
     """
@@ -82,7 +70,7 @@ def save_fits(path: str | Path, name: str, fits: Sequence[Fit]) -> None:
 
 
 def save_material(path: str | Path, material: Material, record: str = "fitted") -> None:
-    """Write a material with all that it has into a file of records; ``from_library`` reads it back.
+    """Write a material with viscoelasticity and softening into a file of records; ``from_library`` reads it back.
 
     Parameters
     ----------
@@ -96,7 +84,7 @@ def save_material(path: str | Path, material: Material, record: str = "fitted") 
     Raises
     ------
     TurgorError
-        If the file does not end so, or files of records have no form for the law.
+        If the file has another suffix, or files of records have no form for the law.
     """
     if Path(path).suffix != ".toml":
         raise TurgorError(f"'{path}' does not end in .toml, the form in which materials are saved.")
@@ -135,18 +123,18 @@ def material_toml(material: Material, record: str = "fitted") -> str:
 
 
 def _entry(material: Material) -> tomlkit.items.Table:
-    """The record of a material."""
+    """Record of a material, as a table."""
     name = name_in(LAWS, material.law)
-    if name is None or name == "hooke" or not any(name in known for known in CONVENTIONS.values()):
+    convention = None if name in (None, "hooke") else saved_convention(name)
+    if name is None or convention is None:
         raise TurgorError(f"files of records have no form for the law {type(material.law).__name__}.")
     entry = tomlkit.table()
     entry["law"] = name
     parameters = tomlkit.inline_table()
     for symbol, value in _symbols(material.law):
-        shape = symbol in DIMENSIONLESS or symbol.startswith("alpha")
-        parameters[symbol] = value if shape else format_quantity(value, "kPa")
+        parameters[symbol] = value if has_no_unit(symbol) else format_quantity(value, "kPa")
     entry["parameters"] = parameters
-    entry["convention"] = {"ogden": "mu/alpha", "gent": "canonical", "arruda_boyce": "canonical"}.get(name, "two_index")
+    entry["convention"] = convention
     if not material.incompressible:
         entry["compressibility"] = {"bulk_modulus": format_quantity(material.bulk_modulus, "MPa")}
     if material.stretch_range is not None:
@@ -172,9 +160,10 @@ def _symbols(law: Any) -> Iterator[tuple[str, float]]:
 
 
 def _record(fit: Fit) -> tomlkit.items.Table:
-    law, convention = _form(fit)
-    if not can_be_saved(fit):
+    form = _form(fit)
+    if form is None:
         raise TurgorError(f"files of records have no form for the law {fit.spec.name}; use its material directly.")
+    law, convention = form
     entry = tomlkit.table()
     entry["law"] = law
     parameters = tomlkit.inline_table()
@@ -192,13 +181,19 @@ def _record(fit: Fit) -> tomlkit.items.Table:
 
 def _printed(fit: Fit) -> dict[str, float]:
     """Parameters by their symbols in files."""
-    if not fit.spec.name.startswith("ogden"):
+    if not isinstance(fit.law, Ogden):
         return dict(fit.values)
     return {f"{key[:-1]}_{key[-1]}": value for key, value in fit.values.items()}
 
 
-def _form(fit: Fit) -> tuple[str, str]:
-    kind = fit.spec.name.partition("-")[0]
-    if kind == "ogden":
-        return "ogden", "mu/alpha"
-    return _FORMS.get(fit.spec.name, ("generalized_rivlin", "two_index"))
+def _form(fit: Fit) -> tuple[str, str] | None:
+    """Name of the law of a fit in files and the convention of its symbols; None where it cannot be written."""
+    name = name_in(LAWS, fit.law)
+    own = (name or "", saved_convention(name or "") or "")
+    for law, convention in (own, _POLYNOMIAL):
+        try:
+            law_from_printed(law, convention, _printed(fit))
+        except (TurgorError, TypeError):
+            continue
+        return law, convention
+    return None

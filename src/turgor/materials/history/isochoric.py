@@ -15,7 +15,7 @@ _TWICE = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])
 
 
 def scaled_stress(S: Array, C: Array) -> Array:
-    """Scale the isochoric second Piola–Kirchhoff stress of a law to J^(2/3) S, as the memory holds it.
+    """Return the scaled isochoric stress J^(2/3) S, the form of the internal variables.
 
     Parameters
     ----------

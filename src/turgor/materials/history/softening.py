@@ -8,11 +8,11 @@ and the largest W_m it has seen, the isochoric stress is multiplied by
 (R. W. Ogden, D. G. Roxburgh, Proc. R. Soc. A 455 (1999) 2861, doi 10.1098/rspa.1999.0431; β as in Abaqus). On the way
 to a new maximum η = 1: the law itself is the response of the virgin rubber.
 
-**In an engine.** The state is W_m, one number for each point, zero at rest. In every iteration: `softening` gives η and
-its slope η′ = ∂η/∂W from W and the W_m of the last accepted step; `softened_derivatives` turns the derivatives of the
-energy into those of the softened rubber, S = η S₀ and D = η D₀ + η′ S₀ ⊗ S₀, exact and symmetric. Where W passes W_m,
-η′ jumps to zero. Once per accepted step: W_m ← max(W_m, W). A Prony series acts on the softened stress; Abaqus softens
-the long-term stress alone where a rubber has both.
+**In an engine.** The internal variable is W_m, one number for each quadrature point, zero at rest. In every iteration,
+`softening` gives η and its slope η′ = ∂η/∂W from W and the W_m of the last accepted step. `softened_derivatives` turns
+the derivatives of the energy into those of the softened rubber, S = η S₀ and D = η D₀ + η′ S₀ ⊗ S₀, exact and
+symmetric. Where W passes W_m, η′ jumps to zero. Once per accepted step: W_m ← max(W_m, W). A Prony series acts on the
+softened stress; Abaqus softens the long-term stress alone where a rubber has both.
 """
 
 from collections.abc import Sequence
@@ -39,7 +39,7 @@ class Mullins:
     r : float [-]
         More than 1; at most the share 1/r of the stress is lost.
     m : float [Pa]
-        Energy density at which softening sets in; small m softens already after small stretches.
+        Energy density at which softening begins; with a small m it begins at small stretches.
     beta : float [-]
         Share of the largest energy that is added to m; 0 in the original model.
 
@@ -132,9 +132,9 @@ def softened_derivatives(
 
 
 def softening_dissipation(mullins: Mullins, largest: ArrayLike) -> Array:
-    """Energy density lost in stretching a virgin point to an energy W_m and letting it go.
+    """Return the energy density that a virgin point dissipates in a cycle up to an energy W_m.
 
-    It is (1/r) ∫ erf((W_m − W)/(m + β W_m)) dW from 0 to W_m; what a full cycle loses the first time, and no later one.
+    It is (1/r) ∫ erf((W_m − W)/(m + β W_m)) dW from 0 to W_m. Only the first full cycle dissipates it, no later one.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """Stress of a material along a history of stretch: relaxation, hysteresis and softening in a homogeneous test."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,15 +11,14 @@ from turgor.materials.history.isochoric import isochoric_stress
 from turgor.materials.history.softening import softening
 from turgor.materials.history.viscoelastic import Prony, memory_at_rest, next_memory, remembered_stress, step_factor
 from turgor.materials.laws.derivatives import energy_and_derivatives, stretch_derivatives
-from turgor.materials.laws.homogeneous import cauchy_stress, equibiaxial, planar, uniaxial
+from turgor.materials.laws.homogeneous import DEFORMATIONS, cauchy_stress
 from turgor.materials.laws.laws import Law, StretchLaw
 from turgor.materials.material import Material
 
 Array = NDArray[np.float64]
 HistoryMode = Literal["uniaxial", "equibiaxial", "planar"]
 
-_DEFORMATIONS = {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": planar}
-HISTORY_MODES = tuple(_DEFORMATIONS)
+HISTORY_MODES = get_args(HistoryMode)
 
 _SIX = ([0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2])
 
@@ -52,7 +51,7 @@ class StressHistory:
     def work(self) -> Array:
         """Work done on the specimen up to each time, per initial volume, by trapezoids; (n,) array [J/m³].
 
-        At the end of a closed cycle this is what it has lost. A jump at the first time counts from zero stress at rest.
+        At the end of a closed cycle it is the dissipated energy. A jump at the first time starts at zero stress.
         """
         stretch, stress = np.concatenate([[1.0], self.stretch]), np.concatenate([[0.0], self.nominal_stress])
         pieces = 0.5 * (stress[1:] + stress[:-1]) * np.diff(stretch)
@@ -72,7 +71,7 @@ def stress_history(material: Material, mode: HistoryMode, time: ArrayLike, stret
     mode : {"uniaxial", "equibiaxial", "planar"}
         The test.
     time : (n,) array [s]
-        Times, none before the one ahead of it.
+        Times, not decreasing.
     stretch : (n,) array [-]
         Stretches along the first axis at these times.
 
@@ -98,7 +97,7 @@ def stress_history(material: Material, mode: HistoryMode, time: ArrayLike, stret
     if not isinstance(material.law, Law):
         raise TurgorError(f"material '{material.name}' is linear elastic; a history is that of a rubber's law.")
     t, along = _checked(time, stretch)
-    F = _DEFORMATIONS[mode](along)
+    F = DEFORMATIONS[mode](along)
     S, eta = softened_stress(material, F)
     if material.viscoelasticity is not None:
         S = _relaxing(material.viscoelasticity, t, S, _components(F.swapaxes(-1, -2) @ F))
@@ -173,7 +172,7 @@ def pull_of(S: Array, F: Array) -> Array:
 
 
 def _relaxing(series: Prony, time: Array, S: Array, C: Array) -> Array:
-    """The algorithm at a point, step by step as a finite element runs it."""
+    """Stress update at a point, step by step, as at a quadrature point of a finite element."""
     memory = memory_at_rest(series, ())
     out = np.empty_like(S)
     for n, step in enumerate(np.diff(time, prepend=time[0])):

@@ -32,7 +32,7 @@ from turgor.errors import TurgorError, unknown
 
 Array = NDArray[np.float64]
 
-#: What the constants of the law mean, in Abaqus's words: those of an infinitely fast, or of an infinitely slow test.
+#: Meaning of the constants of the law, in the terms of Abaqus: an infinitely fast test, or an infinitely slow one.
 MODULI = ("instantaneous", "long_term")
 
 
@@ -98,7 +98,7 @@ class Prony:
 
 
 def memory_at_rest(series: Prony, shape: tuple[int, ...]) -> Array:
-    """Return the memory of points that have never been stretched.
+    """Return the internal variables of points that have never been stretched.
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def remembered_stress(series: Prony, step: float, memory: Array) -> Array:
     step : float [s]
         Length of the step.
     memory : (n + 1, ..., 6) array [Pa]
-        At the beginning of the step.
+        Internal variables at the beginning of the step.
 
     Returns
     -------
@@ -162,7 +162,7 @@ def remembered_stress(series: Prony, step: float, memory: Array) -> Array:
 
 
 def next_memory(series: Prony, step: float, memory: Array, stress: Array) -> Array:
-    """Return the memory at the end of a step.
+    """Return the internal variables at the end of a step.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def next_memory(series: Prony, step: float, memory: Array, stress: Array) -> Arr
     step : float [s]
         Length of the step.
     memory : (n + 1, ..., 6) array [Pa]
-        At its beginning.
+        Internal variables at its beginning.
     stress : (..., 6) array [Pa]
         Scaled isochoric stress of the law at its end, see `scaled_stress`; softened, but not multiplied by γ.
 

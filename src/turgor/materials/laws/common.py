@@ -36,14 +36,14 @@ Law: TypeAlias = InvariantLaw | StretchLaw
 
 
 def require_finite(law: object, values: Iterable[tuple[str, float]]) -> None:
-    """Refuse coefficients that are not numbers."""
+    """Raise an error for coefficients that are not numbers."""
     for name, value in values:
         if not isfinite(value):
             raise TurgorError(f"{type(law).__name__}: {name} is {value:g}; it must be a finite number.")
 
 
 def require_positive_shear_modulus(law: Law) -> None:
-    """Refuse a law that is not stiff at rest."""
+    """Raise an error for a law that is not stiff at rest."""
     if not law.shear_modulus > 0:
         raise TurgorError(
             f"{type(law).__name__} has an initial shear modulus of {law.shear_modulus:g} Pa; it must be positive. "

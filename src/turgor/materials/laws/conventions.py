@@ -1,25 +1,18 @@
-"""What printed constants mean: conventions of the literature, turned into laws in canonical coefficients."""
+"""Conventions of the literature for printed constants, and how they become laws in canonical coefficients."""
 
+import re
 from collections.abc import Mapping
-from dataclasses import MISSING, Field, fields, replace
+from dataclasses import MISSING, fields, replace
 from typing import Any
 
 from turgor.errors import TurgorError, unknown
+from turgor.materials.laws.law_spec import is_dimensionless
 from turgor.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke, Law, Ogden
 from turgor.units import UNITS
 
-#: Parameters that carry no unit; all others are pressures.
-DIMENSIONLESS = frozenset({"nu", "alpha", "Jm", "locking_stretch"})
-
-
-def is_dimensionless(parameter: Field[Any]) -> bool:
-    """Whether a field of a law carries no unit; laws of one's own say so with ``metadata={"dimension": "number"}``."""
-    return parameter.name in DIMENSIONLESS or parameter.metadata.get("dimension") == "number"
-
-
 #: What printed symbols mean: for each convention and law, canonical coefficient = factor × printed symbol.
 #: "C2" is the second coefficient of I₁ in Yeoh's law and the one of I₂ in Mooney and Rivlin's. An empty table stands
-#: for symbols that are numbered or that are canonical already.
+#: for symbols that are numbered. `saved_convention` takes the first in which the symbols of a law are canonical.
 CONVENTIONS: Mapping[str, Mapping[str, Mapping[str, tuple[str, float]]]] = {
     "single_index": {
         "neo_hooke": {"C1": ("C10", 1.0)},
@@ -39,8 +32,8 @@ CONVENTIONS: Mapping[str, Mapping[str, Mapping[str, tuple[str, float]]]] = {
         "gent": {"mu": ("mu", 1.0), "Jm": ("Jm", 1.0)},
         "arruda_boyce": {"mu": ("mu", 1.0), "locking_stretch": ("locking_stretch", 1.0)},
     },
-    "abaqus": {"ogden": {}},
     "mu/alpha": {"ogden": {}},
+    "abaqus": {"ogden": {}},
 }
 
 #: Coefficients that a convention leaves out because they are zero in it.
@@ -94,6 +87,32 @@ def law_from_printed(law: str, convention: str, printed: Mapping[str, float]) ->
             raise TurgorError(f"the constant '{symbol}' of {law} is missing; a law has no default constants.")
     made: Law | Hooke = LAWS[law](**coefficients)
     return made
+
+
+def saved_convention(law: str) -> str | None:
+    """Return the convention in which files state a law by its own coefficients; None where there is none.
+
+    Examples
+    --------
+    >>> saved_convention("yeoh"), saved_convention("ogden"), saved_convention("demiray")
+    ('two_index', 'mu/alpha', None)
+    """
+    for convention, laws in CONVENTIONS.items():
+        if law in laws and all(stands_for == (symbol, 1.0) for symbol, stands_for in laws[law].items()):
+            return convention
+    return None
+
+
+def has_no_unit(symbol: str) -> bool:
+    """Return whether a printed symbol such as ``alpha_1`` or ``nu`` is a number without a unit; others are pressures.
+
+    Examples
+    --------
+    >>> has_no_unit("alpha_1"), has_no_unit("mu_1")
+    (True, False)
+    """
+    name = re.sub(r"_\d+$", "", symbol)
+    return any(item.name == name and is_dimensionless(item) for law in LAWS.values() for item in fields(law))
 
 
 def ogden_terms(printed: Mapping[str, float]) -> tuple[tuple[float, float], ...]:

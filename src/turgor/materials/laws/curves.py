@@ -1,29 +1,20 @@
 """Curves of a law: its stress in the tests of a rubber, its initial moduli, and where it loses stability."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws.homogeneous import (
-    biaxial,
-    cauchy_stress,
-    equibiaxial,
-    nominal_stress,
-    planar,
-    simple_shear,
-    uniaxial,
-)
+from turgor.materials.laws.homogeneous import DEFORMATIONS, biaxial, cauchy_stress, nominal_stress
 from turgor.materials.laws.laws import Law
 from turgor.materials.laws.stability import first_instability
 
 Array = NDArray[np.float64]
 CurveMode = Literal["uniaxial", "equibiaxial", "planar", "simple_shear", "biaxial"]
 
-_DEFORMATIONS = {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": planar, "simple_shear": simple_shear}
-CURVE_MODES = (*_DEFORMATIONS, "biaxial")
+CURVE_MODES = get_args(CurveMode)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -135,7 +126,7 @@ def _deformation(mode: str, along: Array, second_stretch: ArrayLike | None) -> A
     if (mode == "biaxial") != (second_stretch is not None):
         raise TurgorError("second_stretch goes with the mode biaxial, and only with it.")
     if second_stretch is None:
-        return _DEFORMATIONS[mode](along)
+        return DEFORMATIONS[mode](along)
     across = np.asarray(second_stretch, dtype=np.float64)
     if across.shape not in ((), along.shape):
         raise TurgorError(f"second_stretch has {across.size} points but stretch has {along.size}.")

@@ -4,6 +4,9 @@ A deformation gradient comes in, a stress goes out, derived from the law's energ
 multiplier follows from the third direction being free of traction. Fitting, curves and verification share this.
 """
 
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -124,6 +127,12 @@ def simple_shear(amount: ArrayLike) -> Array:
     F = _diagonal(np.ones_like(amount), np.ones_like(amount), np.ones_like(amount))
     F[..., 0, 1] = amount
     return F
+
+
+#: Deformation of each test of a rubber that one number describes, by the name of its mode.
+DEFORMATIONS: Mapping[str, Callable[[ArrayLike], Array]] = MappingProxyType(
+    {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": planar, "simple_shear": simple_shear}
+)
 
 
 def cauchy_stress(law: Law, F: Array) -> Array:

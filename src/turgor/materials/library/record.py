@@ -8,7 +8,7 @@ from typing import Any
 from turgor.errors import TurgorError
 from turgor.materials.history.softening import Mullins
 from turgor.materials.history.viscoelastic import Prony
-from turgor.materials.laws.conventions import DIMENSIONLESS, describe, law_from_printed
+from turgor.materials.laws.conventions import describe, has_no_unit, law_from_printed
 from turgor.materials.laws.laws import Hooke, Law
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.materials.library.supplier import Supplier
@@ -213,7 +213,7 @@ def _kind(content: Mapping[str, Any], library: str) -> str:
 def _constant(value: object, symbol: str, where: str) -> float:
     """A modulus with its unit, or a plain number for an exponent and Poisson's ratio."""
     place = f"{where}.parameters.{symbol}"
-    if symbol not in DIMENSIONLESS and not symbol.startswith("alpha"):
+    if not has_no_unit(symbol):
         return _quantity(value, "pressure", place)
     if isinstance(value, bool) or not isinstance(value, int | float) or not isfinite(value):
         raise TurgorError(f"{place}: {value!r} is not a number without a unit.")

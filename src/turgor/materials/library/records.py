@@ -6,7 +6,7 @@ conversion to the coefficients of `turgor.materials.laws.laws` happens on load, 
 """
 
 from turgor.errors import TurgorError, near_match
-from turgor.materials.laws.conventions import CONVENTIONS, DIMENSIONLESS, describe, law_from_printed
+from turgor.materials.laws.conventions import CONVENTIONS, describe, law_from_printed
 from turgor.materials.library.doubts import find_doubts
 from turgor.materials.library.record import REVIEW, Record
 from turgor.materials.library.record_files import all_records, library, read_records, records
@@ -15,7 +15,6 @@ from turgor.source import Source
 
 __all__ = [
     "CONVENTIONS",
-    "DIMENSIONLESS",
     "REVIEW",
     "Record",
     "all_records",

@@ -20,16 +20,15 @@ AXES = "xyz"
 def together(bodies: Mapping[str, Mesh]) -> Mesh:
     """Put several meshes into one, so that they can touch each other in one model.
 
-    The name of its body is added to the name of every region and face: the cavity of ``upper`` becomes
-    ``cavity_upper``, its region ``body`` becomes ``body_upper``. Mirror planes keep their names, because all bodies
-    share them: each is cut there, or lies wholly on the modeled side and has a mirror image on the other, which volumes
-    and forces of the whole actuator include.
+    The name of the body is appended to each region and face: the cavity of ``upper`` becomes ``cavity_upper``. Mirror
+    planes keep their names, because all bodies share them. A body is cut there, or lies wholly on the modeled side;
+    its mirror image counts in volumes and forces of the whole actuator.
 
     Parameters
     ----------
     bodies : mapping of str to Mesh
-        At least two meshes, each already in its place; names hold letters, digits and underscores. Nodes are not
-        joined: bodies meet by contact only.
+        At least two meshes in their places; names hold letters, digits and underscores. Nodes are not joined: bodies
+        meet by contact only.
 
     Returns
     -------
@@ -38,8 +37,7 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
     Raises
     ------
     TurgorError
-        If a name does not fit or is taken, kinds of cells differ, bodies overlap, or a body lies across a mirror plane
-        of another.
+        If a name does not fit or is taken, kinds of cells differ, bodies overlap, or a mirror plane cuts another body.
 
     Examples
     --------
@@ -56,24 +54,18 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
     _check_bodies(bodies)
     _check_apart(bodies)
     mirrors = _shared_mirrors(bodies)
-    vertices = np.cumsum([0, *(mesh.vertex_count for mesh in bodies.values())])
-    middles = vertices[-1] + np.cumsum([0, *(len(mesh.points) - mesh.vertex_count for mesh in bodies.values())])
-    points, cells, first_cell = np.empty((middles[-1], 3)), [], 0
+    numbers = _node_numbers(list(bodies.values()))
+    points, cells, first_cell = np.empty((sum(map(len, numbers)), 3)), [], 0
     regions: dict[str, NDArray[np.int64]] = {}
     faces: dict[str, NDArray[np.int64]] = {}
-    for i, (body, mesh) in enumerate(bodies.items()):
-        number = np.arange(len(mesh.points))
-        number += np.where(number < mesh.vertex_count, vertices[i], middles[i] - mesh.vertex_count)
+    for number, (body, mesh) in zip(numbers, bodies.items(), strict=True):
         points[number] = mesh.points
         cells.append(number[mesh.cells])
         for name, rows in mesh.regions.items():
             regions[_free(f"{name}_{body}", regions)] = first_cell + rows
         for name, sides in mesh.faces.items():
-            if (body, name) in mirrors:
-                shared = mirrors[body, name]
-                faces[shared] = np.concatenate([faces.get(shared, sides[:0]), number[sides]])
-            else:
-                faces[_free(f"{name}_{body}", faces)] = number[sides]
+            key = mirrors.get((body, name)) or _free(f"{name}_{body}", faces)
+            faces[key] = np.concatenate([faces.get(key, sides[:0]), number[sides]])
         first_cell += len(mesh.cells)
     return Mesh(
         points=points,
@@ -85,6 +77,17 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
             said_before(f"Body '{body}'", found) for body, mesh in bodies.items() for found in mesh.findings
         ),
     )
+
+
+def _node_numbers(meshes: list[Mesh]) -> list[NDArray[np.int64]]:
+    """Number of each node of each mesh in the common one, where the vertices of all meshes come first."""
+    vertices = np.cumsum([0, *(mesh.vertex_count for mesh in meshes)])
+    middles = vertices[-1] + np.cumsum([0, *(len(mesh.points) - mesh.vertex_count for mesh in meshes)])
+    numbers = []
+    for i, mesh in enumerate(meshes):
+        number = np.arange(len(mesh.points))
+        numbers.append(number + np.where(number < mesh.vertex_count, vertices[i], middles[i] - mesh.vertex_count))
+    return numbers
 
 
 def _check_bodies(bodies: Mapping[str, Mesh]) -> None:

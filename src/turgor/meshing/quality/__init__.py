@@ -1,1 +1,1 @@
-"""Quality: shape of cells, checks of a mesh, and walls that face each other."""
+"""Mesh quality: shape of cells, checks of a mesh, and walls that face each other."""

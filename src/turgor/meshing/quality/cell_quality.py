@@ -1,4 +1,4 @@
-"""Quality of the cells: the Jacobian of the curved cells, their shape, their size."""
+"""Quality of tetrahedra: Jacobian determinant of the curved cells, shape and size."""
 
 from dataclasses import dataclass
 from itertools import product
@@ -13,10 +13,11 @@ from turgor.meshing.quality.hexahedra_quality import hexahedra_jacobian_range, h
 
 Array = NDArray[np.float64]
 
-#: The Jacobian of a quadratic tetrahedron is a cubic; a lattice of 35 points (its 10 nodes among them) samples it.
+#: The Jacobian determinant of a quadratic tetrahedron is a cubic polynomial; a lattice of 35 points samples it, among
+#: them the 10 nodes.
 LATTICE_ORDER = 4
 
-#: Cells looked at together, so that a large mesh does not need gigabytes.
+#: Cells evaluated together, to bound the memory.
 CHUNK = 20_000
 
 
@@ -27,14 +28,15 @@ class MeshQuality:
     Parameters
     ----------
     cells, points, vertices, unknowns : int
-        Counts; unknowns are the degrees of freedom: displacement components and mean stresses before supports.
+        Counts; unknowns are the degrees of freedom, displacement components and mean stresses, before supports.
     inverted : int
         Cells whose Jacobian is not positive everywhere; none in a mesh that can be solved.
     min_jacobian_ratio : float [-]
         Smallest over largest Jacobian within the worst cell: 1 for straight edges, ≤ 0 for an inverted cell.
     min_shape, mean_shape : float [-]
-        Of the straight cells: 1 is regular, 0 is flat. Mean ratio 12 (3 V)^(2/3) / Σ l² for tetrahedra; for hexahedra
-        the scaled Jacobian, the volume between the unit vectors along the edges at the worst corner.
+        Shape of the cells with straight edges: 1 is regular, 0 is flat. For tetrahedra the mean ratio
+        12 (3 V)^(2/3) / Σ l²; for hexahedra the scaled Jacobian, the triple product of the unit vectors along the edges
+        at the worst corner.
     min_edge, mean_edge, max_edge : float [m]
         Distances between vertices that share an edge.
     """
@@ -58,7 +60,7 @@ def _lattice() -> Array:
 
 
 def _gradients(L: Array) -> Array:
-    """Derivatives of the ten shape functions at points given in barycentric coordinates, (p, 10, 3)."""
+    """Derivatives of the ten shape functions at points in barycentric coordinates, (p, 10, 3)."""
     dL = np.vstack([-np.ones(3), np.eye(3)])
     corners = (4 * L[:, :, None] - 1) * dL
     mids = [4 * (L[:, a, None] * dL[b] + L[:, b, None] * dL[a]) for a, b in TETRAHEDRON_EDGES]
@@ -66,7 +68,7 @@ def _gradients(L: Array) -> Array:
 
 
 def jacobian_range(mesh: Mesh) -> tuple[Array, Array]:
-    """Smallest and largest Jacobian determinant of each curved cell, at its nodes and within it.
+    """Return the smallest and largest Jacobian determinant of each curved cell, sampled at its nodes and inside.
 
     Parameters
     ----------
@@ -76,7 +78,7 @@ def jacobian_range(mesh: Mesh) -> tuple[Array, Array]:
     -------
     low, high : (c,) arrays [m³]
         Six times the volume for a tetrahedron with straight edges, the volume for a box; negative
-        where a cell is turned inside out.
+        where a cell is inverted.
     """
     if mesh.cell_type is not TETRAHEDRON:
         return hexahedra_jacobian_range(mesh)
@@ -96,7 +98,7 @@ def _determinants(nodes: Array, gradients: Array) -> Array:
 
 
 def cell_volumes(mesh: Mesh) -> Array:
-    """Volume of each curved cell, (c,) [m³]; exact, because the Jacobian is a cubic and so is the rule."""
+    """Return the volume of each curved cell, (c,) [m³]; the quadrature rule integrates the cubic Jacobian exactly."""
     if mesh.cell_type is not TETRAHEDRON:
         return hexahedra_volumes(mesh)
     points = np.vstack([np.full(4, 1 / 4), 1 / 6 + np.eye(4) / 3])
@@ -148,7 +150,7 @@ def quality(mesh: Mesh) -> MeshQuality:
 
 
 def cell_shapes(mesh: Mesh) -> Array:
-    """Shape of each cell with straight edges, (c,), as `MeshQuality` has it: 1 is regular, 0 is flat."""
+    """Return the shape of each cell with straight edges, (c,), as in `MeshQuality`: 1 is regular, 0 is flat."""
     if mesh.cell_type is not TETRAHEDRON:
         return hexahedra_shapes(mesh)
     corners = mesh.points[mesh.cells[:, :4]]
@@ -160,13 +162,13 @@ def cell_shapes(mesh: Mesh) -> Array:
 
 
 def jacobian_ratios(mesh: Mesh) -> Array:
-    """Smallest over largest Jacobian of each curved cell, (c,): 1 for straight edges, ≤ 0 for an inverted cell."""
+    """Return the smallest over the largest Jacobian of each curved cell, (c,): ≤ 0 for an inverted cell."""
     low, high = jacobian_range(mesh)
     return np.asarray(low / np.maximum(np.abs(low), np.abs(high)))
 
 
 def refuse_inverted(mesh: Mesh) -> None:
-    """Refuse a mesh with an inverted cell, because nothing can be solved on it.
+    """Raise an error for a mesh with an inverted cell, because its equations cannot be solved.
 
     Parameters
     ----------

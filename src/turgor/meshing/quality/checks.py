@@ -1,4 +1,4 @@
-"""Checks of a mesh before a solve, each a finding."""
+"""Checks of a mesh before a solve; each returns findings."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,15 +13,15 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: An edge that rises less than this from its surface runs along a wall, not through it: the longest cells accepted
-#: are four times as long as a wall is thick.
+#: Smallest sine of the angle between the surface and an edge through a wall. An edge with a smaller one runs along the
+#: wall: the longest cells accepted are four times as long as a wall is thick.
 STEEP = 0.2
 
 
 def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
-    """Look for walls with fewer than two cells through them (G01) and for faces that do not fit the mesh (G02 to G04).
+    """Check for walls with fewer than two cells through them (G01) and for faces that do not fit the mesh (G02 to G04).
 
-    Findings from the making of the mesh (G08: repaired cells) come first.
+    Findings of the mesh generation (G08: repaired cells) come first.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
 
 
 def crossings(mesh: Mesh) -> tuple[Ints, Array]:
-    """Find the cell edges that reach through a wall from one surface to the other: one cell through the wall there.
+    """Find the edges that connect two surfaces of a wall, so that it has one cell through its thickness.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def crossings(mesh: Mesh) -> tuple[Ints, Array]:
     """
     surface = six_node_triangles(outer_triangles(mesh))
     on_mirror = np.zeros(len(surface), dtype=bool)
-    for name in mesh.symmetry_faces:  # a mirror plane is no surface of the whole actuator
+    for name in mesh.symmetry_faces:  # a mirror plane is not a surface of the whole actuator
         on_mirror |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
     surface = surface[~on_mirror]
     edges = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)

@@ -1,4 +1,4 @@
-"""Find walls that face each other across a gap, by rays along the outward normals."""
+"""Walls that face each other across a gap, found by ray casting along the outward normals."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from turgor.meshing.mesh import TRIANGLE_EDGES
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Two triangles see each other when the angle between one normal and the other's opposite is below 45°.
+#: Two triangles face each other if the angle between one normal and the reversed other one is below 45°.
 OPPOSED = 0.7
 
 #: Triangles that share an edge belong to the same wall when their normals differ by less than 40°.
@@ -20,7 +20,7 @@ SMOOTH = 0.77
 #: A triangle continues a wall when its normal is within 20° of the one that it continues.
 CONTINUED = 0.94
 
-#: Rays followed together, so that a large surface does not need gigabytes.
+#: Rays evaluated together, to bound the memory.
 CHUNK = 2_000
 
 
@@ -32,9 +32,9 @@ def unit_normals(points: Array, triangles: Ints) -> Array:
 
 
 def first_hits(points: Array, triangles: Ints, reach: float) -> Ints:
-    """Find the first triangle that each triangle sees along its outward normal.
+    """Find the first triangle that the ray from each triangle along its outward normal hits.
 
-    The ray from each centroid starts in air, so whatever it meets first has nothing but air before it.
+    The rays start at the centroids. They leave the solid there, so only air lies between a triangle and its hit.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def first_hits(points: Array, triangles: Ints, reach: float) -> Ints:
     triangles : (f, 3 or more) int array
         The whole surface, normals pointing out of the solid.
     reach : float [m]
-        How far to look.
+        Length of the rays.
 
     Returns
     -------
@@ -58,11 +58,11 @@ def first_hits(points: Array, triangles: Ints, reach: float) -> Ints:
     active = np.arange(len(triangles))
     for k in range(int(np.ceil(reach / stride))):
         middle = origin[active] + (k + 0.5) * stride * normal[active]
-        active = active[((middle >= low) & (middle <= high)).all(axis=1)]  # the others have left the body for good
+        active = active[((middle >= low) & (middle <= high)).all(axis=1)]  # the other rays have left the bounding box
         for start in range(0, len(active), CHUNK):
             part = active[start : start + CHUNK]
             middle = origin[part] + (k + 0.5) * stride * normal[part]
-            # whatever is hit in this stride has its hit point within half a stride and its centroid a radius further
+            # a hit in this stride is at most half a stride from its middle, and the centroid at most a radius further
             near = tree.query_ball_point(middle, stride / 2 + radius)
             ray = np.repeat(part, [len(n) for n in near])
             target = np.array([i for n in near for i in n], dtype=np.int64)
@@ -88,7 +88,7 @@ def _ray_distances(origin: Array, direction: Array, corners: Array) -> Array:
     q = np.cross(t, a)
     v = np.einsum("ij,ij->i", direction, q) * inverse
     distance = np.einsum("ij,ij->i", b, q) * inverse
-    tolerance = 1e-9  # a ray through an edge must hit one of its two triangles
+    tolerance = 1e-9  # the tolerance lets a ray through an edge hit one of its two triangles
     miss = parallel | (u < -tolerance) | (v < -tolerance) | (u + v > 1 + tolerance) | (distance <= 0)
     return np.where(miss, np.inf, distance)
 
@@ -101,14 +101,14 @@ def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
     points : (n, 3) array [m]
     triangles : (f, 6) int array
     hit : (f,) int array
-        What each triangle sees, -1 for nothing.
+        Triangle that each one faces, -1 for none.
 
     Returns
     -------
     wall : (f,) int array
-        Wall of each triangle, -1 for triangles that face none.
+        Wall of each triangle, -1 for triangles that face no other.
     pairs : (p, 2) int array
-        Walls that see each other and share no node, the smaller number first.
+        Walls that face each other and share no node, the smaller number first.
     """
     normal = unit_normals(points, triangles)
     seeing = np.flatnonzero(hit >= 0)
@@ -133,9 +133,9 @@ def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
 
 
 def _grown(facing: NDArray[np.bool_], normal: Array, left: Ints, right: Ints) -> NDArray[np.bool_]:
-    """Extend walls over what continues them, so that a wall is whole where its partner covers a part of it only.
+    """Extend walls over the triangles that continue them, because a partner may face a part of a wall only.
 
-    Each triangle that joins keeps the normal of the one it started from, so that no wall grows around a fillet.
+    A triangle joins if its normal is near that of the triangle at the start, so that no wall grows around a fillet.
     """
     facing, start = facing.copy(), normal.copy()
     from_, to = np.concatenate([left, right]), np.concatenate([right, left])
@@ -148,7 +148,7 @@ def _grown(facing: NDArray[np.bool_], normal: Array, left: Ints, right: Ints) ->
 
 
 def _neighbors(triangles: Ints) -> tuple[Ints, Ints]:
-    """Pairs of triangles that share an edge; edges of more than two triangles join none."""
+    """Pairs of triangles that share an edge; an edge of more than two triangles makes no pair."""
     edges = np.sort(np.concatenate([triangles[:, e] for e in TRIANGLE_EDGES]), axis=1)
     owner = np.tile(np.arange(len(triangles)), 3)
     _, inverse, count = np.unique(edges, axis=0, return_inverse=True, return_counts=True)

@@ -1,4 +1,4 @@
-"""Quality of hexahedra: the Jacobian of the curved cells, their volume, their shape."""
+"""Quality of hexahedra: Jacobian determinant of the curved cells, volume and shape."""
 
 from functools import cache
 from itertools import product
@@ -12,22 +12,22 @@ from turgor.meshing.mesh import Mesh
 
 Array = NDArray[np.float64]
 
-#: Where the Jacobian is sampled along each direction: at the nodes and between them.
+#: Sampling points of the Jacobian along each direction: the nodes and points between them.
 SAMPLES = np.linspace(0, 1, 5)
 
-#: Gauss points along each direction that integrate the Jacobian of 27 nodes exactly: it is of degree 5.
+#: Gauss points along each direction; they integrate the Jacobian of 27 nodes, a polynomial of degree 5, exactly.
 GAUSS = 3
 
-#: The neighbors of each corner along ξ, η, ζ, in an order that makes a right-handed frame.
+#: The neighbors of each corner along ξ, η, ζ, in right-handed order.
 NEIGHBORS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
 
-#: Cells looked at together, so that a large mesh does not need gigabytes.
+#: Cells evaluated together, to bound the memory.
 CHUNK = 2_000
 
 
 @cache
 def node_places(nodes: int) -> Array:
-    """Reference coordinates of the nodes of a hexahedron, (nodes, 3), between 0 and 1."""
+    """Return the reference coordinates of the nodes of a hexahedron, (nodes, 3), between 0 and 1."""
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], float)
     mids = [corners[list(edge)].mean(axis=0) for edge in HEXAHEDRON.edges]
     middles = [corners[list(side[:4])].mean(axis=0) for side in HEXAHEDRON.sides]
@@ -35,7 +35,7 @@ def node_places(nodes: int) -> Array:
 
 
 def gradients(places: Array, nodes: int) -> Array:
-    """Derivatives of the shape functions of a 20- or 27-node hexahedron, (p, nodes, 3).
+    """Return the derivatives of the shape functions of a 20- or 27-node hexahedron, (p, nodes, 3).
 
     Parameters
     ----------
@@ -66,12 +66,12 @@ def gradients(places: Array, nodes: int) -> Array:
 
 
 def _serendipity(powers: tuple[int, ...]) -> bool:
-    """Whether a monomial belongs to the 20 of superlinear degree 2: squared variables count, single ones do not."""
+    """Return whether a monomial is one of the 20 of the serendipity space: superlinear degree of at most 2."""
     return sum(power for power in powers if power == 2) <= 2
 
 
 def determinants(mesh: Mesh, places: Array) -> Array:
-    """Jacobian determinants of all cells at points given in reference coordinates, (c, p) [m³]."""
+    """Return the Jacobian determinants of all cells at points in reference coordinates, (c, p) [m³]."""
     if mesh.cell_type not in (HEXAHEDRON, HEXAHEDRON_20):
         raise TurgorError(f"the cells are {mesh.cell_type.name}s; hexahedra are needed.")
     dN = gradients(places, mesh.cell_type.nodes)
@@ -83,7 +83,7 @@ def determinants(mesh: Mesh, places: Array) -> Array:
 
 
 def hexahedra_jacobian_range(mesh: Mesh) -> tuple[Array, Array]:
-    """Smallest and largest Jacobian determinant of each curved hexahedron, (c,) each [m³]: its volume for a box."""
+    """Return smallest and largest Jacobian determinant of each curved hexahedron, (c,) [m³]: the volume for a box."""
     determinant = determinants(mesh, np.array(list(product(SAMPLES, repeat=3))))
     return determinant.min(axis=1), determinant.max(axis=1)
 
@@ -96,10 +96,10 @@ def hexahedra_volumes(mesh: Mesh) -> Array:
 
 
 def hexahedra_shapes(mesh: Mesh) -> Array:
-    """Scaled Jacobian of each straight hexahedron, (c,): 1 where all corners are square, 0 where one is flat.
+    """Return the scaled Jacobian of each straight hexahedron, (c,): 1 if all corners are square, 0 if one is flat.
 
-    It is the volume between the three unit vectors along the edges of a corner, the smallest of the eight; long boxes
-    are as good as cubes.
+    It is the smallest of the eight triple products of the unit vectors along the edges of a corner. Long boxes are as
+    good as cubes.
     """
     corners = mesh.points[mesh.cells[:, :8]]
     worst = np.ones(len(corners))

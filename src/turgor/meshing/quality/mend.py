@@ -1,4 +1,4 @@
-"""Repair curved cells that are inverted or nearly so: straighten their edges as little as possible."""
+"""Repair of curved cells that are inverted or nearly so: their edges are straightened as little as possible."""
 
 from dataclasses import replace
 
@@ -14,22 +14,22 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Below this ratio of smallest to largest Jacobian a curved cell counts as nearly inverted: it would invert soon when
-#: the actuator deforms. Cells of the generator at fillets as small as the mesh size have 0.15 and more.
+#: A curved cell with a smaller ratio of smallest to largest Jacobian counts as nearly inverted: it would invert as soon
+#: as the actuator deforms. Cells of the mesh generator at fillets as small as the mesh size have 0.15 and more.
 LEAST_JACOBIAN_RATIO = 0.1
 
 #: Each round halves the curvature of the edges of a bad cell; after this many rounds they are made straight.
 HALVINGS = 4
 
-#: Missing the surface by more than this share of the mean edge is a warning, below it a note.
+#: A deviation from the surface above this share of the mean edge is a warning, a smaller one a note.
 NOTABLE_MISS = 0.1
 
 
 def mended(mesh: Mesh) -> Mesh:
     """Straighten the edges of curved cells that are inverted or nearly so, where straight edges help.
 
-    The mid-side nodes of a bad cell move half of the way to the straight middle, again and again while it is bad;
-    so the curved surface is missed there and nowhere else. A finding (G08) says by how much.
+    The midside nodes of a bad cell move half of the way to the middle of their straight edge, repeatedly while the cell
+    is bad. The mesh deviates from the curved surface there and nowhere else. A finding (G08) states the deviation.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ def mended(mesh: Mesh) -> Mesh:
     Returns
     -------
     Mesh
-        The same mesh where nothing was bad. Cells that are inside out with straight edges too stay so:
-        `refuse_inverted` refuses them.
+        The same mesh if no cell was bad. Cells that are inverted with straight edges too stay so; `refuse_inverted`
+        raises the error.
 
     Examples
     --------
@@ -75,13 +75,13 @@ def mended(mesh: Mesh) -> Mesh:
 
 
 def _bad(mesh: Mesh) -> Ints:
-    """Cells whose Jacobian varies too much: inverted somewhere, or nearly."""
+    """Cells that are inverted or nearly so."""
     low, high = jacobian_range(mesh)
     return np.flatnonzero(low < LEAST_JACOBIAN_RATIO * np.maximum(np.abs(low), np.abs(high)))
 
 
 def _straight(mesh: Mesh) -> tuple[Array, Array]:
-    """Where each mid-side node would be on a straight edge, and how long its edge is (0 for vertices)."""
+    """Position of each midside node on a straight edge, and the length of its edge (0 for vertices)."""
     straight, length = mesh.points.copy(), np.zeros(len(mesh.points))
     for k, (a, b) in enumerate(TETRAHEDRON_EDGES):
         ends = mesh.points[mesh.cells[:, [a, b]]]

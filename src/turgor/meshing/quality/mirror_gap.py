@@ -1,4 +1,4 @@
-"""Gap between walls and their own mirror image, from their distance to the mirror plane."""
+"""Gap between walls and their mirror images, from the distance to the mirror plane."""
 
 from dataclasses import dataclass
 from math import inf
@@ -17,7 +17,7 @@ from turgor.meshing.surface import outer_triangles
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: A node nearer to a mirror plane at rest than this share of the longest side of the mesh lies in it.
+#: A node lies in a mirror plane if its distance at rest is below this share of the longest side of the mesh.
 ON_PLANE = 1e-6
 
 
@@ -28,7 +28,7 @@ class MirrorWalls:
     Parameters
     ----------
     nodes : (k,) int array
-        Those that do not lie in the plane.
+        Nodes that do not lie in the plane.
     axis : int
         The plane is ``x[axis] == level``.
     level : float [m]
@@ -43,13 +43,13 @@ class MirrorWalls:
 
 
 def find_mirror_walls(mesh: Mesh, cavity: str | None = None) -> tuple[MirrorWalls, ...]:
-    """Find the nodes whose wall would meet its mirror image where they reach a mirror plane.
+    """Find the nodes of walls that touch their mirror image when they reach a mirror plane.
 
     Parameters
     ----------
     mesh : Mesh
     cavity : str, optional
-        Name of a cavity: its walls are looked at instead of those outside.
+        Name of a cavity, whose walls are taken instead of those outside.
 
     Returns
     -------
@@ -82,7 +82,7 @@ def find_mirror_walls(mesh: Mesh, cavity: str | None = None) -> tuple[MirrorWall
 
 
 def mirror_gap(walls: tuple[MirrorWalls, ...], points: Array) -> float:
-    """Measure how far walls are from their mirror planes.
+    """Return the smallest distance of walls from their mirror planes.
 
     Parameters
     ----------
@@ -93,18 +93,18 @@ def mirror_gap(walls: tuple[MirrorWalls, ...], points: Array) -> float:
     Returns
     -------
     float [m]
-        Smallest distance of a node, half of that from its image; negative once it has passed through, infinite
-        without mirror planes.
+        Smallest distance of a node, which is half of that from its image. It is negative once the node has passed
+        through the plane, and infinite without mirror planes.
     """
     gaps = [each.side * (points[each.nodes, each.axis] - each.level) for each in walls]
     return float(min((gap.min(initial=inf) for gap in gaps), default=inf))
 
 
 def faces_its_image(mesh: Mesh) -> bool:
-    """Whether an outside wall faces its own image in a mirror plane through air, no farther away than half of `REACH`.
+    """Return whether an outside wall faces its own mirror image through air, closer than half of `REACH` to the plane.
 
-    A triangle sees its image where it looks at the plane and nothing stands between. A wall that runs into the plane is
-    left out, as are walls that share an edge: its distance is zero from the start.
+    A triangle faces its image if its normal points to the plane and nothing lies between. Walls that end in the plane
+    are left out, because their distance is zero from the start.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def faces_its_image(mesh: Mesh) -> bool:
 
 
 def _apart(triangles: Ints, off: NDArray[np.bool_]) -> bool:
-    """Whether some of the connected triangles (f, 3) have all their corners off the plane."""
+    """Return whether a connected group of triangles (f, 3) has no corner in the plane."""
     nodes, local = np.unique(triangles, return_inverse=True)
     rows, size = local.reshape(-1, 3), len(nodes)
     links = (np.ones(2 * len(rows)), (np.tile(rows[:, 0], 2), rows[:, 1:].T.ravel()))

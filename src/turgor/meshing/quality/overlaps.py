@@ -1,4 +1,4 @@
-"""Where the surface of a mesh overlaps itself: edges that stick through triangles of another wall or body."""
+"""Self-intersection of the surface of a mesh: edges that pass through triangles of another wall or body."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,28 +14,28 @@ from turgor.meshing.surface import outer_triangles
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Walls overlap where a place this share of an edge below both surfaces lies in the body twice.
+#: Depth below both surfaces, as a share of the edge, of the point where the winding number is evaluated.
 DEEP = 0.1
 
-#: Edges that stick through a wall almost flatly are left out: the sum of the normals there is shorter than this.
+#: Smallest sum of the two normals for a crossing that counts; walls in contact cross each other at flat angles.
 STEEP = 0.7
 
-#: Edges that are looked at together, so that a large surface does not need gigabytes.
+#: Edges evaluated together, to bound the memory.
 CHUNK = 20_000
 
-#: Crossings, and places all over the surface, that are looked at closely; spread evenly over all where there are more.
+#: Largest number of crossings, and of points all over the surface, where the winding number is evaluated.
 MOST, SAMPLES = 150, 150
 
-#: Flat triangles that follow a curved one closely: plugs of round holes do not seem to overlap their walls.
+#: Four flat triangles that replace a curved one, so that plugs of round holes do not seem to overlap their walls.
 QUARTERS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])
 
 
 def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
-    """Find where the surface passes through itself.
+    """Find points where the surface intersects itself.
 
     Every edge of the surface is tested against the flat triangles around it. Where it crosses one, the winding number
-    of the surface at a place a little below both shows whether two walls fill that place. With several bodies the same
-    test is made below places all over the surface.
+    of the surface is evaluated at a point a little below both: it is 2 where two walls overlap. With several bodies,
+    points all over the surface are tested too, because bodies with flush sides overlap without a crossing.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     Returns
     -------
     (k, 3) array [m]
-        Places where walls overlap by about a tenth of an edge or more, some of many.
+        Points where walls overlap by about a tenth of an edge or more; a selection if there are many.
 
     Examples
     --------
@@ -70,7 +70,7 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
         part = slice(start, start + CHUNK)
         edge, triangle, place = _crossings(x, edges[part], triangles, normals)
         inward = normals[triangle] + at_edges[part][edge]
-        leaning = np.linalg.norm(inward, axis=1) > STEEP  # walls that touch all over cross each other flatly
+        leaning = np.linalg.norm(inward, axis=1) > STEEP  # walls in contact cross each other at flat angles
         edge, triangle, place, inward = edge[leaning], triangle[leaning], place[leaning], inward[leaning]
         length = np.maximum(longest[triangle], np.linalg.norm(np.diff(x[edges[part][edge]], axis=1)[:, 0], axis=1))
         crossings.append(place)
@@ -80,12 +80,12 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     several = len(find_bodies(mesh)) > 1
     middle, inner = _samples(x, triangles, normals, SAMPLES if several else 0)
     fine = x[curved[:, QUARTERS].reshape(-1, 3)]
-    inside = np.array([winding(each, fine) > 1.95 for each in (*looked, *inner)], dtype=bool)  # 1.5 on a surface
+    inside = np.array([winding(each, fine) > 1.95 for each in (*looked, *inner)], dtype=bool)  # 2 in both
     return np.concatenate([found, middle])[inside]
 
 
 def _samples(x: Array, triangles: Ints, normals: Array, most: int) -> tuple[Array, Array]:
-    """Places all over the surface, and a little below it: bodies with flush sides overlap without any crossing."""
+    """Points all over the surface, and the points a little below them."""
     some = _spread(len(triangles), most)
     corners = x[triangles[some]]
     length = np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1, keepdims=True)
@@ -94,12 +94,12 @@ def _samples(x: Array, triangles: Ints, normals: Array, most: int) -> tuple[Arra
 
 
 def _spread(count: int, most: int) -> Ints:
-    """At most so many numbers from 0 to ``count``, evenly spread."""
+    """At most ``most`` evenly spread numbers from 0 to ``count`` − 1."""
     return np.unique(np.linspace(0, max(count - 1, 0), min(most, count)).round().astype(np.int64))
 
 
 def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[Ints, Ints, Array]:
-    """Edges that stick through triangles, these triangles, and where they do."""
+    """Edges that pass through triangles, these triangles, and the points of intersection."""
     edge, triangle = _near(x, edges, triangles)
     a, b = x[edges[edge, 0]], x[edges[edge, 1]]
     corners, normal = x[triangles[triangle]], normals[triangle]
@@ -114,7 +114,7 @@ def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[
 
 
 def _near(x: Array, edges: Ints, triangles: Ints) -> tuple[Ints, Ints]:
-    """Pairs of an edge and a triangle that may meet and share no corner."""
+    """Pairs of an edge and a triangle that may intersect and share no corner."""
     middle, center = x[edges].mean(axis=1), x[triangles].mean(axis=1)
     half = np.linalg.norm(x[edges[:, 1]] - x[edges[:, 0]], axis=1) / 2
     radius = np.linalg.norm(x[triangles] - center[:, None], axis=2).max(axis=1)

@@ -18,20 +18,20 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Without a given reach, walls further apart than this share of the longest side are not looked for.
+#: Default reach of the search for facing walls, as a share of the longest side.
 REACH = 0.25
 
-#: How many nodes are measured exactly: those that look nearest by the distance to the nearest nodes.
+#: Number of nodes whose gap is computed exactly: those with the smallest estimated gap.
 MEASURED = 100
 
-#: The triangles around this many nearest nodes are tried for the foot point.
+#: The search for the foot point covers the triangles around this many nearest nodes.
 NEAREST = 2
 
-#: Newton steps to the foot point; each gains a factor of distance times curvature, small where walls nearly touch.
+#: Newton iterations to the foot point; each reduces the error by distance times curvature, small near contact.
 STEPS = 6
 
-#: How far outside a triangle, in barycentric coordinates, a foot point still counts: kinks between quadratic
-#: triangles leave wedges in front of an edge that no triangle claims.
+#: Tolerance of a foot point outside its triangle, in barycentric coordinates. Normals jump between quadratic triangles,
+#: so points in front of a convex edge have no foot point inside a triangle.
 OVERHANG = 0.1
 
 #: Reference coordinates (r, s) of the six nodes of a triangle.
@@ -40,14 +40,14 @@ NODES = np.array([[0, 0], [1, 0], [0, 1], [0.5, 0], [0.5, 0.5], [0, 0.5]])
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Side:
-    """One wall of a pair seen from the other: nodes there, nodes and triangles here, triangles around each node."""
+    """Nodes of one wall of a pair, and the partner nodes and triangles of the other one."""
 
     nodes: Ints
     partners: Ints
     triangles: Ints
     around: Ints  # rows of triangles, sorted by the partner node they touch
-    corner: Ints  # which of the six nodes of the triangle that is
-    start: Ints  # where the triangles around each partner node begin in `around`
+    corner: Ints  # local number of this node in the triangle
+    start: Ints  # first entry of each partner node in `around`
 
 
 def _side(nodes: Ints, triangles: Ints) -> _Side:
@@ -59,7 +59,7 @@ def _side(nodes: Ints, triangles: Ints) -> _Side:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class FacingWalls:
-    """Walls that face each other through air.
+    """Pairs of walls that face each other through air.
 
     Parameters
     ----------
@@ -85,17 +85,17 @@ class FacingWalls:
 def find_facing_walls(mesh: Mesh, reach: float | None = None, cavity: str | None = None) -> FacingWalls:
     """Find the outside walls that face each other through air, or those of one cavity.
 
-    Every outer triangle looks along its normal; where it first meets an opposed one, both belong to facing walls.
-    Cavities are left out unless one is named, because pressure pushes their walls apart, and so are walls that share
-    an edge, because their distance is zero from the start. A wall is not compared with its own image in a mirror plane.
+    A ray from every outer triangle follows its normal. If it hits an opposed triangle first, both are facing walls.
+    Cavities are left out unless one is named, because pressure pushes their walls apart. Walls that share an edge are
+    left out, because their distance is zero from the start. A wall is not compared with its own mirror image.
 
     Parameters
     ----------
     mesh : Mesh
     reach : float [m], optional
-        How far to look; a quarter of the longest side by default.
+        Largest distance; a quarter of the longest side by default.
     cavity : str, optional
-        Name of a cavity: its walls are looked at instead of those outside.
+        Name of a cavity, whose walls are taken instead of those outside.
 
     Returns
     -------
@@ -124,14 +124,14 @@ def find_facing_walls(mesh: Mesh, reach: float | None = None, cavity: str | None
 
 
 def _of_faces(mesh: Mesh, triangles: Ints, names: Iterable[str]) -> NDArray[np.bool_]:
-    """Which triangles belong to the named faces."""
+    """Mask of the triangles of the named faces."""
     n = len(mesh.points)
     keys = [corner_keys(six_node_triangles(mesh.face(name)), n) for name in names]
     return np.isin(corner_keys(triangles, n), np.concatenate([np.zeros(0, dtype=np.int64), *keys]))
 
 
 def smallest_gap(walls: FacingWalls, displacement: Array | None = None) -> float:
-    """Measure how near the facing walls are in a deformed state.
+    """Return the smallest gap between facing walls in a deformed state.
 
     The gap is the distance of the nodes of one wall to the curved triangles of the other, along their normals.
 
@@ -145,7 +145,7 @@ def smallest_gap(walls: FacingWalls, displacement: Array | None = None) -> float
     -------
     float [m]
         Smallest distance, negative by the depth of the overlap once walls have passed through each other;
-        infinity where no walls are opposite each other.
+        infinite if no walls face each other.
     """
     x = walls.points if displacement is None else walls.points + displacement
     near = [_nearest(x, side) for side in walls._sides]
@@ -153,7 +153,7 @@ def smallest_gap(walls: FacingWalls, displacement: Array | None = None) -> float
         return inf
     guess = np.concatenate([estimate for estimate, _ in near])
     limit = np.partition(guess, min(MEASURED, len(guess) - 1))[min(MEASURED, len(guess) - 1)]
-    for bound in (limit, inf):  # everything, in the rare case that none of the nearest has a foot point
+    for bound in (limit, inf):  # all nodes, in the rare case that none of the nearest has a foot point
         gaps = [
             _gaps(x, side, np.flatnonzero((estimate <= bound) & np.isfinite(estimate)), index)
             for side, (estimate, index) in zip(walls._sides, near, strict=True)
@@ -165,7 +165,7 @@ def smallest_gap(walls: FacingWalls, displacement: Array | None = None) -> float
 
 
 def _nearest(x: Array, side: _Side) -> tuple[Array, Ints]:
-    """Nearest partner nodes of each node, and the gap guessed from the plane through the nearest of them."""
+    """Nearest partner nodes of each node, and the gap to the tangent plane at the nearest of them."""
     partners = x[side.partners]
     count = min(NEAREST, len(partners))
     _, index = cKDTree(partners).query(x[side.nodes], k=count)
@@ -182,7 +182,7 @@ def _nearest(x: Array, side: _Side) -> tuple[Array, Ints]:
 
 
 def _gaps(x: Array, side: _Side, rows: Ints, index: Ints) -> Array:
-    """Signed distances of chosen nodes to the triangles around their nearest partner nodes, where a foot point is."""
+    """Signed distances of chosen nodes to the triangles around their nearest partner nodes that hold a foot point."""
     near = index[rows].ravel()
     count = side.start[near + 1] - side.start[near]
     owner = np.repeat(np.repeat(side.nodes[rows], index.shape[1]), count)

@@ -1,1 +1,1 @@
-"""Pictures: drawings of a mesh or a state without a graphics card."""
+"""Pictures of meshes and states, rendered without a graphics card."""

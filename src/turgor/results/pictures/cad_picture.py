@@ -1,4 +1,4 @@
-"""Picture of an inspected CAD part: see-through walls, cavities and named faces in color."""
+"""Picture of an inspected CAD part: transparent walls, with cavities and named faces in color."""
 
 from pathlib import Path
 
@@ -11,18 +11,18 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-u
 from turgor.geometry.cad.inspection import Inspection
 from turgor.units import mm
 
-#: Colors of named faces, told apart by people who see few colors too (Okabe and Ito 2008); the outside is gray.
+#: Colors of named faces, distinct for color-blind readers too (Okabe and Ito 2008); the outside is gray.
 COLORS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#0072b2", "#d55e00", "#f0e442")
 
-#: How solid the outside and named faces are drawn.
+#: Opacity of the outside and of named faces.
 FAINT, CLEAR = 0.08, 0.55
 
-#: The two views: raised above the horizon and turned around z [degrees].
+#: The two views: elevation above the horizon and azimuth around z [degrees].
 VIEWS = ((22, -60), (-22, 120))
 
 
 def write_cad_picture(path: str | Path, part: Inspection) -> None:
-    """Draw a part from two sides into a PNG, each named face in a color of its own.
+    """Draw a part from two sides as PNG, with one color for each named face.
 
     Parameters
     ----------

@@ -14,20 +14,20 @@ RUBBER = "#f1efec"
 
 VON_MISES, CONTACT_PRESSURE = "von_mises", "contact_pressure"
 
-#: What stands above the bar of colors, by the name of the field.
+#: Label of the color bar, by the name of the field.
 FIELDS: Mapping[str, str] = MappingProxyType(
     {
         VON_MISES: "von Mises stress [kPa]; {share} of the volume lie within the bar, the arrow is more",
-        CONTACT_PRESSURE: "contact pressure [kPa]; {share} of what touches lie within the bar, the arrow is more",
+        CONTACT_PRESSURE: "contact pressure [kPa]; {share} of the contact area lie within the bar, the arrow is more",
     }
 )
 
 
 def color_map(field: str) -> Colormap:
-    """Return the colors of a field, light to dark, as perception has them.
+    """Return the color map of a field; its lightness changes evenly, so that equal steps look equal.
 
-    Stress begins with the gray of rubber at rest and goes on as Matplotlib's ``magma``. Contact pressure, which is
-    drawn only where something touches, has ``viridis`` without its lightest end.
+    The map of stress begins with the gray of rubber at rest and continues as Matplotlib's ``magma``. The map of contact
+    pressure is ``viridis`` without its lightest end; it is drawn only where surfaces touch.
 
     Parameters
     ----------

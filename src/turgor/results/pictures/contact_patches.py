@@ -12,18 +12,18 @@ from turgor.results.pictures.skin import Skin
 
 Array = NDArray[np.float64]
 
-#: Below this share of the upper end of the colors nothing is drawn: patches fade out over the last cells.
+#: Pressures below this share of the upper end of the colors are not drawn; they decay over the last cells of a patch.
 FAINT = 0.06
 
-#: How much of a patch is seen where the actuator is before it.
+#: Opacity of a patch behind the actuator.
 THROUGH = 0.72
 
 
 def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
-    """Keep the parts of a skin whose values rise above a faint share of a limit.
+    """Return the parts of a skin whose contact pressure exceeds a small share of a limit.
 
-    Walls that press each other lie in the same place, so that which is seen first changes from sample to sample. So
-    what faces the eye comes by itself, to be shown before what is averted.
+    Walls in contact lie in the same place, so rounding would decide for each sample which of them is in front. The
+    triangles that face the eye are therefore a part of their own, drawn in front of those that face away.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
     Returns
     -------
     tuple of Skin
-        What is averted from the eye, then what faces it; left out where there is none.
+        Triangles that face away from the eye, then those that face it; an empty part is left out.
     """
     kept = skin.values[skin.triangles].max(axis=1) > FAINT * limit
     a, b, c = (skin.points[skin.triangles[:, k]] for k in range(3))
@@ -46,7 +46,7 @@ def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
 
 
 def values_seen(skin: Skin, hits: Hits, limit: float) -> Array:
-    """Values that the samples see of a skin, (h, w); zero where they see nothing of it or the value is faint."""
+    """Return the value of the skin in each sample, (h, w); zero where there is no skin or the value is small."""
     out = np.zeros(hits.triangle.shape)
     seen = hits.triangle >= 0
     corners = skin.values[skin.triangles[hits.triangle[seen]]]
@@ -55,14 +55,14 @@ def values_seen(skin: Skin, hits: Hits, limit: float) -> Array:
 
 
 def laid_over(below: tuple[Array, Array], above: tuple[Array, Array], thin: float) -> tuple[Array, Array]:
-    """Lay patches over others; where they lie in the same place, as walls do that press each other, the larger counts.
+    """Composite two layers of patches; where both lie in the same place (walls in contact), the larger value counts.
 
     Parameters
     ----------
     below, above : ((h, w) array [Pa], (h, w) array [m])
-        Pressures that the samples see, zero for none, and how far away.
+        Pressure in each sample, zero for none, and its distance from the eye.
     thin : float [m]
-        What differs less in distance lies in the same place.
+        Layers closer than this lie in the same place.
 
     Returns
     -------
@@ -74,16 +74,16 @@ def laid_over(below: tuple[Array, Array], above: tuple[Array, Array], thin: floa
 
 
 def draw_patches(image: Bytes, value: Array, behind: NDArray[np.bool_], colors: Colormap, limit: float) -> None:
-    """Color patches without light or shadow, so that a color means one pressure; paler where something is before them.
+    """Draw patches without shading, so that a color means one pressure; patches behind the actuator are paler.
 
     Parameters
     ----------
     image : (h, w, 3) array
         Changed in place.
     value : (h, w) array [Pa]
-        Pressures that the samples see.
+        Pressure in each sample.
     behind : (h, w) array
-        Samples where the actuator is before what touches.
+        Samples where the actuator hides the patch.
     colors : Colormap
     limit : float [Pa]
         Upper end of the colors.

@@ -1,4 +1,4 @@
-"""Threads in pictures: thin lines on the skin, where nothing hides them."""
+"""Threads in pictures: thin lines on the visible part of the skin."""
 
 from collections.abc import Sequence
 
@@ -8,19 +8,19 @@ from numpy.typing import NDArray
 from turgor.results.pictures.raycast import Hits, Raster, Scene
 from turgor.results.pictures.shading import DEPTH_JUMP, INK, Bytes, Mask, thickened
 
-#: How much of the picture a thread covers.
+#: Opacity of a thread.
 OPACITY = 0.7
 
 
 def visible_threads(scene: Scene, hits: Hits, raster: Raster, threads: Sequence[NDArray[np.float64]]) -> Mask:
-    """Samples of a raster that see a thread on the skin, or a little below it.
+    """Return the samples of a raster in which a thread is visible, on the skin or a little below it.
 
     Parameters
     ----------
     scene : Scene
         The skin.
     hits : Hits
-        What the samples see of it.
+        First hit of each ray.
     raster : Raster
         The samples.
     threads : sequence of (k, 3) arrays [m]

@@ -24,14 +24,14 @@ from turgor.results.pictures.state_picture import FOOT, HEAD, draw_axes
 
 Array = NDArray[np.float64]
 
-#: Colors of the shapes 0, 0.2, 0.4 and from 0.6: flat cells are seen at once, good ones have the color of rubber.
+#: Colors of the cell shapes 0, 0.2, 0.4 and from 0.6: flat cells stand out, good ones have the color of rubber.
 SHAPES = ("#a8202a", "#e07b39", "#f3d78b", RUBBER)
 WORST_GOOD = 0.6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _AtRest:
-    """What a skin needs of a state, for a mesh that has none."""
+    """An undeformed mesh with the attributes of a state that a skin needs."""
 
     mesh: Mesh
     facts: MeshFacts = field(init=False)
@@ -45,7 +45,7 @@ class _AtRest:
 
 
 def write_mesh_picture(path: str | Path, mesh: Mesh, title: str = "", width: int = 1600) -> None:
-    """Draw the cells of the whole actuator: their edges, colored by the mean-ratio shape of the cells.
+    """Draw the cells of the whole actuator with their edges, colored by their mean-ratio shape.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def write_mesh_picture(path: str | Path, mesh: Mesh, title: str = "", width: int
 
 
 def _cell_skin(mesh: Mesh) -> Skin:
-    """The skin with a patch, and one value, for the side of each cell."""
+    """Skin in which the side of each cell is a patch with one value."""
     triangles, _ = drawn_triangles(mesh)
     skin = visible_skin(_AtRest(mesh=mesh), np.zeros(len(mesh.points)))
     copies = mesh.symmetry_factor
@@ -85,7 +85,7 @@ def _cell_skin(mesh: Mesh) -> Skin:
 
 
 def _shapes_behind(mesh: Mesh, triangles: NDArray[np.int64]) -> Array:
-    """Shape of the cell that each outer triangle belongs to."""
+    """Shape of the cell of each outer triangle."""
     sides = mesh.cells[:, np.array(mesh.cell_type.sides)]
     owner = np.repeat(np.arange(len(mesh.cells)), sides.shape[1] * len(mesh.cell_type.side.triangles))
     keys = corner_keys(six_node_triangles(sides.reshape(-1, sides.shape[2])), len(mesh.points))
@@ -99,7 +99,7 @@ def _colors() -> Colormap:
 
 
 def _page(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
-    """Put picture, title, colors and axes on one page."""
+    """Figure with picture, title, color bar and axes."""
     width, height = picture.shape[1], picture.shape[0] + HEAD + FOOT
     figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
     FigureCanvasAgg(figure)

@@ -10,23 +10,23 @@ from turgor.model.obstacles import Box, Cylinder, Plane, RigidSurface, Shape, Sp
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Straight pieces around a circle.
+#: Segments of a circle.
 AROUND = 96
 
-#: What has no end is drawn this much larger than the actuator, on each side.
+#: Margin on each side by which infinite shapes exceed the actuator, as a share of its size.
 BEYOND = 0.15
 
 
 def outline(shape: Shape, place: Array, extent: Array) -> tuple[Array, Ints]:
-    """Cover the surface of an obstacle with triangles.
+    """Triangulate the surface of an obstacle.
 
-    Planes and endless cylinders are cut where the actuator ends, a little beyond its extent.
+    Planes and infinite cylinders end a little beyond the extent of the actuator.
 
     Parameters
     ----------
     shape : Plane, Sphere, Cylinder, Box or RigidSurface
     place : (3,) array [m]
-        How far it has moved.
+        Displacement of the obstacle.
     extent : (2, 3) array [m]
         Least and greatest coordinates of the actuator.
 
@@ -61,7 +61,7 @@ def outline(shape: Shape, place: Array, extent: Array) -> tuple[Array, Ints]:
 
 
 def _frame(direction: Array) -> tuple[Array, Array]:
-    """Two unit vectors across a direction, the first along x, y or z as nearly as can be."""
+    """Two unit vectors perpendicular to a direction; the first lies as close to x, y or z as possible."""
     first = np.eye(3)[np.abs(direction).argmin()]
     first = first - (first @ direction) * direction
     first /= np.linalg.norm(first)
@@ -81,7 +81,7 @@ def _patch(shape: Plane, place: Array, extent: Array) -> tuple[Array, Ints]:
 
 
 def _bar(shape: Cylinder, place: Array, extent: Array) -> tuple[Array, Ints]:
-    """A cylinder with flat ends; an endless one ends beyond the actuator."""
+    """A cylinder with flat ends; an infinite one ends beyond the actuator."""
     axis, center = np.array(shape.axis), np.array(shape.center)
     if shape.length is None:
         along = (np.array(list(product(*extent.T))) - center - place) @ axis
@@ -103,7 +103,7 @@ def _bar(shape: Cylinder, place: Array, extent: Array) -> tuple[Array, Ints]:
 
 
 def _ball(half: Array, radius: float) -> tuple[Array, Ints]:
-    """A block of half lengths ``half`` whose edges have a radius; a sphere where all of them are the radius."""
+    """A block of half lengths ``half`` with rounded edges; a sphere if each half length equals the radius."""
     core = half - radius
     angles = np.tan(np.linspace(-np.pi / 4, np.pi / 4, AROUND // 4 + 1))
     points, triangles, count = [], [], 0
@@ -126,13 +126,13 @@ def _ball(half: Array, radius: float) -> tuple[Array, Ints]:
 
 
 def _lines(core: float, radius: float, angles: Array) -> Array:
-    """Coordinates of the lines of a grid over one side of a block: ends of the flat part, equal angles beyond them."""
+    """Grid coordinates over one side of a block: the ends of the flat part, and equal angles over the rounded edges."""
     upper = core + radius * angles[angles >= 0]
     return np.unique(np.concatenate([-upper, upper]).round(12)) if radius > 0 else np.array([-core, core])
 
 
 def _welded(points: Array, triangles: Ints) -> tuple[Array, Ints]:
-    """Join points at the same place, so that normals go on over seams; drop triangles that vanish."""
+    """Merge coincident points, so that normals are continuous over seams, and drop triangles without area."""
     fine = 1e-9 * float(np.abs(points).max())
     _, first, same = np.unique((points / fine / 100).round(), axis=0, return_index=True, return_inverse=True)
     triangles = same.ravel()[triangles]

@@ -1,4 +1,4 @@
-"""Obstacles in pictures: gray, half transparent bodies."""
+"""Obstacles in pictures: gray, translucent bodies."""
 
 from collections.abc import Mapping
 
@@ -17,7 +17,7 @@ from turgor.results.pictures.skin import EDGE_ANGLE, Skin, with_image
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Color of obstacles and of their edges, and how much of what is behind them they hide.
+#: Color of obstacles, color of their edges, and their opacity.
 GRAY, EDGE = (124, 135, 149), (100, 109, 120)
 VEIL = 0.45
 
@@ -32,7 +32,7 @@ def obstacle_skin(at: StateFields, extents: Mapping[str, Array]) -> Skin | None:
     ----------
     at : StateFields
     extents : mapping of str to (2, 3) array [m]
-        The room that the actuator and its faces take, see `turgor.results.fields.contact.extents_of`.
+        Bounding boxes of the actuator and its faces, see `turgor.results.fields.contact.extents_of`.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def obstacle_skin(at: StateFields, extents: Mapping[str, Array]) -> Skin | None:
 
 
 def _skin(points: Array, triangles: Ints) -> Skin:
-    """Normals and patches of a surface of flat triangles, smooth but for sharp edges."""
+    """Skin of a surface of flat triangles, with smooth normals except at sharp edges."""
     corners = points[triangles]
     twice = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     flat = twice / np.maximum(np.linalg.norm(twice, axis=1, keepdims=True), 1e-30)
@@ -60,7 +60,7 @@ def _skin(points: Array, triangles: Ints) -> Skin:
     size = len(triangles)
     graph = coo_array((np.ones(int(smooth.sum())), (a[smooth], b[smooth])), shape=(size, size))
     patch = connected_components(graph, directed=False)[1].astype(np.int64)
-    # a corner for each patch that meets at a point, so that normals jump at sharp edges only
+    # a point has one copy for each patch that meets there, so that normals jump at sharp edges only
     key, corner = np.unique(patch[:, None] * len(points) + triangles, return_inverse=True)
     corner = corner.reshape(triangles.shape)
     normals = np.zeros((len(key), 3))
@@ -84,7 +84,7 @@ def _own_image(skin: Skin, plane: MirrorPlane) -> bool:
 
 
 def joined(skins: list[Skin]) -> Skin:
-    """Put skins together into one, patches kept apart."""
+    """Concatenate skins into one, with separate patch numbers."""
     starts = np.cumsum([0, *(len(skin.points) for skin in skins)])
     numbers = np.cumsum([0, *(int(skin.patch.max()) + 1 for skin in skins)])
     return Skin(
@@ -97,7 +97,7 @@ def joined(skins: list[Skin]) -> Skin:
 
 
 def draw_obstacles(image: Bytes, skin: Skin, hits: Hits, nearer: NDArray[np.bool_], eye: Camera, width: float) -> None:
-    """Lay obstacles over an image where they are nearer than what is drawn there.
+    """Blend obstacles into an image where they are in front.
 
     Parameters
     ----------
@@ -106,9 +106,9 @@ def draw_obstacles(image: Bytes, skin: Skin, hits: Hits, nearer: NDArray[np.bool
     skin : Skin
         The obstacles.
     hits : Hits
-        What the samples see of them.
+        First hit of each ray on them.
     nearer : (h, w) array
-        Samples where nothing hides them.
+        Samples in which they are in front.
     eye : Camera
     width : float
         Width of their outlines in samples.

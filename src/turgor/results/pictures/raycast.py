@@ -1,6 +1,6 @@
-"""Parallel rays cast at a skin: what is seen in each sample of a picture, and how open the surface is to the sky.
+"""Ray casting with parallel rays: the visible triangle in each sample of a picture, and ambient occlusion.
 
-Embree does it on any machine; VTK would need a graphics library that a bare machine does not have.
+Embree runs on any machine; VTK would need a graphics library, which servers and containers often lack.
 """
 
 from dataclasses import dataclass
@@ -15,16 +15,16 @@ from turgor.results.pictures.skin import Skin
 
 Array = NDArray[np.float64]
 
-#: Side of the tiles, in samples, that are skipped where no triangle comes near.
+#: Side of a tile in samples; tiles without triangles nearby are skipped.
 TILE = 16
 
-#: Rays a point sends out to see how much of the sky is hidden from it.
+#: Rays per point for the ambient occlusion.
 SKY_RAYS = 32
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Camera:
-    """Parallel projection.
+    """Camera of a parallel projection.
 
     Parameters
     ----------
@@ -37,12 +37,12 @@ class Camera:
     forward: Array
 
     def project(self, points: Array) -> Array:
-        """Picture coordinates and depth of points, (p, 3) [m]."""
+        """Return picture coordinates and depth of points, (p, 3) [m]."""
         return points @ np.stack([self.right, self.up, self.forward], axis=1)
 
 
 def camera(azimuth: float, elevation: float) -> Camera:
-    """Camera that looks along +y, walked around by ``azimuth`` to see the tip, raised by ``elevation`` [rad]."""
+    """Return a camera that looks along +y, turned by ``azimuth`` towards the tip and raised by ``elevation`` [rad]."""
     ca, sa, ce, se = np.cos(azimuth), np.sin(azimuth), np.cos(elevation), np.sin(elevation)
     right = np.array([ca, sa, 0.0])
     forward = np.array([-sa * ce, ca * ce, -se])
@@ -51,7 +51,7 @@ def camera(azimuth: float, elevation: float) -> Camera:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Raster:
-    """Part of the picture plane, cut into samples; rows count downwards.
+    """Rectangle of the picture plane, divided into samples; rows count downwards.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ class Raster:
     step : float [m]
         Distance of samples.
     rows, columns : int
-        How many there are.
+        Number of samples.
     """
 
     left: float
@@ -78,16 +78,16 @@ class Raster:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Hits:
-    """What the samples of a raster see.
+    """First hit of the ray of each sample.
 
     Parameters
     ----------
     triangle : (h, w) int array
-        Triangle seen, -1 where there is none.
+        Triangle that is hit, -1 for none.
     depth : (h, w) array [m]
-        Distance along the view, zero where nothing is seen.
+        Distance along the ray, zero where it hits nothing.
     u, v : (k,) arrays
-        Barycentric coordinates of the second and third corner, for the samples that see a triangle, in order.
+        Barycentric coordinates of the second and third corner, for the k samples that hit a triangle, in order.
     """
 
     triangle: NDArray[np.int32]
@@ -97,7 +97,7 @@ class Hits:
 
 
 class Scene:
-    """A skin before a camera; lengths are scaled to about one, since Embree computes in single precision."""
+    """A skin in front of a camera, scaled to a size of about one because Embree computes in single precision."""
 
     def __init__(self, skin: Skin, eye: Camera) -> None:
         self.skin, self.eye = skin, eye
@@ -110,7 +110,7 @@ class Scene:
         return np.ascontiguousarray((points - self._center) / self._size, dtype=np.float32)
 
     def look(self, raster: Raster, near: NDArray[np.bool_]) -> Hits:
-        """Cast a ray through the middle of each sample of a raster where something is near (see `near`)."""
+        """Cast a ray through the center of each sample that a triangle may cover (see `near`)."""
         rows, columns = np.nonzero(near)
         across = (raster.left + (columns + 0.5) * raster.step - self._center @ self.eye.right) / self._size
         upward = (raster.top - (rows + 0.5) * raster.step - self._center @ self.eye.up) / self._size
@@ -127,20 +127,20 @@ class Scene:
         return Hits(triangle=triangle, depth=depth, u=found["u"][seen], v=found["v"][seen])
 
     def depth(self, points: Array) -> Array:
-        """Distance along the view at which a ray would meet points, (p,) [m], to compare with that of `Hits`."""
+        """Return the distance along the view of points, (p,) [m], to compare with that of `Hits`."""
         return np.asarray((points - self._center) @ self.eye.forward + 2 * self._size)
 
     def distance(self, hits: Hits) -> Array:
-        """Place along the view of what was hit, (h, w) [m], to compare scenes with each other."""
+        """Return the position of the hits along the view, (h, w) [m], which can be compared between scenes."""
         return np.asarray(hits.depth + self._center @ self.eye.forward - 2 * self._size)
 
     @property
     def size(self) -> float:
-        """Longest side of the box around the skin [m]."""
+        """Longest side of the bounding box of the skin [m]."""
         return self._size
 
     def near(self, raster: Raster) -> NDArray[np.bool_]:
-        """Samples that a triangle may cover, (rows, columns), tile by tile; the others see nothing and need no ray."""
+        """Return the samples that a triangle may cover, (rows, columns), tile by tile; the others need no ray."""
         flat = self.eye.project(self.skin.points)[:, :2][self.skin.triangles]
         tile = max(TILE, int(np.ceil(np.ptp(flat, axis=1).max() / raster.step)))
         down, aside = -(-raster.rows // tile), -(-raster.columns // tile)
@@ -148,14 +148,14 @@ class Scene:
         column = np.floor((corners[:, 0] - raster.left) / raster.step / tile).astype(int)
         row = np.floor((raster.top - corners[:, 1]) / raster.step / tile).astype(int)
         near = np.zeros((down + 2, aside + 2), dtype=bool)
-        for i in (0, 1, 2):  # a triangle is no larger than a tile: it ends in a neighbor of its corners' tiles
+        for i in (0, 1, 2):  # a triangle is no larger than a tile, so it covers only tiles next to those of its corners
             for j in (0, 1, 2):
                 near[np.clip(row + i, 0, down + 1), np.clip(column + j, 0, aside + 1)] = True
         near = np.repeat(np.repeat(near[1:-1, 1:-1], tile, axis=0), tile, axis=1)
         return near[: raster.rows, : raster.columns]
 
     def openness(self, reach: float) -> Array:
-        """Share of the sky above each point of the skin that nothing hides within ``reach`` [m], (p,)."""
+        """Return the ambient occlusion: the free share of the sky above each point within ``reach`` [m], (p,)."""
         normals, count = self.skin.normals, len(self.skin.points)
         tangent = np.cross(normals, np.where(np.abs(normals[:, :1]) < 0.7, [[1.0, 0, 0]], [[0, 1.0, 0]]))
         tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
@@ -170,7 +170,7 @@ class Scene:
 
 
 def _cosine_directions(count: int) -> Array:
-    """Directions over a hemisphere, as dense as the cosine to its pole: a golden spiral, (count, 3)."""
+    """Directions over a hemisphere with cosine-weighted density, on a golden spiral, (count, 3)."""
     k = np.arange(count) + 0.5
     radius, angle = np.sqrt(k / count), np.pi * (3 - np.sqrt(5)) * k
     return np.stack([radius * np.cos(angle), radius * np.sin(angle), np.sqrt(1 - radius**2)], axis=1)

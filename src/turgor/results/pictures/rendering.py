@@ -1,4 +1,4 @@
-"""Rendering: the skin of an actuator, and what is beside it, before the camera of a view."""
+"""Rendering of a view: the skin of an actuator with threads, obstacles and contact patches."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -18,47 +18,47 @@ from turgor.units import deg
 
 Array = NDArray[np.float64]
 
-#: Samples along each side of a pixel.
+#: Samples along each side of a pixel (supersampling).
 SAMPLES = 2
 
-#: Rows of pixels that are drawn at a time.
+#: Rows of pixels that are rendered together.
 BAND = 96
 
-#: Direction of the eye; in pictures by contact pressure walls that meet between chambers are seen from further aside.
+#: Direction of the eye. Pictures of contact pressure look further from the side, where walls between chambers show.
 FRONT, ASIDE = 20 * deg, 40 * deg
 
-#: Pixels around the actuator.
+#: Margin around the actuator in pixels.
 MARGIN = 50
 
-#: Walls that are nearer to each other than this share of the size of the actuator touch in pictures.
+#: Walls closer to each other than this share of the size of the actuator count as touching in pictures.
 THIN = 0.02
 
-#: Points hide each other's sky within this share of the size of the actuator.
+#: Reach of the ambient occlusion, as a share of the size of the actuator.
 SKY_REACH = 0.12
 
-#: Obstacles are shown as far as this share of the size of the actuator beyond it.
+#: Margin around the actuator in which obstacles are shown, as a share of its size.
 AROUND = 0.3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class View:
-    """What several pictures share, so that they can be compared: direction, scale and colors.
+    """Direction, scale and colors that several pictures share, so that they can be compared.
 
     Parameters
     ----------
     azimuth, elevation : float [rad]
-        Direction of the eye: turned around z from looking along +y, raised above the horizon.
+        Direction of the eye: angle around z from looking along +y, and angle above the horizon.
     left, right : float [m]
-        Part of the picture plane that all pictures show, from side to side; top and bottom follow the actuator.
+        Horizontal limits of all pictures; top and bottom follow the actuator.
     limit : float [Pa]
         Value at the upper end of the colors.
     width : int
         Width of the pictures in pixels.
     color_by : str
-        ``"von_mises"``, or ``"contact_pressure"``: what touches is then seen through the actuator.
+        ``"von_mises"``, or ``"contact_pressure"``, which is visible through the actuator.
     extents : mapping of str to (2, 3) array [m]
-        Least and greatest coordinates of the actuator, and of faces that obstacles are meant for; obstacles without an
-        end are drawn a little beyond these.
+        Smallest and largest coordinates of the actuator, and of faces that obstacles are meant for. Infinite obstacles
+        end a little beyond these.
     """
 
     azimuth: float = FRONT
@@ -77,12 +77,12 @@ class View:
 
     @property
     def pixel(self) -> float:
-        """Length that a pixel shows [m]."""
+        """Side length of a pixel [m]."""
         return (self.right - self.left) / (self.width - 2 * MARGIN)
 
 
 def frame(skins: Sequence[Skin], obstacles: Skin | None, eye: Camera) -> tuple[Array, Array]:
-    """Lower left and upper right corner of what a picture shows: skins whole, of obstacles what is near them."""
+    """Return the lower left and upper right corner of a picture: all of the skins, and obstacles near them."""
     flat = np.concatenate([eye.project(skin.points)[:, :2] for skin in skins])
     low, high = flat.min(axis=0), flat.max(axis=0)
     if obstacles is not None:
@@ -95,7 +95,7 @@ def frame(skins: Sequence[Skin], obstacles: Skin | None, eye: Camera) -> tuple[A
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Beside:
-    """What a picture shows besides the actuator.
+    """Threads, obstacles and contact patches that a picture shows besides the actuator.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ class Beside:
     obstacles : Skin or None
         Gray bodies.
     patches : tuple of Skin
-        Parts of the surface that touch something, seen through the actuator; see
+        Parts of the surface in contact, visible through the actuator; see
         `turgor.results.pictures.contact_patches`.
     """
 
@@ -116,7 +116,7 @@ class Beside:
 def render(
     skins: list[Skin], view: View, colors: Colormap | None = None, beside: Beside | None = None
 ) -> NDArray[np.uint8]:
-    """Image of the first skin with the lines of the others behind it, and of what is beside them, (h, w, 3)."""
+    """Return the image of the first skin, with the outlines of the others behind it and all beside it, (h, w, 3)."""
     beside = beside or Beside()
     low, high = frame(skins, beside.obstacles, view.eye)
     rows = int(np.ceil((high[1] - low[1]) / view.pixel)) + MARGIN
@@ -129,7 +129,7 @@ def render(
     sky = scenes[0].openness(SKY_REACH * float(np.ptp(skins[0].points, axis=0).max()))
     look = Look(colors=colors or color_map(view.color_by), limit=view.limit, openness=sky)
     image = np.empty((rows, view.width, 3), dtype=np.uint8)
-    for start in range(0, rows, BAND):  # in bands, so that memory stays small; lines need the rows next to a band
+    for start in range(0, rows, BAND):  # rendered in bands to save memory; lines need the rows next to a band
         first, last = max(start - 2, 0), min(start + BAND + 2, rows)
         samples = slice(first * SAMPLES, last * SAMPLES)
         band = raster.band(samples.start, samples.stop)
@@ -143,7 +143,7 @@ def render(
 
 
 class _Others:
-    """Obstacles and patches before the camera of a view."""
+    """Obstacles and patches in front of the camera of a view."""
 
     def __init__(self, beside: Beside, view: View, raster: Raster) -> None:
         def scene(skin: Skin) -> tuple[Scene, NDArray[np.bool_]]:
@@ -155,7 +155,7 @@ class _Others:
         self._patches = [scene(skin) for skin in beside.patches]
 
     def draw(self, image: NDArray[np.uint8], band: Raster, rows: slice, distance: Array) -> None:
-        """Lay them over a band of the image; ``distance`` is that of the actuator, infinite beside it."""
+        """Blend them into a band of the image; ``distance`` is that of the actuator, infinite where it is absent."""
         if self._obstacles is not None:
             scene, near = self._obstacles
             hits = scene.look(band, near[rows])
@@ -173,7 +173,7 @@ class _Others:
 
 
 def _draw(scenes: list[Scene], hits: list[Hits], look: Look) -> NDArray[np.uint8]:
-    """Paint the first skin, and lines: its own, and those of the others where it does not hide them."""
+    """Paint the first skin with its lines, and the visible lines of the others."""
     front = scenes[0]
     image = paint(front.skin, hits[0], front.eye, look)
     free = hits[0].triangle < 0

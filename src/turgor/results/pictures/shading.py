@@ -1,4 +1,4 @@
-"""Shading: colors, light and lines of what the samples of a picture see."""
+"""Shading: color, light and outlines of the visible surface."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -17,13 +17,13 @@ INK = (38, 43, 52)
 GHOST = (176, 182, 190)
 PAPER = (255, 255, 255)
 
-#: How much of the light comes from the lamp at the upper left; the rest is sky, dimmed where little of it is seen.
+#: Share of the light from the lamp at the upper left; the rest is ambient light, reduced by the ambient occlusion.
 LAMP = 0.45
 LAMP_PLACE = (-0.45, 0.75, -0.65)
 HIGHLIGHT = 0.10
 BRIGHTNESS = 1.12
 
-#: A jump in depth of more than this share of the size of the body is an edge in front of something behind it.
+#: A jump in depth of more than this share of the size of the body is an edge.
 DEPTH_JUMP = 0.006
 
 GAMMA = 2.2
@@ -31,7 +31,7 @@ GAMMA = 2.2
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Look:
-    """How values become colors.
+    """Color map and lighting of a skin.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class Look:
     limit : float
         Value at the upper end of the colors; the lower end is zero.
     openness : (p,) array
-        Share of the sky that each point of the skin sees.
+        Ambient occlusion of each point of the skin: 1 is free, 0 is covered.
     """
 
     colors: Colormap
@@ -48,7 +48,7 @@ class Look:
 
 
 def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
-    """Color every sample, (h, w, 3): the field's color under a lamp and a sky; white where nothing is seen."""
+    """Return the color of every sample, (h, w, 3): that of the field under lamp and ambient light, white beside it."""
     image = np.full((*hits.triangle.shape, 3), PAPER, dtype=np.uint8)
     seen = hits.triangle >= 0
     fields = np.column_stack([skin.values, look.openness, skin.normals]).astype(np.float32)
@@ -78,7 +78,7 @@ def _unit(vector: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def find_lines(skin: Skin, hits: Hits) -> tuple[Mask, Mask]:
-    """Samples on the outline of the body, and samples on edges within it."""
+    """Return the samples on the outline of the body, and those on edges within it."""
     patch = np.where(hits.triangle >= 0, skin.patch.astype(np.int32)[hits.triangle], -1)
     jump = DEPTH_JUMP * float(np.ptp(skin.points, axis=0).max())
     outline, inner = np.zeros(patch.shape, dtype=bool), np.zeros(patch.shape, dtype=bool)
@@ -86,7 +86,7 @@ def find_lines(skin: Skin, hits: Hits) -> tuple[Mask, Mask]:
         here, there = _but_last(patch, axis), _but_first(patch, axis)
         change, covered = here != there, (here >= 0) & (there >= 0)
         slope = np.diff(hits.depth, axis=axis)
-        # from one pair of samples to the next the slope changes little where the surface is smooth, however steep
+        # on a smooth surface, however steep, the slope changes little from one pair of samples to the next
         step = np.abs(_but_first(slope, axis) - _but_last(slope, axis)) > jump
         _mark(outline, change & ~covered, axis)
         _mark(inner, change & covered, axis)
@@ -118,7 +118,7 @@ def draw_lines(image: Bytes, lines: tuple[Mask, Mask], ink: tuple[int, int, int]
 
 
 def thickened(mask: Mask, radius: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Rows and columns of the samples within a radius of those that are set, each once."""
+    """Return rows and columns of all samples within a radius of those that are set, each once."""
     rows, columns = np.nonzero(mask)
     reach = int(np.ceil(radius))
     wide = np.zeros(mask.shape, dtype=bool)

@@ -20,18 +20,18 @@ from turgor.units import deg
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Surfaces that meet at more than this angle in the undeformed actuator have an edge between them.
+#: Surfaces that meet at more than this angle in the undeformed actuator have a sharp edge between them.
 EDGE_ANGLE = 30 * deg
 
-#: Parts into which each side of a six-node triangle is cut, so that curved faces look curved.
+#: Number of parts of each side of a six-node triangle, so that curved faces look curved.
 PARTS = 4
 
-#: Beyond this many flat triangles the sides are cut in two instead: the mesh is fine enough by itself.
+#: Beyond this many flat triangles the sides are cut into two parts only, because the mesh is fine enough.
 MANY = 150_000
 
 
 class Drawn(Protocol):
-    """What is drawn: a state, or a mesh by itself."""
+    """Interface of what can be drawn: a state, or an undeformed mesh."""
 
     @property
     def mesh(self) -> Mesh:
@@ -48,7 +48,7 @@ class Drawn(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Skin:
-    """Flat triangles with normals, values and the smooth patch they belong to.
+    """Flat triangles with normals, values and the number of their smooth patch.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
     at : Drawn
         The state.
     values : (n,) or (d,) array
-        Values at the nodes of the mesh, or at those of its regions: each triangle has those of the region behind it.
+        Values at the nodes of the mesh, or at those of its regions; a triangle takes those of the region behind it.
     """
     mesh = at.mesh
     triangles, region = drawn_triangles(mesh)
@@ -104,7 +104,7 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
     skin = Skin(
         points=np.einsum("qa,fai->fqi", N, at.points[triangles]).reshape(-1, 3),
         normals=fine_normals,
-        values=np.clip(fine_values, low, high).ravel(),  # a quadratic overshoots between its nodes
+        values=np.clip(fine_values, low, high).ravel(),  # a quadratic interpolation overshoots between its nodes
         triangles=(pieces + count * np.arange(len(triangles))[:, None, None]).reshape(-1, 3),
         patch=np.repeat(patch, len(pieces)),
     )
@@ -114,7 +114,7 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
 
 
 def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
-    """Outer triangles that lie on no mirror plane, and the number of the region behind each."""
+    """Return the outer triangles that lie on no mirror plane, and the number of the region behind each."""
     triangles = six_node_triangles(outer_triangles(mesh))
     count = len(mesh.points)
     for name in mesh.symmetry_faces:
@@ -124,15 +124,15 @@ def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
     touching = np.zeros((len(mesh.regions), count), dtype=bool)
     for number, cells in enumerate(mesh.regions.values()):
         touching[number, mesh.cells[cells]] = True
-    # of the regions that touch all six nodes only one owns the triangle; the other could touch them by an edge at most
+    # only one of the regions that hold all six nodes owns the triangle
     return triangles, touching[:, triangles].all(axis=2).argmax(axis=0)
 
 
 def _smooth_patches(points: Array, triangles: Ints) -> Ints:
-    """Number the patches of triangles that are joined by edges without a sharp bend, (f,)."""
+    """Number of the smooth patch of each triangle, (f,); patches end at sharp edges."""
     edges = np.concatenate([triangles[:, [a, b]] for a, b in TRIANGLE_EDGES])
     owner = np.tile(np.arange(len(triangles)), 3)
-    # normals in the middle of each side, where two curved neighbors of one smooth face agree
+    # normals at the midside nodes, where two curved triangles of one smooth face agree
     normals = _unit_normals(points, triangles)[:, 3:].transpose(1, 0, 2).reshape(-1, 3)
     key = np.sort(edges, axis=1)
     order = np.lexsort((key[:, 1], key[:, 0]))
@@ -162,7 +162,7 @@ def _nodal_normals(at: Drawn, triangles: Ints, patch: Ints) -> Array:
     normals = total[group].reshape(own.shape)
     for face, plane in zip(at.mesh.symmetry_faces, at.facts.mirrors, strict=True):
         on_plane = np.isin(triangles, at.mesh.face_nodes(face))
-        normals[on_plane, plane.axis] = 0.0  # the surface goes on smoothly into its mirror image
+        normals[on_plane, plane.axis] = 0.0  # the surface continues smoothly into its mirror image
     return normals / np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-30)
 
 

@@ -30,20 +30,20 @@ from turgor.units import deg, kPa, mm
 
 Array = NDArray[np.float64]
 
-#: Pixels above the actuator for the title, and below it for the colors.
+#: Pixels above the actuator for the title, and below it for the color bar.
 HEAD, FOOT = 90, 140
 
 
 def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_by: str = VON_MISES) -> View:
-    """Choose a view that shows all states whole, at the same scale and with the same colors.
+    """Choose a view that shows all states completely, at the same scale and with the same colors.
 
-    The bar of colors ends at the largest `von_mises_p99` of the states, the stress below which 99 % of the volume lie,
-    or at the contact pressure below which 99 % of the area that touches lie. Beyond it the last color is used.
+    The color bar ends at the largest `von_mises_p99` of the states (99 % of the volume have a smaller stress), or at
+    the 99th percentile of the contact pressure over the contact area. Larger values have the last color.
 
     Parameters
     ----------
     states : sequence of State or StateFields
-        What will be shown; usually the undeformed and the last state.
+        States of the pictures, usually the undeformed and the last one.
     width : int
         Width of the pictures in pixels, 400 or more.
     color_by : str
@@ -83,7 +83,7 @@ def write_picture(
 ) -> None:
     """Draw a state of the whole actuator at true scale, colored by von Mises stress or by contact pressure.
 
-    Obstacles are drawn as gray bodies that let through what is behind them.
+    Obstacles are drawn as translucent gray bodies.
 
     Parameters
     ----------
@@ -93,11 +93,11 @@ def write_picture(
         What to draw; a half or quarter model is mirrored.
     view : View
         Direction, scale and colors; made for this state (and the ghost) if it is not given. One made by
-        ``shared_view(states, color_by="contact_pressure")`` gives a picture of what touches.
+        ``shared_view(states, color_by="contact_pressure")`` gives a picture of the contact pressure.
     title : str
         Line above the actuator, see `picture_title`.
     ghost : State or StateFields
-        A state whose outline is drawn behind it, usually the undeformed one.
+        State whose outline is drawn behind the actuator, usually the undeformed one.
     """
     at = _fields(state)
     shown = [at] if ghost is None else [at, _fields(ghost)]
@@ -116,7 +116,7 @@ def write_picture(
 
 
 def picture_title(response: Response, row: int = -1, name: str = "") -> str:
-    """Title of a picture from a row of the response: name, stage, pressure and bending angle where they are known.
+    """Return the title of a picture from a row of the response: name, stage, pressure and bending angle if known.
 
     Examples
     --------
@@ -144,14 +144,14 @@ def _fields(state: State | StateFields) -> StateFields:
 
 
 def _pressed(skin: Skin) -> float:
-    """Pressure that 99 % of the area that touches stay below; zero where nothing touches."""
+    """99th percentile of the contact pressure over the contact area; zero without contact."""
     values = skin.values[skin.triangles].mean(axis=1)
     on = values > 0
     return weighted_percentile(values[on], skin.areas[on]) if on.any() else 0.0
 
 
 def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
-    """Put picture, title, colors and axes on one page, pixel by pixel."""
+    """Figure with picture, title, color bar and axes, pixel by pixel."""
     width, height = picture.shape[1], picture.shape[0] + HEAD + FOOT
     figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
     FigureCanvasAgg(figure)
@@ -169,7 +169,7 @@ def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
 
 
 def draw_axes(figure: Figure, view: View) -> None:
-    """Draw x, y and z as they are seen, each as long as a round length at the scale of the picture."""
+    """Draw the axes x, y and z in the view, each with a round length at the scale of the picture."""
     width, height = figure.get_size_inches() * 100
     length = _round_length(72 * view.pixel)
     corner = np.array([width - MARGIN - 1.35 * length / view.pixel, 46.0])
@@ -186,7 +186,7 @@ def draw_axes(figure: Figure, view: View) -> None:
 
 
 def _round_length(about: float) -> float:
-    """The largest of 1, 2, 5, 10 … mm that is not above a length."""
+    """Largest of 1, 2, 5, 10 … mm that does not exceed a length."""
     power = 10.0 ** np.floor(np.log10(about / mm))
     return float(max(step * power for step in (1, 2, 5) if step * power <= about / mm)) * mm
 

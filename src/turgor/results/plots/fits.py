@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.result import Fit
-from turgor.materials.laws.homogeneous import equibiaxial, nominal_stress, planar, simple_shear, uniaxial
+from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.results.plots.response_plots import INK, QUIET
 
 #: Colors that stay apart for color-blind readers (Okabe and Ito), for laws in turn.
@@ -34,7 +34,6 @@ WIDEST = 2.0
 
 #: Crosses of removed points that are drawn at most; thousands would be a bar.
 MOST_CROSSES = 150
-_MODES = {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": planar, "simple_shear": simple_shear}
 
 
 def plot_test(axes: Axes, test: MaterialTest, *, color: str = INK) -> Axes:
@@ -92,7 +91,7 @@ def plot_law(axes: Axes, fit: Fit, mode: str, upto: float, *, color: str) -> Axe
     fitted = (low, max([rest, *(highest for _, highest in ranges)]))
     grid = np.linspace(low, max(upto, fitted[1]), _POINTS)
     component = (0, 1) if mode == "simple_shear" else (0, 0)
-    stress = nominal_stress(fit.law, _MODES[mode](grid))[:, component[0], component[1]] / MPA
+    stress = nominal_stress(fit.law, DEFORMATIONS[mode](grid))[:, component[0], component[1]] / MPA
     inside = (grid >= fitted[0]) & (grid <= fitted[1] * (1 + 1e-9))
     if inside.sum() > 1:
         axes.plot(grid[inside], stress[inside], "-", color=color, lw=1.5, label=fit.spec.name, zorder=4)

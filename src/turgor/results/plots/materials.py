@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.finding import Severity
 from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.laws.homogeneous import equibiaxial, nominal_stress, planar, uniaxial
+from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.doubt_checks import STIFFEST_RUBBER
 from turgor.materials.library.doubts import find_doubts
@@ -24,7 +24,8 @@ from turgor.results.plots.response_plots import INK, QUIET
 
 Array = NDArray[np.float64]
 
-MODES = {"uniaxial": uniaxial, "planar": planar, "equibiaxial": equibiaxial}
+#: Modes that have a panel, in this order.
+MODES = ("uniaxial", "planar", "equibiaxial")
 
 #: Largest stretch where no test says more; stiff parts, which are linear, are drawn to 1 % strain.
 REACH, STIFF_REACH = 4.0, 1.01
@@ -104,7 +105,7 @@ def curve(record: Record, stretch: Array, mode: str = "uniaxial") -> Array | Non
         return None
     if isinstance(law, Hooke):
         return law.E * (stretch - 1) / 1e6 if mode == "uniaxial" else np.full_like(stretch, np.nan)
-    return np.asarray(nominal_stress(law, MODES[mode](stretch))[..., 0, 0] / 1e6)
+    return np.asarray(nominal_stress(law, DEFORMATIONS[mode](stretch))[..., 0, 0] / 1e6)
 
 
 def material_figure(

@@ -1,6 +1,6 @@
 """Arruda and Boyce's law of chains of limited length."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from turgor.errors import TurgorError
@@ -30,7 +30,7 @@ class ArrudaBoyce:
     """
 
     mu: float
-    locking_stretch: float
+    locking_stretch: float = field(metadata={"dimension": "number", "bounds": (1.05, 50.0)})
 
     def __post_init__(self) -> None:
         if not self.locking_stretch > 1:

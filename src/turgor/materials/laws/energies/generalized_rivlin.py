@@ -1,12 +1,13 @@
 """The generalized Rivlin law, a polynomial of any order."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from turgor.errors import TurgorError
 from turgor.materials.laws.common import require_finite, require_positive_shear_modulus
+from turgor.materials.laws.law_spec import LawSpec
 
 _NAME = re.compile(r"C(\d)(\d)")
 
@@ -30,6 +31,8 @@ class GeneralizedRivlin:
 
     coefficients: tuple[tuple[int, int, float], ...]
 
+    series = "rivlin"  # a fit asks for "rivlin-2"
+
     def __post_init__(self) -> None:
         terms = [_term(term) for term in self.coefficients]
         if not terms:
@@ -51,6 +54,16 @@ class GeneralizedRivlin:
         ((1, 0, 100000.0), (5, 0, 2.0))
         """
         return cls(coefficients=tuple(_named(name, value) for name, value in coefficients.items()))
+
+    @classmethod
+    def fit_spec(cls, order: int) -> LawSpec:
+        """Return how a fit makes the law with all terms up to an order."""
+        names = tuple(f"C{total - j}{j}" for total in range(1, order + 1) for j in range(total + 1))
+
+        def make(coefficients: Sequence[float], _: Sequence[float]) -> "GeneralizedRivlin":
+            return cls.from_names(dict(zip(names, map(float, coefficients), strict=True)))
+
+        return LawSpec(name=f"{cls.series}-{order}", coefficients=names, make=make)
 
     def energy(self, I1: Any, I2: Any) -> Any:
         """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 11."""

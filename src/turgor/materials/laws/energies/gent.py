@@ -1,13 +1,19 @@
 """Gent's law of chains of limited length, which stiffens without bound."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from turgor.errors import TurgorError
 from turgor.materials.laws.common import require_finite, require_positive_shear_modulus
+
+
+def _bounds(largest_invariant: float) -> tuple[float, float]:
+    """Bounds of Jm in a fit: the law must not lock at an I₁ that is wanted."""
+    low = 1.001 * (largest_invariant - 3.0)
+    return low, max(1000.0, 100 * low)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,7 +37,7 @@ class Gent:
     """
 
     mu: float
-    Jm: float
+    Jm: float = field(metadata={"dimension": "number", "bounds": _bounds})
 
     def __post_init__(self) -> None:
         require_positive_shear_modulus(self)

@@ -1,6 +1,6 @@
 """Hooke's law, of stiff parts."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from turgor.errors import TurgorError
 
@@ -23,7 +23,7 @@ class Hooke:
     """
 
     E: float
-    nu: float
+    nu: float = field(metadata={"dimension": "number"})
 
     def __post_init__(self) -> None:
         if not self.E > 0:

@@ -24,6 +24,8 @@ class MooneyRivlin:
     C10: float
     C01: float
 
+    max_stretch_hint = 3.0  # Xavier, Fleming and Yong 2021, section 3.2: strains of 200 %
+
     def __post_init__(self) -> None:
         require_positive_shear_modulus(self)
         require_finite(self, (("C10", self.C10), ("C01", self.C01)))

@@ -23,6 +23,8 @@ class NeoHooke:
 
     C10: float
 
+    max_stretch_hint = 1.5  # Xavier, Fleming and Yong 2021, section 3.2: strains of 50 %
+
     def __post_init__(self) -> None:
         require_positive_shear_modulus(self)
         require_finite(self, (("C10", self.C10),))

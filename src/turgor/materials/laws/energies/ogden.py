@@ -1,11 +1,12 @@
 """Ogden's law, in the principal stretches."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from turgor.errors import TurgorError
 from turgor.materials.laws.common import numbers, require_finite, require_positive_shear_modulus
+from turgor.materials.laws.law_spec import LawSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,7 +28,9 @@ class Ogden:
     """
 
     mu: tuple[float, ...]
-    alpha: tuple[float, ...]
+    alpha: tuple[float, ...] = field(metadata={"dimension": "number"})
+
+    series = "ogden"  # a fit asks for "ogden-3"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "mu", numbers(self, "mu", self.mu))
@@ -53,6 +56,22 @@ class Ogden:
         if any(a == 0 for a in alpha):
             raise TurgorError("Ogden: an exponent alpha is 0; it may have any value but 0.")
         return cls(mu=tuple(2 * m / a for m, a in zip(mu, alpha, strict=True)), alpha=tuple(alpha))
+
+    @classmethod
+    def fit_spec(cls, terms: int) -> LawSpec:
+        """Return how a fit makes the law with so many terms."""
+
+        def make(mu: Sequence[float], alpha: Sequence[float]) -> "Ogden":
+            return cls(mu=tuple(map(float, mu)), alpha=tuple(map(float, alpha)))
+
+        return LawSpec(
+            name=f"{cls.series}-{terms}",
+            coefficients=tuple(f"mu{i}" for i in range(1, terms + 1)),
+            shapes=tuple(f"alpha{i}" for i in range(1, terms + 1)),
+            make=make,
+            sign="shape",
+            bounds=(-12.0, 18.0),
+        )
 
     def to_abaqus(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Return the constants μᵢ [Pa] and αᵢ in Abaqus's convention.

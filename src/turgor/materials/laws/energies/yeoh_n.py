@@ -1,9 +1,12 @@
 """Yeoh's law with any number of terms."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from turgor.materials.laws.common import numbers, require_finite, require_positive_shear_modulus
+from turgor.materials.laws.energies.yeoh import Yeoh
+from turgor.materials.laws.law_spec import LawSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,10 +26,25 @@ class YeohN:
 
     coefficients: tuple[float, ...]
 
+    series = "yeoh"  # a fit asks for "yeoh-4"
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "coefficients", numbers(self, "coefficients", self.coefficients))
         require_positive_shear_modulus(self)
         require_finite(self, ((f"C{i}0", value) for i, value in enumerate(self.coefficients, 1)))
+
+    @classmethod
+    def fit_spec(cls, order: int) -> LawSpec:
+        """Return how a fit makes the law with so many terms; up to three it is `Yeoh`."""
+        names = tuple(f"C{i}0" for i in range(1, order + 1))
+
+        def make(coefficients: Sequence[float], _: Sequence[float]) -> "Yeoh | YeohN":
+            values = tuple(map(float, coefficients))
+            if order > 3:
+                return cls(coefficients=values)
+            return Yeoh(**({"C20": 0.0} | dict(zip(names, values, strict=True))))
+
+        return LawSpec(name="yeoh" if order == 3 else f"{cls.series}-{order}", coefficients=names, make=make)
 
     def energy(self, I1: Any, I2: Any) -> Any:
         """Strain energy density [Pa]: Xavier, Fleming and Yong 2021, Eq. 14."""

@@ -1,7 +1,0 @@
-"""Bodies beside the actuator: simple solids, and meshes placed, mirrored and put together."""
-
-from turgor.geometry.solids import Block as Block
-from turgor.geometry.solids import RoundBar as RoundBar
-from turgor.meshing.bodies.combine import together as together
-from turgor.meshing.bodies.placing import mirrored as mirrored
-from turgor.meshing.bodies.placing import placed as placed
