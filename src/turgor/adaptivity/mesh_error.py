@@ -53,9 +53,9 @@ FACTORIZATIONS, FACTORIZATIONS_TOUCHING = 2.5, 15.0
 #: power of the second one; set on the truth set (`docs/truth.md`).
 REMAINDER, CAPTURED_POWER = 1.0, 0.7
 
-#: A measure may differ little between two meshes by accident. The estimate is at least this share of its change from
-#: rest times the relative difference of all displacements, unless it was prescribed: it differs by less than this then.
-FIELD_SHARE, PRESCRIBED = 0.5, 1e-5
+#: A measure may differ little between two meshes by accident. The difference is at least its change from rest times the
+#: relative difference of all displacements, unless the measure differs by less than this: it was prescribed then.
+PRESCRIBED = 1e-5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -266,8 +266,8 @@ def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found
         values, difference = np.unwrap(values), np.arctan2(np.sin(difference), np.cos(difference))
     change = np.abs(values - values[0])
     size = np.abs(difference)
-    least = FIELD_SHARE * np.array([found.moved[number] for number in numbers]) * change[numbers]
-    size = np.where(size > PRESCRIBED * change[numbers], np.maximum(found.factor * size, least), size)
+    least = np.array([found.moved[number] for number in numbers]) * change[numbers]
+    size = np.where(size > PRESCRIBED * change[numbers], found.factor * np.maximum(size, least), size)
     if (change[numbers] > 1e-6 * max(float(np.abs(values).max()), 1e-300)).all():
         return np.asarray(np.interp(place, place[numbers], size / change[numbers]) * change)
     return np.asarray(np.interp(place, [0.0, *place[numbers]], [0.0, *size]))
