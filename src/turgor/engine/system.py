@@ -4,6 +4,8 @@ Inside, lengths are divided by the mean edge length and stresses by the stiffest
 unknowns and the entries of the tangent are of the order of one whatever the units and the size of the actuator.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
@@ -12,7 +14,7 @@ from turgor.engine.algebra.additions import Addition
 from turgor.engine.algebra.boundary import held_components
 from turgor.engine.algebra.pattern import Pattern, build_pattern
 from turgor.engine.cells.cell_terms import CellTerms
-from turgor.engine.cells.memory import History, Memory
+from turgor.engine.cells.memory import History, Memory, friction_of, joined_memory
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.surface import whole_surface
@@ -180,8 +182,8 @@ class System:
         """Residual at a point; None where a cell is turned inside out.
 
         ``sought`` are scaled pressures of the controlled faces; `ContactTerms.look` explains ``known`` and ``how``.
-        ``history`` is what the rubber brings into the step, that of a sudden step from rest by default; ``addition``
-        are forces besides those of the model, such as inertia.
+        ``history`` is what rubber and friction bring into the step, that of a sudden step from rest by default;
+        ``addition`` are forces besides those of the model, such as inertia.
         """
         u, p = self.split(unknowns)
         history = history or self.materials.rest
@@ -192,7 +194,7 @@ class System:
         position = self.points + u
         forces, external = self.terms.forces(Configuration(position, load_factor, sought))
         springs = self.springs(unknowns)
-        contacts = self.contact.look(position, springs, load_factor, known, how)
+        contacts = self.contact.look(position, springs, load_factor, known, how).with_friction(history.friction)
         pressing, bodies = self.contact.forces(contacts, springs)
         by_node = internal[: 3 * self.node_count].reshape(-1, 3) + forces + pressing
         internal[self.size - bodies.size :] = bodies.ravel()
@@ -209,17 +211,19 @@ class System:
         return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought, history, addition)
 
     def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
-        """What the rubber brings into a step of a length [s] from a state with a memory, at rest where that is None.
+        """What a state with a memory, at rest where that is None, brings into a step of a length [s].
 
         0 is a sudden step, infinite an infinitely slow one.
         """
-        return self.materials.history(memory, step)
+        return replace(self.materials.history(memory, step), friction=friction_of(memory))
 
     def remembered(self, at: Evaluation) -> Memory | None:
-        """Internal variables at the end of the step of an evaluation; None where nothing relaxes or softens."""
+        """Internal variables at the end of the step of an evaluation; None where nothing relaxes, softens or rubs."""
+        friction = self.contact.remembered(at.contacts)
         if not self.materials.remembers:
-            return None
-        return self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]), at.history)
+            return joined_memory({}, {}, friction)
+        memory = self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]), at.history)
+        return None if memory is None else replace(memory, friction=friction)
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
