@@ -21,7 +21,6 @@ from turgor.engine.contact.surface import whole_surface
 from turgor.engine.contact.terms import Contacts, ContactTerms
 from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
 from turgor.engine.evaluation import Stresses as Stresses
-from turgor.engine.faces.dead_loads import dead_forces
 from turgor.engine.term import Configuration, Setting
 from turgor.engine.terms import Terms
 from turgor.errors import TurgorError
@@ -53,7 +52,7 @@ class System:
         What the cells add; its ``cells``, ``element``, ``Jinv``, ``dV``, ``materials`` and ``mean_stress_volumes`` are
         attributes of the system, too.
     terms : Terms
-        What pressures, membranes and fibers add.
+        What loads, membranes and fibers add.
     contact : ContactTerms
         What may touch what.
     full_force : float
@@ -79,9 +78,8 @@ class System:
         bodies = self.contact.bodies.held
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
         self.size = len(self.held)
-        along_axes = supports.along_axes
-        self.terms = Terms(Setting(model, self.points, along_axes, self.length, self.stress_scale, controlled))
-        self._dead = dead_forces(model, self.points, self.dV, self.element.tables.N, (self.length, self.stress_scale))
+        scales, along_axes = (self.length, self.stress_scale), supports.along_axes
+        self.terms = Terms(Setting(model, self.points, along_axes, self.dV, *scales, controlled))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
         base = build_pattern(self.rubber.unknowns, self.size, *self.terms.couplings)
         self.rubber.locate(base)
@@ -97,7 +95,7 @@ class System:
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
         _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
-        forces = self._frames.to_local(external + self._dead.at(load_factor))
+        forces = self._frames.to_local(external)
         return float(np.linalg.norm(forces.ravel()[~self.held[: 3 * self.node_count]]))
 
     @property
@@ -125,7 +123,7 @@ class System:
         """Scaled external forces (size,) on a body that is held still, whatever is inside out."""
         position = self.points + self.split(unknowns)[0]
         _, forces = self.terms.forces(Configuration(position, load_factor, sought))
-        return self.joined(forces + self._dead.at(load_factor))
+        return self.joined(forces)
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
         """Displacement (n, 3) [m] and mean stress (m,) [Pa]."""
@@ -200,7 +198,7 @@ class System:
         internal[self.size - bodies.size :] = bodies.ravel()
         internal[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         outer = np.zeros(self.size)
-        outer[: 3 * self.node_count] = self._frames.to_local(external + self._dead.at(load_factor)).ravel()
+        outer[: 3 * self.node_count] = self._frames.to_local(external).ravel()
         if addition is not None:
             internal += addition.forces(unknowns)
         total = internal - outer
