@@ -88,7 +88,7 @@ def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
     task, last = run.task, run.history[-1]
     run.history.append(now)
     del run.history[:-HISTORY]
-    friction = friction_of(now.state.memory)
+    friction = friction_of(now.state.memory)  # what lies before the new state is sought with its friction, too
     run.constraint = run.constraint.with_friction(friction)
     before, ending = insert_limit_points(run, last, now)
     ending = ending or task.finished(before, now, run)
