@@ -59,7 +59,7 @@ class Evaluation:
     sought : (k,) array or None
         Scaled pressures of the controlled faces.
     history : History
-        What the rubber brought into the step.
+        What rubber and friction brought into the step.
     addition : Addition or None
         Forces besides those of the model.
     """

@@ -175,6 +175,6 @@ def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory:
     penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
     lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])
     held = np.zeros((len(mesh.points), 3), dtype=bool)
-    terms = Terms(Setting(model, mesh.points, held, 1.0, 1.0))
+    terms = Terms(Setting(model, mesh.points, held, weight, 1.0, 1.0))
     position = mesh.points + displacement
     return float((weight * density).sum() + lost.sum()) + terms.energy(position)

@@ -4,6 +4,8 @@ Inside, lengths are divided by the mean edge length and stresses by the stiffest
 unknowns and the entries of the tangent are of the order of one whatever the units and the size of the actuator.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
@@ -12,14 +14,13 @@ from turgor.engine.algebra.additions import Addition
 from turgor.engine.algebra.boundary import held_components
 from turgor.engine.algebra.pattern import Pattern, build_pattern
 from turgor.engine.cells.cell_terms import CellTerms
-from turgor.engine.cells.memory import History, Memory
+from turgor.engine.cells.memory import History, Memory, friction_of, joined_memory
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.surface import whole_surface
 from turgor.engine.contact.terms import Contacts, ContactTerms
 from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
 from turgor.engine.evaluation import Stresses as Stresses
-from turgor.engine.faces.dead_loads import dead_forces
 from turgor.engine.term import Configuration, Setting
 from turgor.engine.terms import Terms
 from turgor.errors import TurgorError
@@ -51,7 +52,7 @@ class System:
         What the cells add; its ``cells``, ``element``, ``Jinv``, ``dV``, ``materials`` and ``mean_stress_volumes`` are
         attributes of the system, too.
     terms : Terms
-        What pressures, membranes and fibers add.
+        What loads, membranes and fibers add.
     contact : ContactTerms
         What may touch what.
     full_force : float
@@ -77,9 +78,8 @@ class System:
         bodies = self.contact.bodies.held
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
         self.size = len(self.held)
-        along_axes = supports.along_axes
-        self.terms = Terms(Setting(model, self.points, along_axes, self.length, self.stress_scale, controlled))
-        self._dead = dead_forces(model, self.points, self.dV, self.element.tables.N, (self.length, self.stress_scale))
+        scales, along_axes = (self.length, self.stress_scale), supports.along_axes
+        self.terms = Terms(Setting(model, self.points, along_axes, self.dV, *scales, controlled))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
         base = build_pattern(self.rubber.unknowns, self.size, *self.terms.couplings)
         self.rubber.locate(base)
@@ -95,7 +95,7 @@ class System:
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
         _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
-        forces = self._frames.to_local(external + self._dead.at(load_factor))
+        forces = self._frames.to_local(external)
         return float(np.linalg.norm(forces.ravel()[~self.held[: 3 * self.node_count]]))
 
     @property
@@ -123,7 +123,7 @@ class System:
         """Scaled external forces (size,) on a body that is held still, whatever is inside out."""
         position = self.points + self.split(unknowns)[0]
         _, forces = self.terms.forces(Configuration(position, load_factor, sought))
-        return self.joined(forces + self._dead.at(load_factor))
+        return self.joined(forces)
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
         """Displacement (n, 3) [m] and mean stress (m,) [Pa]."""
@@ -180,8 +180,8 @@ class System:
         """Residual at a point; None where a cell is turned inside out.
 
         ``sought`` are scaled pressures of the controlled faces; `ContactTerms.look` explains ``known`` and ``how``.
-        ``history`` is what the rubber brings into the step, that of a sudden step from rest by default; ``addition``
-        are forces besides those of the model, such as inertia.
+        ``history`` is what rubber and friction bring into the step, that of a sudden step from rest by default;
+        ``addition`` are forces besides those of the model, such as inertia.
         """
         u, p = self.split(unknowns)
         history = history or self.materials.rest
@@ -192,13 +192,13 @@ class System:
         position = self.points + u
         forces, external = self.terms.forces(Configuration(position, load_factor, sought))
         springs = self.springs(unknowns)
-        contacts = self.contact.look(position, springs, load_factor, known, how)
+        contacts = self.contact.look(position, springs, load_factor, known, how).with_friction(history.friction)
         pressing, bodies = self.contact.forces(contacts, springs)
         by_node = internal[: 3 * self.node_count].reshape(-1, 3) + forces + pressing
         internal[self.size - bodies.size :] = bodies.ravel()
         internal[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         outer = np.zeros(self.size)
-        outer[: 3 * self.node_count] = self._frames.to_local(external + self._dead.at(load_factor)).ravel()
+        outer[: 3 * self.node_count] = self._frames.to_local(external).ravel()
         if addition is not None:
             internal += addition.forces(unknowns)
         total = internal - outer
@@ -209,17 +209,19 @@ class System:
         return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought, history, addition)
 
     def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
-        """What the rubber brings into a step of a length [s] from a state with a memory, at rest where that is None.
+        """What a state with a memory, at rest where that is None, brings into a step of a length [s].
 
         0 is a sudden step, infinite an infinitely slow one.
         """
-        return self.materials.history(memory, step)
+        return replace(self.materials.history(memory, step), friction=friction_of(memory))
 
     def remembered(self, at: Evaluation) -> Memory | None:
-        """Internal variables at the end of the step of an evaluation; None where nothing relaxes or softens."""
+        """Internal variables at the end of the step of an evaluation; None where nothing relaxes, softens or rubs."""
+        friction = self.contact.remembered(at.contacts)
         if not self.materials.remembers:
-            return None
-        return self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]), at.history)
+            return joined_memory({}, {}, friction)
+        memory = self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]), at.history)
+        return None if memory is None else replace(memory, friction=friction)
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""

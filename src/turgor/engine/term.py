@@ -1,4 +1,4 @@
-"""Term: what adds forces and a tangent to the equations besides the cells, contact and dead loads.
+"""Term: what adds forces and a tangent to the equations besides the cells and contact.
 
 A term is one class in one file; `turgor.engine.terms.TERMS` names the functions that make the terms of a model, and
 is the only place to change for a new one. Lengths, forces and stresses are scaled as in `turgor.engine.system`.
@@ -27,6 +27,8 @@ class Setting:
         Scaled reference positions.
     held : (n, 3) bool array
         Prescribed components.
+    dV : (c, q) array
+        Scaled volumes of the quadrature points of the cells.
     length, stress : float [m], [Pa]
         Scales.
     controlled : tuple of str
@@ -36,6 +38,7 @@ class Setting:
     model: Model
     points: Array
     held: NDArray[np.bool_]
+    dV: Array
     length: float
     stress: float
     controlled: tuple[str, ...] = ()
@@ -60,38 +63,49 @@ class Configuration:
 
 
 class Term(Protocol):
-    """Forces on nodes that stay tied to the same nodes, with their energy and tangent."""
+    """Forces on nodes that stay tied to the same nodes, with their energy and tangent.
 
-    @property
-    def unknowns(self) -> Ints:
-        """Degrees of freedom that each of the k pieces ties, (k, m); a row may list one twice."""
+    A class of terms inherits the defaults, which are those of constant internal forces, and replaces what differs.
+    """
 
     @property
     def couples(self) -> bool:
         """Whether the pieces tie degrees of freedom that no cell ties, so that the sparsity pattern has to grow."""
+        return False
 
     @property
     def external(self) -> bool:
         """Whether the forces are those of a load."""
+        return False
 
     @property
     def symmetric(self) -> bool:
         """Whether the forces have a potential; if not, `skew` gives the rest of the tangent."""
+        return True
+
+    @property
+    def unknowns(self) -> Ints:
+        """Degrees of freedom that each of the k pieces ties, (k, m); a row may list one twice."""
+        return np.empty((0, 0), dtype=np.int64)
 
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the forces to those of the nodes (n, 3): internal forces, or external ones of a load."""
 
     def energy(self, position: Array) -> float:
         """Stored energy at positions (n, 3); zero for a load."""
+        return 0.0
 
     def stresses(self, position: Array, update: Array) -> Array:
         """Stresses that enter the geometric stiffness, linearized for an update (n, 3); empty where there are none."""
+        return np.empty(0)
 
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Lower triangles of the symmetric tangents of all pieces, row by row, one piece after the other."""
+        return np.empty(0)
 
     def skew(self, at: Configuration) -> Array:
         """Skew parts (k, m, m) of the tangents; asked for only where there is no potential."""
+        return np.empty((0, 0, 0))
 
 
 def lower(local: Array) -> Array:

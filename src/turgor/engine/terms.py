@@ -1,4 +1,4 @@
-"""Terms: the one list of what adds to the equations besides cells, contact and dead loads, and the sums over it."""
+"""Terms: the one list of what adds to the equations besides cells and contact, and the sums over it."""
 
 from collections.abc import Callable, Sequence
 
@@ -7,6 +7,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
+from turgor.engine.faces.dead_loads import dead_terms
 from turgor.engine.faces.membrane_term import membrane_terms
 from turgor.engine.faces.pressure_term import PressureTerm, pressure_terms
 from turgor.engine.fibers.fiber_term import fiber_terms
@@ -16,7 +17,7 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: What makes the terms of a model. A new kind of term is a file with its class, and one name here.
-TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (pressure_terms, membrane_terms, fiber_terms)
+TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (pressure_terms, membrane_terms, fiber_terms, dead_terms)
 
 
 class Terms:
@@ -51,7 +52,7 @@ class Terms:
             self._positions.append(locate(pattern.indptr, pattern.indices, *entries))
 
     def forces(self, at: Configuration) -> tuple[Array, Array]:
-        """Internal forces, and external forces of loads that follow the surface, (n, 3) each."""
+        """Internal forces, and external forces of loads, (n, 3) each."""
         internal, external = np.zeros_like(at.position), np.zeros_like(at.position)
         for term in self.all:
             term.add_forces(external if term.external else internal, at)

@@ -22,7 +22,7 @@ class Problem:
     restart : Restart or None
         What the former stage left; None where it begins at rest.
     history : History or None
-        What the rubber brings into the first step.
+        What the start brings into the first step.
     states, steps, limits : list
         What is found.
     """
@@ -43,5 +43,5 @@ class Problem:
 
     @property
     def memory(self) -> Memory | None:
-        """Internal variables at the start; None where nothing relaxes or softens."""
+        """Internal variables at the start; None where there are none."""
         return None if self.history is None else self.history.memory

@@ -96,7 +96,7 @@ class State:
     stage : str
         Name of the stage in a sequence of procedures; the load factor is that of the stage then.
     memory : Memory or None
-        Internal variables of the rubber, where any relaxes or softens: some hundred numbers a cell.
+        Internal variables: of the rubber where any relaxes or softens, some hundred numbers a cell, and of friction.
     """
 
     model: Model

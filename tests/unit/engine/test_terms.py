@@ -8,21 +8,20 @@ import pytest
 import turgor as tg
 from turgor.engine import terms
 from turgor.engine.system import System
-from turgor.engine.term import displacements, lower
+from turgor.engine.term import Term, displacements, lower
 from turgor.geometry import FastPneuNet
 
 STIFFNESS = 0.3
 
 
 @dataclass(frozen=True)
-class Springs:
+class Springs(Term):
     """Springs between pairs of nodes that no cell ties, of zero length at rest."""
+
+    couples = True
 
     nodes: np.ndarray
     apart: np.ndarray
-    couples = True
-    external = False
-    symmetric = True
 
     @property
     def unknowns(self):
@@ -39,15 +38,9 @@ class Springs:
     def energy(self, position):
         return 0.5 * STIFFNESS * float((self._stretched(position) ** 2).sum())
 
-    def stresses(self, position, update):
-        return np.empty(0)
-
     def tangents(self, at, stresses):
         one = STIFFNESS * np.kron([[1.0, -1.0], [-1.0, 1.0]], np.eye(3))
         return lower(np.repeat(one[None], len(self.nodes), axis=0))
-
-    def skew(self, at):
-        return np.empty((0, 0, 0))
 
 
 def springs(setting):

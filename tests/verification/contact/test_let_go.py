@@ -86,28 +86,28 @@ def test_small_steps_end_the_same(dragged, record_verification):
 
 
 def _rubbing(friction=0.4):
-    """A ball pressed into a block, and unknowns in which all points slide."""
+    """A ball pressed into a block, unknowns in which all points slide, and the history from which they do."""
     system = System(
         contact_cases.standing(
             contact_cases.block((2, 2, 1)), contact_cases.pushed(BALL, friction=friction, stiffness=1e9)
         )
     )
     unknowns = np.zeros(system.size)
-    system.contact.accept(system.evaluate(unknowns, 1.0).contacts)
+    history = system.history(system.remembered(system.evaluate(unknowns, 1.0)))
     moved = unknowns.copy()
     moved[0 : 3 * system.node_count : 3] += np.where(
         system.held[0 : 3 * system.node_count : 3], 0.0, 0.3 * MM / system.length
     )
-    return system, moved
+    return system, moved, history
 
 
 def test_solutions_contain_friction():
     """The factors are those of the symmetric part; what is solved is the whole."""
-    system, unknowns = _rubbing()
-    at, free = system.evaluate(unknowns, 1.0), np.flatnonzero(~system.held)
+    system, unknowns, history = _rubbing()
+    at, free = system.evaluate(unknowns, 1.0, history=history), np.flatnonzero(~system.held)
     tangent = Tangent(system, "rslab", 1)
     tangent.factor(at)
-    whole = system.tangent(unknowns, 1.0)[free][:, free]
+    whole = system.tangent(unknowns, 1.0, history)[free][:, free]
     assert abs(whole - whole.T).max() > 0.01
     right = np.where(system.held, 0.0, np.random.default_rng(3).normal(size=system.size))
     off = whole @ tangent.solve(right)[free] - right[free]
@@ -115,31 +115,32 @@ def test_solutions_contain_friction():
 
 
 def _slid():
-    """A ball pressed into a block and moved on sideways, and unknowns near the equilibrium."""
+    """A ball pressed into a block and moved on sideways, unknowns near the equilibrium, and the history of the step."""
     path = ((0, (0, 0, 0)), (0.5, (0, 0, -0.5 * MM)), (1, (0.3 * MM, 0, -0.5 * MM)))
     ball = Obstacle(name="ball", shape=BALL, path=path, friction=0.4, stiffness=1e9)
     system = System(contact_cases.standing(contact_cases.block((2, 2, 1)), ball))
-    tangent, x = Tangent(system, "rslab", 1), np.zeros(system.size)
+    tangent, x, history = Tangent(system, "rslab", 1), np.zeros(system.size), system.history()
     for factor in (0.25, 0.5, 0.75, 1.0):
         start = Start(x, system.stresses(system.evaluate(x, factor)))
-        result = newton_with_contact(load_control(system), tangent, start, factor, NewtonSettings(), silent)
+        step = load_control(system, history=history)
+        result = newton_with_contact(step, tangent, start, factor, NewtonSettings(), silent)
         assert result.converged
         x = result.evaluation.unknowns
         if factor < 1:
-            system.contact.accept(result.evaluation.contacts)
+            history = system.history(system.remembered(result.evaluation))
     x = x.copy()
     bump = np.random.default_rng(4).normal(0, 1e-4, 3 * system.node_count)
     x[: len(bump)] += np.where(system.held[: len(bump)], 0.0, bump)
-    return system, x
+    return system, x, history
 
 
 def test_newton_is_quadratic_with_friction(record_verification):
-    system, x = _slid()
+    system, x, history = _slid()
     free, norms = np.flatnonzero(~system.held), []
     for _ in range(8):
-        residual = system.residual(x, 1.0)[free]
+        residual = system.residual(x, 1.0, history)[free]
         norms.append(float(np.linalg.norm(residual)))
-        x[free] -= splu(system.tangent(x, 1.0)[free][:, free].tocsc()).solve(residual)
+        x[free] -= splu(system.tangent(x, 1.0, history)[free][:, free].tocsc()).solve(residual)
     norms = np.array(norms)
     last = norms[norms > 1e-11 * norms[0]][-3:]
     order = float(np.log(last[2] / last[1]) / np.log(last[1] / last[0]))
@@ -154,16 +155,18 @@ def test_newton_is_quadratic_with_friction(record_verification):
     assert order >= 1.8
 
 
-def _fallen(system, unknowns):
-    return inertia_corrected(load_control(system), Tangent(system, "rslab", 1), unknowns, 1.0, NewtonSettings(), silent)
+def _fallen(system, unknowns, history=None):
+    step, tangent = load_control(system, history=history), Tangent(system, "rslab", 1)
+    return inertia_corrected(step, tangent, unknowns, 1.0, NewtonSettings(), silent)
 
 
 def test_inertia_correction_ends_stable_and_leaves_friction_as_it_was():
-    system, unknowns = _rubbing()
-    found = _fallen(system, unknowns)
+    system, unknowns, history = _rubbing()
+    found = _fallen(system, unknowns, history)
     assert found.converged
     assert found.unstable_modes == 0
-    assert not system.contact.limits_kept
+    assert [each.friction for each in found.evaluation.contacts.found] == list(history.friction)
+    assert found.evaluation.history is history
 
 
 def test_inertia_correction_needs_a_touch_and_stays_near():

@@ -72,6 +72,31 @@ def test_a_first_step_that_is_unstable_is_shortened():
         assert "Bifurcation: at load factor 0.5" in solution.message
 
 
+def arch(push, softening=None):
+    """Half of a flat arch of 100 × 2 mm that rises by 3.4 mm, clamped at its ends and pushed down [Pa]: it snaps."""
+
+    def place(points):
+        return points + np.outer(3.4e-3 * (1 - (points[:, 0] / 50e-3) ** 2), [0, 0, 1])
+
+    mesh = meshes.box((50e-3, 2e-3, 2e-3), (2, 1, 1), place, kind=meshes.HEXAHEDRON)
+    law = tg.laws.NeoHooke(C10=0.12e6)
+    rubber = tg.Material(name="rubber", law=law, bulk_modulus=0.3e6, stress_softening=softening)
+    held = [tg.Fixed("x1"), tg.Fixed("x0", "x"), tg.Fixed("y0", "y"), tg.Fixed("y1", "y")]
+    return tg.Model(mesh, {"body": rubber}, held, [tg.Traction("z1", (0.0, 0.0, -push))])
+
+
+def test_a_first_step_that_jumps_is_taken_back_to_rubber_at_rest():
+    """The first step, which load control cannot shorten, snaps the arch through; what that softened is forgotten."""
+    model = arch(7.5e3, tg.laws.Mullins(r=1.2, m=100.0))
+    solution = solve(model, Auto(first_step=2e-3, max_step=2e-3, max_iterations=40, max_steps=20))
+    assert solution.steps[0].cause is Cause.BRANCH_JUMP
+    assert not solution.steps[0].accepted
+    assert solution.states[1].load_factor < solution.steps[0].load_factor
+    slow = solve(model, ArcLength(first_step=1e-4, max_step=2e-4, max_steps=40))
+    tops = [each.limit_points[0].load_factor for each in (solution, slow)]
+    assert tops[0] == pytest.approx(tops[1], rel=1e-4)  # 4 % lower in rubber that the jump has softened
+
+
 def test_a_bifurcation_is_passed_by_tiny_arcs_too(record_verification):
     """Close to it, directions of the path are what round-off makes of a singular tangent.
 

@@ -1,4 +1,4 @@
-"""Internal variables of rubber that relaxes or softens, at the Gauss points of each region.
+"""Internal variables: of rubber that relaxes or softens, at the Gauss points of each region, and of friction.
 
 A step in time has a length Δt. A `History` holds the internal variables of the last converged state and what they
 contribute to a step of that length. With it the response is a plain function of the deformation, whatever is tried:
@@ -17,6 +17,7 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.contact.friction import Friction
 from turgor.materials.history.isochoric import scaled_stress
 from turgor.materials.history.softening import softened_derivatives, softening, softening_dissipation
 from turgor.materials.history.viscoelastic import memory_at_rest, next_memory, remembered_stress, step_factor
@@ -30,7 +31,7 @@ _SIX = ([0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2])
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Memory:
-    """Internal variables of a state, at the Gauss points of each region that relaxes or softens.
+    """Internal variables of a state: at the Gauss points of each region that relaxes or softens, and of friction.
 
     Parameters
     ----------
@@ -38,10 +39,18 @@ class Memory:
         Of regions with a Prony series of n terms: the stress of the law, then the internal stresses.
     largest : mapping of str to (c, q) array [Pa]
         Of regions that soften: the largest energy density so far.
+    friction : tuple of (FrictionHistory or None)
+        Of each part of the contact; empty where nothing rubs.
     """
 
     stress: Mapping[str, Array]
     largest: Mapping[str, Array]
+    friction: Friction = ()
+
+    @property
+    def of_rubber(self) -> "Memory | None":
+        """Without friction; None where nothing relaxes or softens."""
+        return joined_memory(self.stress, self.largest)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -126,7 +135,7 @@ class RegionMemory:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class History:
-    """Converged history of the rubber: what it brings into a step, an argument of `System.evaluate`.
+    """Converged history: what a state brings into a step, an argument of `System.evaluate`.
 
     `turgor.engine.system.System.history` makes one.
 
@@ -134,22 +143,31 @@ class History:
     ----------
     regions : mapping of str to RegionMemory
         Of each region that relaxes or softens.
+    friction : tuple of (FrictionHistory or None)
+        Of each part of the contact, from which its points slip; empty where nothing rubs.
     """
 
     regions: Mapping[str, RegionMemory]
+    friction: Friction = ()
 
     @property
     def memory(self) -> Memory | None:
-        """Internal variables of the state from which the step goes; None where nothing relaxes or softens."""
+        """Internal variables of the state from which the step goes; None where there are none."""
         return joined_memory(
             {name: each.stress for name, each in self.regions.items() if each.stress is not None},
             {name: each.largest for name, each in self.regions.items() if each.largest is not None},
+            self.friction,
         )
 
 
-def joined_memory(stress: Mapping[str, Array], largest: Mapping[str, Array]) -> Memory | None:
-    """The memory of all regions, None where there is none."""
-    return Memory(stress=stress, largest=largest) if stress or largest else None
+def joined_memory(stress: Mapping[str, Array], largest: Mapping[str, Array], friction: Friction = ()) -> Memory | None:
+    """The memory of all regions and contacts, None where there is none."""
+    return Memory(stress=stress, largest=largest, friction=friction) if stress or largest or friction else None
+
+
+def friction_of(memory: Memory | None) -> Friction:
+    """The friction history in a memory; empty where there is none."""
+    return () if memory is None else memory.friction
 
 
 def _lost_above(material: Material, energy: Array, top: Array) -> Array:

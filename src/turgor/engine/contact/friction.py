@@ -6,7 +6,7 @@ While the limit is kept, friction has a potential and a symmetric tangent. A lim
 unsymmetric part, which `by_limit` gives and `turgor.engine.algebra.tangent` treats apart.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,6 +50,8 @@ class FrictionHistory:
         Coulomb's limit of the traction.
     slip : (k,) array
         Slip at which the limit is reached from rest.
+    limits_kept : bool
+        Whether the limits are those here, so that friction has a potential, or follow the pressure.
     """
 
     points: Ints
@@ -60,6 +62,16 @@ class FrictionHistory:
     traction: Array
     limit: Array
     slip: Array
+    limits_kept: bool = False
+
+
+#: Friction history of every part of the contact, None where nothing rubs; empty where none has touched yet.
+Friction = tuple[FrictionHistory | None, ...]
+
+
+def with_limits_kept(friction: Friction) -> Friction:
+    """Friction histories whose limits do not follow the pressure."""
+    return tuple(None if each is None else replace(each, limits_kept=True) for each in friction)
 
 
 def elastic_slip(surface: Surface, points: Ints) -> Array:

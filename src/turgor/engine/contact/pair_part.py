@@ -196,8 +196,8 @@ class PairPart(PointsPart):
         """Ties that the tangent needs."""
         points = found.touching
         out = self._key(points[:, 0], found.partner[points[:, 0], points[:, 1]])
-        if self.friction_history is not None:
-            out = np.concatenate([out, self._key(self.friction_history.points[:, 0], self.friction_history.partner)])
+        if found.friction is not None:
+            out = np.concatenate([out, self._key(found.friction.points[:, 0], found.friction.partner)])
         return np.unique(out)
 
     def ready_keys(self, found: Found) -> Ints:

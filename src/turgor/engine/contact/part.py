@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
+from turgor.engine.contact.friction import FrictionHistory
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -41,6 +42,8 @@ class Found:
         Distance, negative inside, inf where nothing is near.
     place : (3,) array
         How far the obstacle has moved.
+    friction : FrictionHistory or None
+        With which the points slip; None where there is no friction.
     """
 
     x: Array
@@ -50,6 +53,7 @@ class Found:
     at: Array
     gap: Array
     place: Array
+    friction: FrictionHistory | None = None
 
     @property
     def touching(self) -> Ints:

@@ -59,17 +59,11 @@ class PointsPart(ABC):
     ----------
     penalty_scale : (s,) array
         Factor on the penalty of each side; it grows where the penetration exceeds the tolerance.
-    friction_history : FrictionHistory or None
-        Internal variables of friction at the last converged state: where points stood, and their tractions.
-    limits_kept : bool
-        Whether the limits of friction are those of the friction history, or follow the pressure.
     """
 
     def __init__(self, name: str, surface: Surface, coefficient: float, share: float) -> None:
         self.name, self.surface, self.coefficient, self.share = name, surface, coefficient, share
         self.penalty_scale = np.ones(len(surface.sides))
-        self.friction_history: FrictionHistory | None = None
-        self.limits_kept = False
 
     @abstractmethod
     def tied_unknowns(self, keys: Ints) -> Ints:
@@ -140,8 +134,8 @@ class PointsPart(ABC):
 
     def rubbing(self, position: Array, found: Found) -> Rubbing | None:
         """Change of the limits of friction with the contact pressure; None without friction, or where they are kept."""
-        a = None if self.limits_kept else self.bound(found)
-        if a is None:
+        a = self.bound(found)
+        if a is None or a.limits_kept:
             return None
         pull = friction.by_limit(a, self._apart(position, found, a)) * self._weights(a.points)[:, None]
         chosen = found.inside[a.points[:, 0], a.points[:, 1]] & pull.any(axis=1)
@@ -192,10 +186,10 @@ class PointsPart(ABC):
 
     def bound(self, found: Found) -> FrictionHistory | None:
         """The friction history with the limits that hold; None where there are none."""
-        a = self.friction_history
+        a = found.friction
         if a is None or not len(a.points):
             return None
-        return a if self.limits_kept else replace(a, limit=self._limits(found, a.points))
+        return a if a.limits_kept else replace(a, limit=self._limits(found, a.points))
 
     def _limits(self, found: Found, points: Ints) -> Array:
         """Coulomb's limit (k,) of the tractions at points, from the present pressures."""
@@ -203,15 +197,14 @@ class PointsPart(ABC):
         depth = np.where(np.isfinite(gap), np.maximum(-gap, 0.0), 0.0)
         return np.asarray(self.coefficient * self._springs(points, self._partners(found, points)) * depth)
 
-    def keep_limits(self, found: Found) -> bool:
-        """Keep the present limits of friction; whether any differs noticeably from what was kept."""
-        a = self.friction_history
+    def settled(self, found: Found) -> tuple[FrictionHistory | None, bool]:
+        """The friction history with the present limits, and whether any differs noticeably from that before."""
+        a = found.friction
         if a is None or not len(a.points):
-            return False
+            return a, False
         limit = self._limits(found, a.points)
-        self.friction_history = replace(a, limit=limit)
         largest = float(max(limit.max(), a.limit.max()))
-        return bool(np.abs(limit - a.limit).max() > friction.SETTLED * largest)
+        return replace(a, limit=limit), bool(np.abs(limit - a.limit).max() > friction.SETTLED * largest)
 
     def anchored(self, position: Array, found: Found) -> FrictionHistory:
         """Friction history of the points that touch or soon may, with the tractions that they have."""

@@ -89,8 +89,8 @@ class ShapePart(PointsPart):
         if self.unknown < 0:
             return np.zeros(0, dtype=np.int64)
         sides = found.touching[:, 0]
-        if self.friction_history is not None:
-            sides = np.concatenate([sides, self.friction_history.points[:, 0]])
+        if found.friction is not None:
+            sides = np.concatenate([sides, found.friction.points[:, 0]])
         return np.unique(sides)
 
     def ready_keys(self, found: Found) -> Ints:

@@ -1,6 +1,6 @@
-"""ContactTerms: forces, tangent and history of all contacts of a model, in scaled units."""
+"""ContactTerms: forces, tangent and friction of all contacts of a model, in scaled units."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.contact.build import Bodies, build_parts
 from turgor.engine.contact.couplings import Layout
-from turgor.engine.contact.friction import FrictionHistory
+from turgor.engine.contact.friction import Friction
 from turgor.engine.contact.pair_part import PairPart
 from turgor.engine.contact.part import Found, Look
 from turgor.engine.contact.shape_part import ShapePart
@@ -49,6 +49,16 @@ class Contacts:
     position: Array
     found: tuple[Found, ...]
 
+    @property
+    def rubs(self) -> bool:
+        """Whether friction acts anywhere."""
+        return any(found.friction is not None and len(found.friction.points) > 0 for found in self.found)
+
+    def with_friction(self, friction: Friction) -> "Contacts":
+        """The same contacts with a friction history."""
+        each = friction or (None,) * len(self.found)
+        return replace(self, found=tuple(replace(f, friction=a) for f, a in zip(self.found, each, strict=True)))
+
 
 class ContactTerms:
     """Forces and tangents of all contacts of a model.
@@ -73,21 +83,6 @@ class ContactTerms:
         self.bodies = Bodies.of(model, scales, first_unknown)
         self._known: Contacts | None = None
         self.parts: list[Part] = build_parts(model, surface, points, self._length, self.bodies)
-
-    @property
-    def rubs(self) -> bool:
-        """Whether friction acts anywhere."""
-        return any(part.friction_history is not None and len(part.friction_history.points) > 0 for part in self.parts)
-
-    @property
-    def friction_history(self) -> tuple[FrictionHistory | None, ...]:
-        """Friction history of each part: internal variables at the last converged state."""
-        return tuple(part.friction_history for part in self.parts)
-
-    @friction_history.setter
-    def friction_history(self, history: tuple[FrictionHistory | None, ...]) -> None:
-        for part, its in zip(self.parts, history, strict=True):
-            part.friction_history = its
 
     def look(
         self, position: Array, springs: Array, factor: float, known: Contacts | None = None, how: Look = Look.FOLLOW
@@ -168,16 +163,6 @@ class ContactTerms:
                 share = min(share, float(way.min(initial=1.0)), 1.0 if seen.sum() == bad.sum() else UNSEEN)
         return max(share, SHORTEST)
 
-    @property
-    def limits_kept(self) -> bool:
-        """Whether the limits of friction are kept, so that all forces have a potential, or follow the pressure."""
-        return any(part.limits_kept for part in self.parts)
-
-    @limits_kept.setter
-    def limits_kept(self, kept: bool) -> None:
-        for part in self.parts:
-            part.limits_kept = kept
-
     def rubbing(self, at: Contacts, size: int) -> sp.csc_matrix | None:
         """The unsymmetric part of the tangent (size, size): limits of friction follow the pressure; None without."""
         parts = [part.rubbing(at.position, found) for part, found in zip(self.parts, at.found, strict=True)]
@@ -188,16 +173,17 @@ class ContactTerms:
         ]
         return sum(matrices[1:], matrices[0]).tocsc() if matrices else None
 
-    def settle(self, at: Contacts) -> bool:
-        """Keep the present limits of friction; whether any differs noticeably from what was kept."""
-        changed = [part.keep_limits(found) for part, found in zip(self.parts, at.found, strict=True)]
-        return any(changed)
+    def settled(self, at: Contacts) -> tuple[Friction, bool]:
+        """The friction history with the present limits, and whether any differs noticeably from that before."""
+        each = [part.settled(found) for part, found in zip(self.parts, at.found, strict=True)]
+        return tuple(friction for friction, _ in each), any(changed for _, changed in each)
 
-    def accept(self, at: Contacts) -> None:
-        """Store the friction history of a converged state, from which points slip in the next step."""
-        for part, found in zip(self.parts, at.found, strict=True):
-            if part.coefficient > 0:
-                part.friction_history = part.anchored(at.position, found)
+    def remembered(self, at: Contacts) -> Friction:
+        """The friction history of a converged state, from which points slip in the next step; empty where none do."""
+        if not any(part.coefficient > 0 for part in self.parts):
+            return ()
+        pairs = zip(self.parts, at.found, strict=True)
+        return tuple(part.anchored(at.position, found) if part.coefficient > 0 else None for part, found in pairs)
 
     def share_of_tolerance(self, part: Part, found: Found) -> float:
         """Penetration as a share of what the tolerance allows, at the worst place."""

@@ -1,11 +1,12 @@
 """Call every kernel of contact once on two sides, so that compilation happens at a known time."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.cells.reference import reference_cell, reference_nodes
 from turgor.engine.contact.couplings import Layout
-from turgor.engine.contact.friction import FrictionHistory
 from turgor.engine.contact.pair_part import PairPart, Partners
 from turgor.engine.contact.surface import DEGREE, Surface, overhangs, strangers
 from turgor.meshing.cells import side_type
@@ -38,8 +39,7 @@ def touch_contact_kernels(nodes: int) -> None:
     part = PairPart("self", surface, partners, 0.5, 0.5)
     found = part.look(points, np.zeros(3))
     found = part.look(points, np.zeros(3), found)
-    part.friction_history = part.anchored(points, found)
-    assert isinstance(part.friction_history, FrictionHistory)
+    found = replace(found, friction=part.anchored(points, found))
     part.forces(points, found)
     part.passed(points, found, found)
     size = 3 * len(points)

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.cells.element import element_of
 from turgor.engine.cells.reference import side_tables
+from turgor.engine.term import Configuration, Setting, Term
 from turgor.errors import TurgorError
 from turgor.model.history import History, share_at
 from turgor.model.loads import BodyForce, Gravity, Traction
@@ -16,25 +18,29 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DeadForces:
-    """Scaled nodal forces (n, 3) of the dead loads, those with the same history together."""
+class DeadTerm(Term):
+    """All dead loads.
+
+    Parameters
+    ----------
+    parts : sequence of (History, (n, 3) array)
+        Scaled nodal forces at a share of one, those with the same history together.
+    """
+
+    external = True
 
     parts: Sequence[tuple[History, Array]]
-    rest: Array
 
-    def at(self, load_factor: float) -> Array:
-        """Sum (n, 3) at a load factor."""
-        return self.rest + sum(share_at(history, load_factor) * forces for history, forces in self.parts)
+    def add_forces(self, out: Array, at: Configuration) -> None:
+        """Add the share of each that acts."""
+        out += sum(share_at(history, at.load_factor) * forces for history, forces in self.parts)
 
 
-def dead_forces(model: Model, points: Array, dV: Array, N: Array, scales: tuple[float, float]) -> DeadForces:
-    """Scaled nodal forces of the dead loads.
-
-    Points and volumes ``dV`` (c, q) come scaled by the first of the two scales, length and stress; ``N`` (q, n) are the
-    shape functions at the integration points.
-    """
-    length, stress = scales
+def dead_terms(setting: Setting) -> list[DeadTerm]:
+    """One, or none without dead loads."""
+    model, points, length, stress = setting.model, setting.points, setting.length, setting.stress
     by_history: dict[History, Array] = {}
+    N = element_of(model).tables.N
     for load in model.loads:
         if not isinstance(load, Traction | Gravity | BodyForce):
             continue
@@ -43,12 +49,12 @@ def dead_forces(model: Model, points: Array, dV: Array, N: Array, scales: tuple[
             forces += _traction(points, model.mesh.face(load.face), np.asarray(load.vector) / stress)
         elif isinstance(load, Gravity):
             density = _density(model)[:, None, None] * _acceleration(load)
-            forces += _volume(model, points, dV, N, np.broadcast_to(density, (*dV.shape, 3)) * length / stress)
+            forces += _volume(setting, N, np.broadcast_to(density, (*setting.dV.shape, 3)) * length / stress)
         else:
             where = np.einsum("qa,cai->cqi", N, model.mesh.points[model.mesh.cells])
             value = np.asarray(load.value(where.reshape(-1, 3))).reshape(where.shape)
-            forces += _volume(model, points, dV, N, value * length / stress)
-    return DeadForces(tuple(by_history.items()), np.zeros_like(points))
+            forces += _volume(setting, N, value * length / stress)
+    return [DeadTerm(tuple(by_history.items()))] if by_history else []
 
 
 def _acceleration(load: Gravity) -> Array:
@@ -66,9 +72,9 @@ def _density(model: Model) -> Array:
     return density
 
 
-def _volume(model: Model, points: Array, dV: Array, N: Array, force_density: Array) -> Array:
-    local = np.einsum("cq,qa,cqi->cai", dV, N, force_density)
-    return _sum_at_nodes(model.mesh.cells, local, len(points))
+def _volume(setting: Setting, N: Array, force_density: Array) -> Array:
+    local = np.einsum("cq,qa,cqi->cai", setting.dV, N, force_density)
+    return _sum_at_nodes(setting.model.mesh.cells, local, len(setting.points))
 
 
 def _traction(points: Array, triangles: NDArray[np.int64], vector: Array) -> Array:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.faces import membranes
 from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
-from turgor.engine.term import Configuration, Setting, add_at_nodes, displacements, lower
+from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.materials.laws.laws import Hooke
 
 Array = NDArray[np.float64]
@@ -15,7 +15,7 @@ Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class MembraneTerm:
+class MembraneTerm(Term):
     """A layer with in-plane stress.
 
     Parameters
@@ -40,21 +40,6 @@ class MembraneTerm:
         """Displacements of the nodes."""
         return displacements(self.nodes)
 
-    @property
-    def couples(self) -> bool:
-        """No: cells tie the nodes."""
-        return False
-
-    @property
-    def external(self) -> bool:
-        """No."""
-        return False
-
-    @property
-    def symmetric(self) -> bool:
-        """Yes: there is an energy."""
-        return True
-
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the internal forces of the stress."""
         stress = self.stresses(at.position, np.zeros_like(at.position))
@@ -77,10 +62,6 @@ class MembraneTerm:
         """Material part, and the geometric part of the stresses."""
         local = membranes.membrane_tangents(at.position, self.nodes, self.gradients, self.areas, self.moduli, stresses)
         return lower(local)
-
-    def skew(self, at: Configuration) -> Array:
-        """None."""
-        return np.empty((0, 0, 0))
 
 
 def membrane_terms(setting: Setting) -> list[MembraneTerm]:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import side_tables
 from turgor.engine.faces import surfaces
-from turgor.engine.term import Configuration, Setting, add_at_nodes, displacements, lower
+from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.model.loads import History, Pressure
 
 Array = NDArray[np.float64]
@@ -15,7 +15,7 @@ Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PressureTerm:
+class PressureTerm(Term):
     """Faces under the same pressure.
 
     Parameters
@@ -28,15 +28,17 @@ class PressureTerm:
         Place among the pressures that are sought.
     stress : float [Pa]
         Scale.
-    symmetric : bool
+    potential : bool
         Whether the pressure has a potential: the faces are closed, or their rim is held.
     """
+
+    external = True
 
     sides: Ints
     load: Pressure | None
     place: int
     stress: float
-    symmetric: bool
+    potential: bool
 
     @property
     def unknowns(self) -> Ints:
@@ -44,14 +46,9 @@ class PressureTerm:
         return displacements(self.sides)
 
     @property
-    def couples(self) -> bool:
-        """No: cells tie the nodes of a side."""
-        return False
-
-    @property
-    def external(self) -> bool:
-        """Yes: a pressure is a load."""
-        return True
+    def symmetric(self) -> bool:
+        """Whether there is a potential."""
+        return self.potential
 
     def acting(self, at: Configuration) -> float:
         """Scaled pressure that acts."""
@@ -77,14 +74,6 @@ class PressureTerm:
         reference = side_tables(self.sides.shape[1])
         return reference.N, reference.dN, reference.weights
 
-    def energy(self, position: Array) -> float:
-        """None: a load stores nothing."""
-        return 0.0
-
-    def stresses(self, position: Array, update: Array) -> Array:
-        """None."""
-        return np.empty(0)
-
     def _tangents(self, at: Configuration) -> Array:
         local = np.asarray(surfaces.pressure_tangents(at.position, self.sides, *self._tables))
         local *= self.acting(at)
@@ -109,14 +98,14 @@ def pressure_terms(setting: Setting) -> list[PressureTerm]:
     mesh, model, terms = setting.model.mesh, setting.model, []
     for place, name in enumerate(setting.controlled):
         sides = np.ascontiguousarray(mesh.face(name))
-        symmetric = surfaces.has_potential(setting.points, sides, setting.held)
-        terms.append(PressureTerm(sides, None, place, setting.stress, symmetric))
+        potential = surfaces.has_potential(setting.points, sides, setting.held)
+        terms.append(PressureTerm(sides, None, place, setting.stress, potential))
     alike: dict[tuple[float, History], list[Pressure]] = {}
     for load in model.pressures:
         if load.face not in setting.controlled:
             alike.setdefault((load.pressure, load.history), []).append(load)
     for loads in alike.values():
         sides = np.ascontiguousarray(np.concatenate([mesh.face(load.face) for load in loads]))
-        symmetric = surfaces.has_potential(setting.points, sides, setting.held)
-        terms.append(PressureTerm(sides, loads[0], -1, setting.stress, symmetric))
+        potential = surfaces.has_potential(setting.points, sides, setting.held)
+        terms.append(PressureTerm(sides, loads[0], -1, setting.stress, potential))
     return terms

@@ -8,14 +8,14 @@ from numpy.typing import NDArray
 from turgor.engine.fibers import fiber_kernels as fibers
 from turgor.engine.fibers import truss_bending as bending
 from turgor.engine.fibers.fiber_trusses import FiberTrusses, lay
-from turgor.engine.term import Configuration, Setting, add_at_nodes, displacements, lower
+from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class FiberTerm:
+class FiberTerm(Term):
     """The pieces of one winding, in scaled units."""
 
     pieces: fibers.Pieces
@@ -24,21 +24,6 @@ class FiberTerm:
     def unknowns(self) -> Ints:
         """Displacements of the sides that carry the pieces."""
         return displacements(self.pieces.sides)
-
-    @property
-    def couples(self) -> bool:
-        """No: cells tie the nodes of a side."""
-        return False
-
-    @property
-    def external(self) -> bool:
-        """No."""
-        return False
-
-    @property
-    def symmetric(self) -> bool:
-        """Yes: there is an energy."""
-        return True
 
     def _stretched(self, position: Array, update: Array | None = None) -> tuple[Array, Array]:
         """Stretch and tension of the pieces."""
@@ -66,14 +51,12 @@ class FiberTerm:
         kept = np.where(stretch >= 1, 1.0, np.maximum(p.pushed, fibers.SLACK_TANGENT)) * p.stiffness
         return lower(fibers.fiber_tangents(at.position, p.sides, p.along, p.weights, kept, stresses))
 
-    def skew(self, at: Configuration) -> Array:
-        """None."""
-        return np.empty((0, 0, 0))
-
 
 @dataclass(frozen=True, slots=True, eq=False)
-class BendingTerm:
-    """Joints of threads that resist bending, in scaled units."""
+class BendingTerm(Term):
+    """Joints of threads that resist bending, in scaled units; a joint ties nodes of two cells."""
+
+    couples = True
 
     joints: bending.Joints
 
@@ -81,21 +64,6 @@ class BendingTerm:
     def unknowns(self) -> Ints:
         """Displacements of the sides on both sides of each joint."""
         return self.joints.unknowns
-
-    @property
-    def couples(self) -> bool:
-        """Yes: a joint ties nodes of two cells."""
-        return True
-
-    @property
-    def external(self) -> bool:
-        """No."""
-        return False
-
-    @property
-    def symmetric(self) -> bool:
-        """Yes: there is an energy."""
-        return True
 
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the internal forces of the bending moments."""
@@ -105,17 +73,9 @@ class BendingTerm:
         """Energy of all joints."""
         return bending.bending_energy(self.joints, position)
 
-    def stresses(self, position: Array, update: Array) -> Array:
-        """None: the whole tangent is taken at the position."""
-        return np.empty(0)
-
     def tangents(self, at: Configuration, stresses: Array) -> Array:
-        """Lower triangles; degrees of freedom that a joint lists twice count once."""
+        """Lower triangles, all of it at the position; degrees of freedom that a joint lists twice count once."""
         return bending.lower_of_doubled(bending.bending_tangents(self.joints, at.position), self.joints.unknowns)
-
-    def skew(self, at: Configuration) -> Array:
-        """None."""
-        return np.empty((0, 0, 0))
 
 
 def fiber_terms(setting: Setting) -> list[FiberTerm | BendingTerm]:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.algebra.additions import Addition
 from turgor.engine.cells.memory import History, Memory
+from turgor.engine.contact.friction import Friction
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
@@ -98,7 +99,7 @@ class Constraint:
     memory : Memory or None
         Internal variables of the last converged state; None at rest.
     history : History or None
-        Internal variables and length of the present step.
+        What the last converged state brings into the present step.
     addition : Addition or None
         Forces besides those of the model, such as inertia.
     """
@@ -126,6 +127,16 @@ class Constraint:
         """The constraint in a step to a parameter, in which the rubber relaxes."""
         history = self.sought.system.history(self.memory, self.clock.step_to(parameter))
         return replace(self, history=history)
+
+    @property
+    def friction(self) -> Friction:
+        """Friction history of the present step."""
+        return () if self.history is None else self.history.friction
+
+    def with_friction(self, friction: Friction) -> "Constraint":
+        """The constraint with another friction history in this step and the next, such as one with other limits."""
+        history, memory = self.history or self.sought.system.history(), self.memory or Memory(stress={}, largest={})
+        return replace(self, memory=replace(memory, friction=friction), history=replace(history, friction=friction))
 
     def evaluate(
         self,

@@ -179,7 +179,7 @@ class LoadStrategy:
 def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | None:
     """Find the point at a load against viscous forces; None where that fails or the point is in doubt."""
     task, system, last = run.task, run.task.system, run.history[-1]
-    anchors, began = system.contact.friction_history, perf_counter()
+    began = perf_counter()
     run.constraint = run.constraint.begun(load)
     report = task.problem.listeners.reporter(len(run.steps) + 1, load)
     result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
@@ -187,7 +187,6 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     found = result.converged and why is None
     noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, result.reason or why))
     if not found or result.evaluation is None:
-        system.contact.friction_history = anchors
         return None
     return plain_point(run, result.evaluation, (load, result.scalars), result.unstable_modes), result
 

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 
+from turgor.engine.cells.memory import friction_of
 from turgor.solvers.continuation.limit_points import insert_limit_points
 from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
 from turgor.solvers.continuation.scalar_control.arc_scaling import next_conditions
@@ -15,6 +16,7 @@ from turgor.solvers.continuation.thresholds import HISTORY
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
 from turgor.solvers.solution import Step
+from turgor.solvers.states import rubbing
 
 
 def follow(run: Run) -> Outcome:
@@ -47,9 +49,9 @@ def step_loop(
 
 def _advance(run: Run) -> Outcome | None:
     """Attempt one step; return how the run ends, if it does."""
-    task, system, last, began = run.task, run.task.system, run.history[-1], perf_counter()
+    task, last, began = run.task, run.history[-1], perf_counter()
     parameter = task.strategy.next_parameter(run)
-    shorter, anchors = run.stepping.failed(parameter - last.parameter), system.contact.friction_history
+    shorter = run.stepping.failed(parameter - last.parameter)
     run.constraint = run.constraint.begun(parameter)
     start = task.strategy.predict(run, parameter)
     load = run.constraint.sought.load_factor(parameter, start.scalars)
@@ -57,7 +59,6 @@ def _advance(run: Run) -> Outcome | None:
     judgment = task.strategy.judge(run, result, parameter)
     noted(run, result, (parameter, perf_counter() - began), judgment)
     if judgment.point is None:
-        system.contact.friction_history = anchors
         if shorter is None:
             return task.strategy.rescue(run)
         run.stepping = shorter
@@ -84,19 +85,19 @@ def noted(run: Run, result: NewtonResult, when: tuple[float, float], judgment: J
 
 def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
     """Make a point the last state of the path; return how the run ends, if it does."""
-    task, system, last = run.task, run.task.system, run.history[-1]
-    assert result.evaluation is not None
-    system.contact.accept(result.evaluation.contacts)  # after the state has been read
+    task, last = run.task, run.history[-1]
     run.history.append(now)
     del run.history[:-HISTORY]
+    friction = friction_of(now.state.memory)  # what lies before the new state is sought with its friction, too
+    run.constraint = run.constraint.with_friction(friction)
     before, ending = insert_limit_points(run, last, now)
     ending = ending or task.finished(before, now, run)
-    state = now.state if ending is None else ending.state
+    state = now.state if ending is None else rubbing(ending.state, friction)
     run.states.append(state)
     run.constraint = replace(run.constraint, memory=state.memory)
     reason = task.problem.listeners.accepted(len(run.steps), state, result)
     if reason is not None:
-        return stopped_by(system.model, state, reason)
+        return stopped_by(task.system.model, state, reason)
     if ending is not None:
         return ending.outcome(run)
     run.stepping = run.stepping.accepted(now.parameter - last.parameter, result.hardest or result.iterations)

@@ -34,7 +34,7 @@ class Pushing:
 
 
 def pushing(system: System, at: Evaluation) -> Pushing:
-    """Return what obstacles do in a state; ask before the state is accepted."""
+    """Return what obstacles do in a state."""
     parts = system.contact.parts
     force, place = np.zeros((len(parts), 3)), np.zeros((len(parts), 3))
     for k, (part, found) in enumerate(zip(parts, at.contacts.found, strict=True)):

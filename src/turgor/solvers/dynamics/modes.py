@@ -109,7 +109,8 @@ def natural_frequencies(
         system = System(model, tuple(found))
         _check(system, count)
         unknowns = np.zeros(system.size)
-        history = system.history(None if state is None else state.memory)  # a sudden step
+        memory = None if state is None or state.memory is None else state.memory.of_rubber  # friction yields
+        history = system.history(memory)  # a sudden step
         if state is not None:
             unknowns = system.unknowns(state.displacement, state.mean_stress)
         load_factor = 0.0 if state is None else state.load_factor

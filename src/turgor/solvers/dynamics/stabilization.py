@@ -83,9 +83,9 @@ def follow_viscously(problem: Problem, procedure: Stabilized) -> Outcome:
 
 
 def _begin(problem: Problem, procedure: Stabilized) -> _Run:
-    system, tangent, start, turns = problem.system, problem.tangent, problem.start, kinks(problem.system.model)
-    unknowns = unknowns_of(system, start)
-    history = system.history(None if start is None else start.memory, inf)
+    system, tangent, turns = problem.system, problem.tangent, kinks(problem.system.model)
+    unknowns = unknowns_of(system, problem.start)
+    history = system.history(problem.memory, inf)
     at = system.evaluate(unknowns, 0.0, history=history)
     assert at is not None
     even = np.full(
@@ -200,7 +200,6 @@ def _accept(run: _Run, result: NewtonResult, length: float) -> Outcome | None:
     run.at, run.pushed, run.viscous = at, pushing(system, at), viscous
     state = _state(run, at, None)
     run.history = system.history(state.memory, inf)
-    system.contact.accept(at.contacts)  # after the state has been read
     if held:
         run.states.pop()  # while the load is held, only the last state counts
     run.states.append(state)

@@ -88,7 +88,7 @@ def follow_motion(problem: Problem, procedure: Dynamic) -> Outcome:
 def _begin(problem: Problem, procedure: Dynamic) -> _Run:
     system = problem.system
     unknowns, velocity = _restarted(system, problem.start)
-    history = system.history(None if problem.start is None else problem.start.memory)  # a sudden step
+    history = system.history(problem.memory)  # a sudden step
     at = system.evaluate(unknowns, 0.0, history=history)
     if at is None:
         raise TurgorError("the start turns a cell inside out; it is no state of this model.")
@@ -245,7 +245,6 @@ def _accept(
     run.accepted += 1
     state, procedure, states = _state(run), run.procedure, run.problem.states
     run.memory = state.memory
-    run.system.contact.accept(at.contacts)  # after the state has been read
     asked = any(abs(time - factor * procedure.duration) < 1e-12 * procedure.duration for factor in (*procedure.at, 1.0))
     if run.accepted % procedure.keep == 0 or asked:
         states.append(state)

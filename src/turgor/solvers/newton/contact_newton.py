@@ -22,7 +22,7 @@ def newton_with_contact(
     changes. The parameters are those of `newton`.
     """
 
-    def find(start: Start) -> NewtonResult:
+    def find(constraint: Constraint, start: Start) -> NewtonResult:
         result = newton(constraint, tangent, start, parameter, settings, report)
         if result.converged or tangent.plain or len(start.scalars):  # with a border there is no potential to lower
             return result
@@ -30,27 +30,27 @@ def newton_with_contact(
         iterations = result.iterations + found.iterations
         return replace(found if found.converged else result, iterations=iterations)
 
-    contact, result = constraint.sought.system.contact, find(start)
+    contact, result = constraint.sought.system.contact, find(constraint, start)
     if not contact.parts:
         return result
-    before, iterations, hardest = contact.friction_history, result.iterations, result.iterations
+    iterations, hardest = result.iterations, result.iterations
     for number in range(CONTACT_PASSES):
         at = _searched_anew(constraint, result, parameter)
         if at is None:
             break
-        renewed, stiffened = contact.settle(at.contacts), contact.stiffen(at.contacts)
+        (friction, renewed), stiffened = contact.settled(at.contacts), contact.stiffen(at.contacts)
+        constraint = constraint.with_friction(friction)
         residual = relative_residual(constraint.sought.system, at)
         if not stiffened and residual <= SEARCHED_ANEW * settings.tolerance:
             return replace(result, evaluation=at, iterations=iterations, hardest=hardest)
         if not (stiffened or renewed) and number >= CONTACT_PATIENCE and residual <= WEDGED:
             return replace(result, iterations=iterations, hardest=hardest)
-        found = find(Start(at.unknowns, constraint.sought.system.stresses(at), result.scalars))
+        found = find(constraint, Start(at.unknowns, constraint.sought.system.stresses(at), result.scalars))
         result = replace(found, reason=result.reason) if found.converged and found.reason is None else found
         iterations += result.iterations
         hardest = max(hardest, result.iterations)
     if result.converged:
         result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, CONTACT_PASSES))
-    contact.friction_history = before
     return replace(result, iterations=iterations)
 
 

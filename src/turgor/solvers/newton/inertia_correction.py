@@ -7,11 +7,14 @@ update then lowers the potential (Wächter and Biegler 2006, doi 10.1007/s10107-
 is needed, and convergence is that of Newton's method.
 """
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.linear import SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.contact.friction import with_limits_kept
 from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation
 from turgor.solvers.constraints.constraint import Constraint
@@ -56,14 +59,15 @@ def inertia_corrected(
         return _failed(None, 0, np.inf)
     start = unknowns.copy()
     start[system.held] = system.prescribed(load_factor)
-    system.contact.limits_kept = True
-    try:
-        at = evaluate(constraint, tangent, (start, NO_SCALARS), load_factor)
-        if at is None or not any(found.inside.any() for found in at.contacts.found):
-            return _failed(at, 0, np.inf)
-        return _descend(constraint, tangent, at, settings, report)
-    finally:
-        system.contact.limits_kept = False
+    constant = constraint.with_friction(with_limits_kept(constraint.friction))
+    at = evaluate(constant, tangent, (start, NO_SCALARS), load_factor)
+    if at is None or not any(found.inside.any() for found in at.contacts.found):
+        return _failed(at, 0, np.inf)
+    result = _descend(constant, tangent, at, settings, report)
+    at = result.evaluation
+    assert at is not None
+    contacts = at.contacts.with_friction(constraint.friction)  # the limits of the state follow the pressure again
+    return replace(result, evaluation=replace(at, contacts=contacts, history=constraint.history or at.history))
 
 
 def _descend(

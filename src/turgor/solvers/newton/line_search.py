@@ -76,7 +76,7 @@ def line_search(
 def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
     """Share of an update to take: less than 1 if walls are pressed too deep, or if friction reverses the force."""
     share = system.contact.shortening(at.contacts, new.contacts)
-    if share < 1 or not system.contact.rubs:
+    if share < 1 or not new.contacts.rubs:
         return share
     free = ~system.held[: 3 * system.node_count]
     along = update[: len(free)][free]
