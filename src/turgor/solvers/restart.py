@@ -1,5 +1,7 @@
 """Restart: the state and the contacts that a stage takes over from the former one."""
 
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,14 +17,9 @@ from turgor.solvers.solution import State
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class RestartContact:
-    """One part of the contact: its name and sides, its friction history, and its penalty scale."""
-
-    name: str
-    sides: NDArray[np.int64]
-    friction: FrictionHistory | None
-    boost: Array
+#: Name and sides of a part of the contact, and how many parts with the same ones stand before it: walls that meet each
+#: other and those that meet the mirror plane have the same.
+Key = tuple[str, bytes, int]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -32,43 +29,39 @@ class Restart:
     Parameters
     ----------
     state : State
-    contacts : tuple of RestartContact
-        One for each part.
+    friction : mapping of Key to FrictionHistory
+        Of each part of the contact that rubs.
+    penalty_scales : mapping of Key to array
+        Of each part of the contact.
     """
 
     state: State
-    contacts: tuple[RestartContact, ...]
+    friction: Mapping[Key, FrictionHistory]
+    penalty_scales: Mapping[Key, Array]
 
     @staticmethod
     def of(system: System, state: State) -> "Restart":
         """What the next stage takes over from a system in a state."""
         parts = system.contact.parts
+        keys = _keys(parts)
         friction = friction_of(state.memory) or (None,) * len(parts)
-        pairs = zip(parts, friction, strict=True)
-        contacts = [RestartContact(part.name, part.surface.sides, its, part.penalty_scale) for part, its in pairs]
-        return Restart(state=state, contacts=tuple(contacts))
+        return Restart(
+            state=state,
+            friction={key: its for key, its in zip(keys, friction, strict=True) if its is not None},
+            penalty_scales={key: part.penalty_scale for key, part in zip(keys, parts, strict=True)},
+        )
 
     def restore(self, system: System) -> None:
         """Give the penalty scales to the next stage, of the same mesh; its loads may bring other walls together."""
-        for part in system.contact.parts:
-            known = self._known(part)
-            if known is not None:
-                part.penalty_scale = known.boost
-
-    def _known(self, part: Part) -> RestartContact | None:
-        """What is known about a part of the next stage; None where the former one had no such part."""
-        for known in reversed(self.contacts):
-            if known.name == part.name and np.array_equal(known.sides, part.surface.sides):
-                return known
-        return None
+        for key, part in zip(_keys(system.contact.parts), system.contact.parts, strict=True):
+            part.penalty_scale = self.penalty_scales.get(key, part.penalty_scale)
 
     def history(self, system: System) -> History:
         """What the state brings into a sudden step of the next stage, which leaves its stress as it was."""
         memory = self.state.memory
         if memory is None:
             return system.history(None, 0.0)
-        known = [self._known(part) for part in system.contact.parts]
-        friction = tuple(None if each is None else each.friction for each in known)
+        friction = tuple(self.friction.get(key) for key in _keys(system.contact.parts))
         return system.history(replace(memory, friction=friction if any(friction) else ()), 0.0)
 
     def pressures(self, system: System) -> Array:
@@ -87,3 +80,14 @@ def unknowns_of(system: System, state: State | None) -> Array:
         (places[name] - obstacles[name].displacement(0.0)) / system.length for name in system.contact.bodies.names
     ]
     return np.concatenate([system.unknowns(state.displacement, state.mean_stress), *springs])
+
+
+def _keys(parts: Sequence[Part]) -> list[Key]:
+    """Keys by which the next stage finds the parts of a contact again."""
+    before: Counter[tuple[str, bytes]] = Counter()
+    keys = []
+    for part in parts:
+        same = (part.name, part.surface.sides.tobytes())
+        keys.append((*same, before[same]))
+        before[same] += 1
+    return keys

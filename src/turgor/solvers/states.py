@@ -1,11 +1,7 @@
 """States: the one place where an evaluation becomes a `State` in SI units."""
 
-from dataclasses import replace
-
 import numpy as np
 
-from turgor.engine.cells.memory import Memory, joined_memory
-from turgor.engine.contact.friction import Friction
 from turgor.engine.contact.pressure import nodal_pressure, touched_area
 from turgor.engine.system import Evaluation, System
 from turgor.model.drive import pressures_at
@@ -39,12 +35,6 @@ def state_of(system: System, at: Evaluation, modes: int | None) -> State:
         touches=touches(system, at),
         memory=system.remembered(at),
     )
-
-
-def rubbing(state: State, friction: Friction) -> State:
-    """Return a state with another friction history."""
-    memory = state.memory or Memory(stress={}, largest={})
-    return replace(state, memory=joined_memory(memory.stress, memory.largest, friction))
 
 
 def acting_pressures(system: System, at: Evaluation) -> dict[str, float]:

@@ -97,6 +97,23 @@ def test_other_ways_to_a_pressure(procedure, record_verification):
         assert len(solution.steps) < 40
 
 
+def test_friction_along_an_arc_is_that_of_small_load_steps(record_verification):
+    """The last state of an arc is sought with the friction history before it, not with that of the state beyond it."""
+    mesh = meshes.sphere_octant(10 * MM, 12 * MM, 2, 1, kind=HEXAHEDRON)
+    model = _at_a_plane(mesh, 12.2 * MM, loads=[tg.Pressure("cavity", 20e3)], friction=0.4)
+    fine = problems.solve(model, tg.Static(first_step=0.02, max_step=0.02)).states[-1].touches["plate"]
+    arc = problems.solve(model, tg.ArcLength()).states[-1].touches["plate"]
+    off = contact_cases.apart(arc.force, fine.force)
+    record_verification(
+        claim="rough sphere against a plane, ArcLength against Static in 50 steps: contact forces, relative",
+        source="the same problem",
+        expected=0.0,
+        got=off,
+        tolerance="0.045 (large steps of the arc)",
+    )
+    assert off < 0.045
+
+
 def test_a_slow_plane_presses_as_at_rest(record_verification):
     """The penetration makes the contact stiffness rise ten times on the way."""
     mesh = contact_cases.block((2, 2, 1))

@@ -219,7 +219,8 @@ def _short_cells(room: float, lines: int, fine: Fineness) -> list[float]:
     short = SHORT_CELL * fine.size
     if fine.edge is None:
         return [short] if room * lines > (1 + lines) * short * (1 + 1e-6) else []
-    found, short = [], fine.edge
+    found: list[float] = []
+    short = fine.edge
     while short < fine.size and sum(found) + short * (1 + 1 / lines) <= room * (1 + 1e-6):
         found.append(short)
         short *= GROWTH

@@ -134,9 +134,9 @@ class Constraint:
         return () if self.history is None else self.history.friction
 
     def with_friction(self, friction: Friction) -> "Constraint":
-        """The constraint with another friction history in this step and the next, such as one with other limits."""
-        history, memory = self.history or self.sought.system.history(), self.memory or Memory(stress={}, largest={})
-        return replace(self, memory=replace(memory, friction=friction), history=replace(history, friction=friction))
+        """The constraint in the same step with another friction history, such as one with other limits."""
+        history = self.history or self.sought.system.history()
+        return replace(self, history=replace(history, friction=friction))
 
     def evaluate(
         self,

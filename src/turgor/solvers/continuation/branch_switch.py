@@ -7,7 +7,6 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.cells.memory import friction_of
 from turgor.engine.chambers import Chambers
 from turgor.solvers.constraints.clock import Clock
 from turgor.solvers.constraints.constraint import Constraint
@@ -92,8 +91,7 @@ class Watch:
     def __call__(self, state: State) -> str | None:
         """End load control with a reason: of its own, or of the caller."""
         system, last = self.problem.system, self.history[-1]
-        history = replace(last.history or system.history(), friction=friction_of(state.memory))
-        at = system.evaluate(last.unknowns, last.parameter, history=history)
+        at = system.evaluate(last.unknowns, last.parameter, history=last.history)
         assert at is not None
         rate, modes = rate_at(system, self.problem.tangent, at)
         if modes is not None and modes != state.unstable_modes:

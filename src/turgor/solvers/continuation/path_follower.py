@@ -8,7 +8,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 
-from turgor.engine.cells.memory import friction_of
 from turgor.solvers.continuation.limit_points import insert_limit_points
 from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
 from turgor.solvers.continuation.scalar_control.arc_scaling import next_conditions
@@ -16,7 +15,6 @@ from turgor.solvers.continuation.thresholds import HISTORY
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
 from turgor.solvers.solution import Step
-from turgor.solvers.states import rubbing
 
 
 def follow(run: Run) -> Outcome:
@@ -88,11 +86,9 @@ def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
     task, last = run.task, run.history[-1]
     run.history.append(now)
     del run.history[:-HISTORY]
-    friction = friction_of(now.state.memory)  # what lies before the new state is sought with its friction, too
-    run.constraint = run.constraint.with_friction(friction)
     before, ending = insert_limit_points(run, last, now)
     ending = ending or task.finished(before, now, run)
-    state = now.state if ending is None else rubbing(ending.state, friction)
+    state = now.state if ending is None else ending.state
     run.states.append(state)
     run.constraint = replace(run.constraint, memory=state.memory)
     reason = task.problem.listeners.accepted(len(run.steps), state, result)
