@@ -73,7 +73,8 @@ def witnesses(case: Case) -> tuple[tuple[str, str], tuple[str, str]]:
     third, refined = ("third order", "fine"), ("tetrahedra", "refined")
     if case.touches:
         return refined, ("hexahedra", "refined")
-    return (("hexahedra", GRADED), third) if case.graded else (third, ("hexahedra", "half"))
+    hexahedra = ("hexahedra", GRADED if case.graded else "half")
+    return (third, hexahedra) if case.first == "third order" else (hexahedra, third)
 
 
 def wanted(case: Case, *, only_truth: bool, quick: bool) -> list[tuple[str, str, str]]:

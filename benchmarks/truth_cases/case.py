@@ -9,8 +9,8 @@ from turgor.units import kPa
 
 NO_CONTACT = tg.Contact(self_contact=False)
 #: Steps of the set, as times the default size; those that are refined start from the default one.
-STEPS = {"double": 2.0, "default": 1.0, "half": 0.5, "target": 1.0, "refined": 1.0}
-#: The step with short cells beside sharp edges.
+STEPS = {"double": 2.0, "default": 1.0, "half": 0.5, "target": 1.0, "refined": 1.0, "graded": 1.0}
+#: The step with a size of its own and short cells beside sharp edges.
 GRADED = "graded"
 #: Those whose mesh error is estimated.
 ESTIMATED = ("double", "default", "half")
@@ -47,6 +47,8 @@ class Case:
         Shares of the cells of the independent code that are bisected, round by round.
     graded : (float, float) or None [mm]
         Where sharp edges decide the error: size of hexahedra, and length of those beside the edges, for the reference.
+    first : str
+        Whose values are the reference: of the third order, or of graded hexahedra.
     """
 
     name: str
@@ -64,6 +66,7 @@ class Case:
     face_sizes: Mapping[str, float] = field(default_factory=dict)
     bisections: tuple[float, ...] = (0.1, 0.02)
     graded: tuple[float, float] | None = None
+    first: str = "third order"
 
     @property
     def touches(self) -> bool:

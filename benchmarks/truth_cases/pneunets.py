@@ -20,7 +20,6 @@ CASES = (
         pressures={"cavity": 6.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.5,
-        graded=(4.0, 0.2),
     ),
     Case(
         name="fast_pneunet_stiff_base",
@@ -29,8 +28,10 @@ CASES = (
         materials=ON_STIFF,
         pressures={"cavity": 4.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
-        third_order_size=3.5,
+        third_order_size=2.2,
+        bisections=(0.2,),
         graded=(4.0, 0.2),
+        first="hexahedra",
         jumps=True,
     ),
     Case(
@@ -43,6 +44,7 @@ CASES = (
         third_order_size=3.0,
         bisections=(0.15, 0.04),
         graded=(4.0, 0.2),
+        first="hexahedra",
         jumps=True,
     ),
     Case(
@@ -53,6 +55,7 @@ CASES = (
         pressures={"cavity": 20.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
+        graded=(1.2, 0.4),
         jumps=True,
     ),
     Case(

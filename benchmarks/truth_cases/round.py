@@ -29,6 +29,7 @@ CASES = (
         pressures={"cavity_1": 12.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=5.0,
+        graded=(2.0, 0.2),
         bisections=(0.1, 0.05),
     ),
     Case(
@@ -41,6 +42,7 @@ CASES = (
         pressures={"cavity_1": 7.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=4.0,
+        graded=(1.5, 0.4),
     ),
     Case(
         name="bellows",
@@ -60,6 +62,7 @@ CASES = (
         pressures={"cavity": 5.0},
         measures=(tg.bending_angle, tg.tip_displacement, tg.cavity_volume),
         third_order_size=3.0,
+        graded=(3.0, 0.3),
         bisections=(0.15, 0.05),
         jumps=True,
     ),

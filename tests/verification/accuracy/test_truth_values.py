@@ -3,7 +3,7 @@
 Problem: loaded actuators of the truth set (`benchmarks/truth_cases`), meshed without a size: a fast PneuNet on a
 base 20 times as stiff, a slow one, cylinders with a skin around hoops and helices, a tube with a helix of one hand, a
 closed tube. Without a size these families get hexahedra.
-Reference: `benchmarks/truth_values.json`, NGSolve with elements of third order, confirmed by refined tetrahedra.
+Reference: `benchmarks/truth_values.json`, graded hexahedra or NGSolve with elements of third order (docs/truth.md).
 Tolerance: 2 %, what a default mesh promises. The element of the version before misses it on the stiff base, where its
 mean stress could not jump: this shows that the test can fail.
 """
@@ -43,7 +43,7 @@ def test_default_mesh_is_within_two_percent(name, record_verification):
     units = ", ".join(f"{each.name.replace('_', ' ')} [{each.unit}]" for each in case.measures)
     record_verification(
         claim=f"{case.title}, default mesh: {units}",
-        source="truth set, NGSolve of third order",
+        source="truth set (docs/truth.md)",
         expected=[VALUES[name]["value"][each.name] for each in case.measures],
         got=[got[each.name] for each in case.measures],
         tolerance="2 %",
