@@ -9,7 +9,11 @@ from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.default_size import default_size
 from turgor.meshing.sizing.sizes import check_face_sizes, check_settings
 from turgor.meshing.sweeping.section import Fineness
-from turgor.meshing.sweeping.swept import check_cells, swept_mesh
+from turgor.meshing.sweeping.swept import check_cells, is_lattice, swept_mesh
+
+#: Hexahedra of a section that is cut into paired triangles are not chosen where they have more unknowns than this: the
+#: skins of a long bender take twice as many of them as of tetrahedra, which are as exact there.
+MOST_UNKNOWNS_OF_PAIRS = 1e5
 
 
 def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
@@ -61,11 +65,16 @@ def chosen_cells(geometry: Geometry, settings: MeshSettings) -> str:
 
 
 def _fillable(geometry: Geometry) -> bool:
-    """Whether sound hexahedra of the default size fill a geometry: in few sections of odd dimensions some turn over."""
+    """Whether hexahedra of the default size suit a geometry.
+
+    In few sections of odd dimensions some turn over, and some sections need too many.
+    """
     if geometry._sweep is None:
         return False
+    fine = Fineness(size=default_size(geometry, "hexahedra"))
     try:
-        refuse_inverted(swept_mesh(geometry, Fineness(size=default_size(geometry, "hexahedra"))))
+        made = swept_mesh(geometry, fine)
+        refuse_inverted(made)
+        return made.unknown_count <= MOST_UNKNOWNS_OF_PAIRS or is_lattice(geometry, fine)
     except TurgorError:
         return False
-    return True

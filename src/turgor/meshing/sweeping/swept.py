@@ -107,8 +107,26 @@ def _sweep_of(geometry: Geometry) -> Sweep:
     return sweep
 
 
-def _section(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
+def is_lattice(geometry: Geometry, fine: Fineness) -> bool:
+    """Whether the section of a swept geometry is cut along its own lines or circles, not into paired triangles.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet, SemicircularBender
+    >>> [is_lattice(kind().build(), Fineness(size=3e-3)) for kind in (FastPneuNet, SemicircularBender)]
+    [True, False]
+    """
+    sweep = _sweep_of(geometry)
+    return _lattice(sweep, sweep.outlines, fine) is not None
+
+
+def _lattice(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh | None:
     section = grid_section(outlines, fine)
     if section is None and not isinstance(sweep.path, Turned):
         section = polar_section(sweep.layers, outlines, fine)
+    return section
+
+
+def _section(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
+    section = _lattice(sweep, outlines, fine)
     return general_section(outlines, fine) if section is None else section

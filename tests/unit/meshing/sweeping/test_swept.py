@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import turgor as tg
 from turgor.engine.faces.surfaces import area, enclosed_volume
 from turgor.errors import TurgorError
 from turgor.geometry import (
@@ -30,9 +31,11 @@ from turgor.geometry import (
     TwoMaterialBender,
 )
 from turgor.meshing.cells import HEXAHEDRON, six_node_triangles
+from turgor.meshing.chosen import chosen_settings
 from turgor.meshing.generate import mesh
 from turgor.meshing.quality.cell_quality import cell_volumes, quality
 from turgor.meshing.quality.checks import check_mesh
+from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
 
 #: Straight shapes are exact; quadratic edges follow circles to a few parts in 10,000 at these sizes.
@@ -173,3 +176,12 @@ def test_a_turn_is_counted_in_quarters() -> None:
         for s, q in ((False, False), (True, False), (True, True))
     )
     assert len(whole.cells) == 2 * len(half.cells) == 4 * len(quarter.cells)
+
+
+@pytest.mark.parametrize(
+    ("kind", "cells"),
+    [("FiberReinforcedBender", "tetrahedra"), ("SemicircularBender", "hexahedra"), ("FastPneuNet", "hexahedra")],
+)
+def test_sections_of_paired_triangles_get_tetrahedra_where_hexahedra_are_too_many(kind: str, cells: str) -> None:
+    geometry = getattr(tg.actuators, kind)().build()
+    assert chosen_settings(geometry, MeshSettings()).cells == cells
