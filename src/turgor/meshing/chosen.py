@@ -20,7 +20,7 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     """Fill in what mesh settings leave open, once the geometry allows the rest.
 
     Where neither size nor cells nor sizes of faces are given, a geometry that is a swept section gets hexahedra. On the
-    truth set (docs/truth.md) their default size is within 1.2 % of the references, that of tetrahedra up to 7 % off. A
+    truth set (docs/truth.md) their default size is within 1.4 % of the references, that of tetrahedra up to 7 % off. A
     size alone means tetrahedra, as it always did, so that files with a size keep their mesh.
 
     Parameters
