@@ -157,14 +157,19 @@ def find_again(solution: Solution, options: EngineOptions, refined_before: bool 
     least = LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
     if not found.pairs:
         every = _chosen(solution, len(PLACES))
-        found = _on_second_mesh(solution, every, refined(solution.model.mesh, shares, least), options)
+        coarser = refined(solution.model.mesh, shares, least)
+        found = _on_second_mesh(solution, every, coarser, options, enough=1)
     return replace(found, seconds=perf_counter() - began)
 
 
 def _on_second_mesh(
-    solution: Solution, chosen: list[int], second: tuple[Refinement, float], options: EngineOptions
+    solution: Solution,
+    chosen: list[int],
+    second: tuple[Refinement, float],
+    options: EngineOptions,
+    enough: int = len(PLACES),
 ) -> FoundAgain:
-    """Solve for chosen states on a refined mesh that captures a share of the error."""
+    """Solve for chosen states, until enough are found, on a refined mesh that captures a share of the error."""
     refinement, captured = second
     transfer = Transfer(solution.model.mesh, refinement)
     mesh = SecondMesh(refinement, transfer, options)
@@ -172,6 +177,8 @@ def _on_second_mesh(
     moved: dict[int, float] = {}
     with use_threads(options.threads):
         for number in chosen:
+            if len(pairs) == enough:
+                break
             state = solution.states[number]
             found = mesh.found_again(state, procedure_of(solution, state))
             if found is not None:

@@ -47,7 +47,10 @@ TOLERANCE = 1e-6
 
 #: Updates at most; the last one is this small a share of the whole correction, which is the mesh error that is looked
 #: for. New factors are made where an update is not this much smaller than the one before.
-UPDATES, SMALL, CONTRACTION = 12, 0.03, 0.5
+UPDATES, SMALL, CONTRACTION = 12, 0.03, 0.6
+
+#: Scaled displacements smaller than this are zero.
+ROUNDING = 1e-14
 
 #: A correction larger than this share of the displacement leads to another equilibrium.
 FAR = 0.3
@@ -140,6 +143,7 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
     size_of_state = float(np.linalg.norm(unknowns[: len(whole)]))
     for _ in range(UPDATES):
         jump = system.prescribed(state.load_factor) - at.unknowns[system.held]
+        jump[np.abs(jump) < ROUNDING] = 0.0  # else each would cost a tangent
         coupling = tangent.factor(at, None, jump) if fresh or jump.any() else np.zeros(system.size)
         right = -at.residual - coupling
         right[system.held] = jump
