@@ -39,8 +39,10 @@ Equations = tuple[System, Tangent, History]
 #: Relative residual on the second mesh where pressures are unknown.
 SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
 
-#: The same with contact, or where simple updates diverge.
-CONTACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
+#: The same with contact, or where simple updates diverge: for an estimate, and for a state that takes the place of the
+#: first one.
+ROUGH_SETTINGS = NewtonSettings(tolerance=1e-3, max_iterations=30)
+EXACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
 
 #: Relative residual of a state that takes the place of the first one, as `Static` has it.
 TOLERANCE = 1e-6
@@ -137,7 +139,7 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
     if at is None:
         return None
     if any(touch.area > 0 for touch in state.touches.values()):
-        return _carefully(system, tangent, at, state)
+        return _carefully(system, tangent, at, state, exact)
     first = at
     whole, before, fresh = np.zeros(3 * system.node_count), np.inf, True
     size_of_state = float(np.linalg.norm(unknowns[: len(whole)]))
@@ -148,22 +150,25 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
         right = -at.residual - coupling
         right[system.held] = jump
         update = tangent.solve(right)
-        at = system.evaluate(at.unknowns + update, state.load_factor, history=history)
+        last, at = at, system.evaluate(at.unknowns + update, state.load_factor, history=history)
+        if at is None:
+            return _carefully(system, tangent, last, state, exact)
         whole += update[: len(whole)]
         size, total = float(np.linalg.norm(update[: len(whole)])), float(np.linalg.norm(whole))
-        if at is None or total > FAR * size_of_state:
+        if total > FAR * size_of_state:
             break
         if size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
             return _state(system, at, state, tangent.unstable_modes())
         fresh, before = size > CONTRACTION * before, size
-    return _carefully(system, tangent, first, state)
+    return _carefully(system, tangent, first, state, exact)
 
 
-def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State) -> State | None:
+def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, exact: bool) -> State | None:
     """Equilibrium by the Newton's method of a solve: with contact, or where simple updates diverge."""
     start = Start(at.unknowns, system.stresses(at), evaluation=at)
     constraint = load_control(system, history=at.history)
-    result = newton_with_contact(constraint, tangent, start, state.load_factor, CONTACT_SETTINGS, _unheard)
+    settings = EXACT_SETTINGS if exact else ROUGH_SETTINGS
+    result = newton_with_contact(constraint, tangent, start, state.load_factor, settings, _unheard)
     if not result.converged or result.evaluation is None:
         return None
     moved = (result.evaluation.unknowns - at.unknowns)[: 3 * system.node_count]
