@@ -150,12 +150,10 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
         right = -at.residual - coupling
         right[system.held] = jump
         update = tangent.solve(right)
-        last, at = at, system.evaluate(at.unknowns + update, state.load_factor, history=history)
-        if at is None:
-            return _carefully(system, tangent, last, state, exact)
+        at = system.evaluate(at.unknowns + update, state.load_factor, history=history)
         whole += update[: len(whole)]
         size, total = float(np.linalg.norm(update[: len(whole)])), float(np.linalg.norm(whole))
-        if total > FAR * size_of_state:
+        if at is None or total > FAR * size_of_state:
             break
         if size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
             return _state(system, at, state, tangent.unstable_modes())
