@@ -11,8 +11,8 @@ from turgor.meshing.sizing.sizes import check_face_sizes, check_settings
 from turgor.meshing.sweeping.section import Fineness
 from turgor.meshing.sweeping.swept import check_cells, is_lattice, swept_mesh
 
-#: Hexahedra of a section that is cut into paired triangles are not chosen where they have more unknowns than this. A long
-#: bender with a skin has 150,000 with hexahedra and 80,000 with tetrahedra, which are 0.3 % off on the truth set.
+#: Hexahedra of a section that is cut into paired triangles are not chosen where they have more unknowns than this. A
+#: long bender with a skin has 150,000 with hexahedra and 80,000 with tetrahedra, which are 0.3 % off on the truth set.
 MOST_UNKNOWNS_OF_PAIRS = 1e5
 
 
