@@ -69,7 +69,9 @@ if TYPE_CHECKING:
     from turgor.solvers.procedures.volume_control import VolumeControl as VolumeControl
     from turgor.solvers.solution import Solution as Solution
     from turgor.solvers.solution import Status as Status
+    from turgor.solvers.solve import resume as resume
     from turgor.solvers.solve import solve as solve
+    from turgor.solvers.stored import load as load
 
 #: Names of the release before that have another name now.
 _RENAMED = {"Step": "Edit", "TestError": "FitResidual"}

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from turgor import units
 from turgor.errors import TurgorError, near_match, unknown
 from turgor.source import Source
+from turgor.store.saved import Saved
 
 #: Units a column may be shown and written in, with their value in SI; the empty label is for pure numbers.
 COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
@@ -89,7 +90,7 @@ class Column:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Response:
+class Response(Saved):
     """Measured columns against the drive; the columns of the drive come first.
 
     Parameters

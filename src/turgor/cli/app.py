@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor import __version__
+from turgor.cli.again import measure_command, report_command
 from turgor.cli.convergence import convergence_command
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences, warn
 from turgor.cli.export import export_command
@@ -20,6 +21,7 @@ from turgor.cli.inspect import inspect_command
 from turgor.cli.materials import materials_app
 from turgor.cli.mesh import mesh_command
 from turgor.cli.modes import modes_command
+from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.job.output.outcome import RunOutcome
@@ -76,6 +78,9 @@ def _run(
         Path | None, typer.Option(help="Folder of results; by default NAME-results here.", show_default=False)
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False,
+    resume: Annotated[
+        bool, typer.Option("--resume", help="Go on with the run in the folder, from its last state.")
+    ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print errors and warnings only.")] = False,
     threads: Annotated[
         int | None, typer.Option(min=1, help="Number of threads; by default all processors.", show_default=False)
@@ -83,8 +88,8 @@ def _run(
     debug: Debug = False,
 ) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
-    with errors_as_sentences(debug):
-        outcome = _solve(job, output, force, quiet, threads)
+    with errors_as_sentences(debug), ends_at_once():
+        outcome = _solve(job, output, (force, resume), quiet, threads)
         if not quiet:
             _tell(outcome)
         warn(outcome.findings)
@@ -138,6 +143,8 @@ def _actuators() -> None:
 
 
 app.add_typer(materials_app, name="materials")
+app.command("report")(report_command)
+app.command("measure")(measure_command)
 app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
 app.command("export")(export_command)
@@ -146,7 +153,8 @@ app.command("modes")(modes_command)
 app.command("convergence")(convergence_command)
 
 
-def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: int | None) -> "RunOutcome":
+def _solve(job: Path, output: Path | None, again: tuple[bool, bool], quiet: bool, threads: int | None) -> "RunOutcome":
+    """Run a job; ``again`` says whether to replace the results in the folder, and whether to go on with its run."""
     from turgor.job.read import read_job
 
     question = read_job(job)
@@ -155,9 +163,17 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
     from turgor.cli.console import LiveDisplay, PlainDisplay
     from turgor.job.run import run_job
 
-    console = Console(quiet=quiet)
+    console, (force, resume) = Console(quiet=quiet), again
     with LiveDisplay(console) if console.is_terminal else PlainDisplay(console) as display:
-        return run_job(question, output, force=force, threads=threads, notify=display.notify, progress=display.progress)
+        return run_job(
+            question,
+            output,
+            force=force,
+            resume=resume,
+            threads=threads,
+            notify=display.notify,
+            progress=display.progress,
+        )
 
 
 def _tell(outcome: "RunOutcome") -> None:

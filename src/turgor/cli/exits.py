@@ -33,7 +33,7 @@ def errors_as_sentences(debug: bool) -> Iterator[None]:
     except OSError as error:
         _complain(f"'{error.filename or 'a file'}' cannot be read or written: {error.strerror}.", debug)
     except KeyboardInterrupt:
-        _complain("interrupted before the results were written.", debug, NOT_CONVERGED)
+        _complain("interrupted; with --resume, a run goes on from its last state.", debug, NOT_CONVERGED)
     except Exception as error:
         what = f"{type(error).__name__}: {error}"
         _complain(f"turgor failed unexpectedly, {what}. Please report it with the output of --debug.", debug)

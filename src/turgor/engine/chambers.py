@@ -27,7 +27,7 @@ class Chambers:
     """
 
     def __init__(self, system: System, faces: Sequence[str]) -> None:
-        self.system = system
+        self.system, self.faces = system, tuple(faces)
         mesh = system.model.mesh
         self._walls = [np.ascontiguousarray(mesh.face(name)) for name in faces]
         self._rims = [surfaces.rim_edges(walls) for walls in self._walls]
@@ -40,6 +40,15 @@ class Chambers:
 
     def __len__(self) -> int:
         return len(self._walls)
+
+    def stored(self) -> tuple[System, tuple[str, ...]]:
+        """What a file holds of them."""
+        return self.system, self.faces
+
+    @classmethod
+    def restored(cls, stored: tuple[System, tuple[str, ...]]) -> "Chambers":
+        """The cavities of what a file holds."""
+        return cls(*stored)
 
     def volumes(self, unknowns: Array) -> Array:
         """Scaled volumes (k,)."""

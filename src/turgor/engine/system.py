@@ -18,7 +18,7 @@ from turgor.engine.cells.memory import History, Memory, friction_of, joined_memo
 from turgor.engine.contact.couplings import Layout
 from turgor.engine.contact.part import Look
 from turgor.engine.contact.surface import whole_surface
-from turgor.engine.contact.terms import Contacts, ContactTerms
+from turgor.engine.contact.terms import ContactMemory, Contacts, ContactTerms
 from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
 from turgor.engine.evaluation import Stresses as Stresses
 from turgor.engine.term import Configuration, Setting
@@ -222,6 +222,14 @@ class System:
             return joined_memory({}, {}, friction)
         memory = self.materials.remembered(self.rubber.gradients(self.split(at.unknowns)[0]), at.history)
         return None if memory is None else replace(memory, friction=friction)
+
+    def contact_memory(self) -> ContactMemory:
+        """What contact has learned along the path."""
+        return self.contact.memory(self.layout)
+
+    def restore_contact(self, memory: ContactMemory) -> None:
+        """Go on with what contact had learned."""
+        self.contact.restore(memory, self.layout)
 
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from turgor.adaptivity.findings import mesh_error_findings
@@ -12,25 +11,30 @@ from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
-from turgor.job.output.folder import claimed, default_folder
+from turgor.job.output.folder import LOCK, claimed, clear, default_folder
+from turgor.job.output.growing import GrowingFiles
+from turgor.job.output.lock import check_same_job
 from turgor.job.output.material_findings import constants_in_doubt, laws_beyond_their_tests
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.versions import versions
-from turgor.job.output.write import write_results
+from turgor.job.output.write import write_results, write_tables
 from turgor.meshing.quality.checks import check_mesh
 from turgor.model.model import Model
 from turgor.response import Response
-from turgor.results.measures.measures import check_measures, find_measure, measure
+from turgor.results.measures.measures import Measure, check_measures, find_measure, measure
 from turgor.setups.added import with_setup
+from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
 from turgor.solvers.checks.contact import check_contact
 from turgor.solvers.checks.fibers import check_fibers
 from turgor.solvers.checks.obstacles import overlapping_obstacles
 from turgor.solvers.checks.supports import check_supports, unloaded_cavities
+from turgor.solvers.listeners import Listeners
 from turgor.solvers.methods import may_be_free, method_of
 from turgor.solvers.procedures.stages import Stages
-from turgor.solvers.solution import Procedure, Solution
-from turgor.solvers.solve import Progress, solve
+from turgor.solvers.solution import Procedure, Solution, Status
+from turgor.solvers.solve import Progress, follow_question
 from turgor.solvers.stage_sequence import questions
+from turgor.solvers.stored import PATH_FOLDER
 
 Notify = Callable[[str], None]
 
@@ -103,13 +107,15 @@ def run_job(
     output: str | Path | None = None,
     *,
     force: bool = False,
+    resume: bool = False,
     threads: int | None = None,
     notify: Notify | None = None,
     progress: Progress | None = None,
 ) -> RunOutcome:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder of its own.
 
-    A run that stops early writes the path so far; ``outcome.solution.status`` says how it ended.
+    Every accepted state is in the folder at once, in ``path``; response, steps and log grow with it. A run that stops
+    early, or that the user interrupts, writes the path so far; ``outcome.solution.status`` says how it ended.
 
     Parameters
     ----------
@@ -119,6 +125,9 @@ def run_job(
         Folder of results; ``<name>-results`` in the working directory if it is not given.
     force : bool
         Whether existing results in the folder are replaced.
+    resume : bool
+        Whether a run of this job in the folder that was ended goes on from its last state; where there is none, the run
+        begins.
     threads : int, optional
         Number of threads; by default that of the job, else all processors.
     notify : callable, optional
@@ -133,40 +142,64 @@ def run_job(
     Raises
     ------
     TurgorError
-        If the folder holds files or cannot be written (before the computation), or the job cannot be meshed.
+        If the folder holds files, is in use or cannot be written (before the computation), the job cannot be meshed,
+        or the run that should go on is one of another job.
     """
-    notices: list[str] = []
-    say = partial(_noted, notices, notify or _silent)
-    options = EngineOptions(notify=say)
+    options = EngineOptions()
     wanted = threads if threads is not None else job.threads
     if wanted is not None:
         options = replace(options, threads=wanted)
-    with claimed(Path(output) if output is not None else default_folder(job.name), force) as folder:
-        solution, response, findings = _solved(job, options, say, progress)
+    with claimed(Path(output) if output is not None else default_folder(job.name), force, resume) as folder:
+        files = GrowingFiles(folder, replace(job, threads=options.threads), notify or _silent)
+        record = _record(files, replace(options, notify=files.say), resume)
+        solution, response, findings = _solved(files, record, replace(options, notify=files.say), progress)
         outcome = RunOutcome(
-            job=replace(job, threads=options.threads),
+            job=files.job,
             solution=solution,
             response=response,
             findings=findings,
             written_by=versions() | {"linear_solver": solution.timing.linear_solver},
-            notices=tuple(notices),
+            notices=tuple(files.notices),
             folder=folder,
         )
-        return replace(outcome, files=write_results(outcome, say))
+        write = write_tables if solution.status is Status.INTERRUPTED else write_results
+        return replace(outcome, files=write(outcome, files.say))
+
+
+def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRecord:
+    """Open the record of a run that goes on, or prepare a job and begin one."""
+    folder = files.folder / PATH_FOLDER
+    if resume and (folder / INDEX).exists():
+        check_same_job(files.job, files.folder / LOCK)
+        files.say("going on with the path that the folder holds")
+        return RunRecord.open(folder)
+    clear(files.folder)
+    files.begin()
+    model, findings = prepare(files.job, files.say)
+    question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings)
+    return RunRecord.create(folder, question)
 
 
 def _solved(
-    job: Job, options: EngineOptions, say: Notify, progress: Progress | None
+    files: GrowingFiles, record: RunRecord, options: EngineOptions, progress: Progress | None
 ) -> tuple[Solution, Response, tuple[Finding, ...]]:
-    """Prepare and solve a job, refine its mesh where it has a target, and measure."""
-    model, findings = prepare(job, say)
-    say("solving")
-    solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
+    """Solve a job, refine its mesh where it has a target, and measure."""
+    job, findings = files.job, record.question.findings
+    files.say("solving")
+    record.told = lambda: files.grow(record)
+    question = replace(record.question, options=options)
+    solution = follow_question(question, Listeners(progress), record, throw=False)
+    if solution.status is Status.INTERRUPTED:
+        return solution, measure(solution, *_asked(job)), (*findings, *solution.findings)
     solution, refined = _refined(job, solution, options)
-    say("measuring")
+    files.say("measuring")
     response, unknown = _measured(job, solution, options, bool(refined))
     before = (*mesh_error_findings(response, findings), *refined, *unknown)
     return solution, response, (*before, *laws_beyond_their_tests(solution), *solution.findings)
+
+
+def _asked(job: Job) -> tuple[Measure, ...]:
+    return tuple(find_measure(name) for name in job.output.measures)
 
 
 def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:
@@ -189,7 +222,7 @@ def _measured(
     job: Job, solution: Solution, options: EngineOptions, refined: bool
 ) -> tuple[Response, tuple[Finding, ...]]:
     """Read the measures of a job, with their mesh errors if it asks for them, and a finding where these are unknown."""
-    measures = tuple(find_measure(name) for name in job.output.measures)
+    measures = _asked(job)
     response = measure(solution, *measures)
     if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
@@ -202,12 +235,6 @@ def _measured(
             f"{estimate.seconds:.1f} s"
         )
     return with_mesh_error(response, estimate), () if estimate.finding is None else (estimate.finding,)
-
-
-def _noted(notices: list[str], notify: Notify, text: str) -> None:
-    """Keep a notice for the log and pass it on."""
-    notices.append(text)
-    notify(text)
 
 
 def _silent(_: str) -> None:

@@ -15,6 +15,7 @@ from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Load, Pressure, Traction
 from turgor.model.supports import Displacement, Support, Symmetry
+from turgor.store.saved import Saved
 
 #: Formulations of the cells.
 MIXED, CONTINUOUS, DISPLACEMENT = "mixed", "continuous", "displacement"
@@ -51,7 +52,7 @@ class Membrane:
 
 
 @dataclass(frozen=True, slots=True, init=False)
-class Model:
+class Model(Saved):
     """A mesh with its materials, supports and loads; the question that `solve` answers.
 
     Parameters

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.cells.memory import History, Memory
 from turgor.engine.system import System
+from turgor.solvers.checkpoints.so_far import Record
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.restart import Restart
 from turgor.solvers.solution import LimitPoint, State, Step
@@ -23,6 +24,8 @@ class Problem:
         What the former stage left; None where it begins at rest.
     history : History or None
         What the start brings into the first step.
+    record : Record or None
+        Where checkpoints are kept.
     states, steps, limits : list
         What is found.
     """
@@ -32,6 +35,7 @@ class Problem:
     listeners: Listeners = field(default_factory=Listeners)
     restart: Restart | None = None
     history: History | None = None
+    record: Record | None = None
     states: list[State] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
     limits: list[LimitPoint] = field(default_factory=list)

@@ -13,6 +13,7 @@ from turgor.model.model import Model
 from turgor.solvers.energies import Energies
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.reasons import Cause, Reason
+from turgor.store.saved import Saved
 
 Procedure = OneProcedure | Stages
 
@@ -221,7 +222,7 @@ class Timing:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Solution:
+class Solution(Saved):
     """The path that a solve found, and how the solve ended.
 
     Parameters

@@ -1,8 +1,10 @@
 """solve: follow the equilibrium path of a model."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from math import inf
+from pathlib import Path
 from time import perf_counter
 
 from turgor.engine.algebra.tangent import Tangent
@@ -10,6 +12,7 @@ from turgor.engine.contact.build import may_touch
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
 from turgor.model.model import DISPLACEMENT, Model
+from turgor.solvers.checkpoints.record import Question, RunRecord
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
@@ -20,7 +23,7 @@ from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.restart import Restart
-from turgor.solvers.solution import Iteration, Procedure, Solution, SolveError, State, Timing
+from turgor.solvers.solution import Iteration, Procedure, Solution, SolveError, State, Status, Timing
 from turgor.solvers.stage_sequence import solve_stages
 
 #: Below this size threads wait for each other longer than they work.
@@ -37,6 +40,7 @@ def solve(
     progress: Progress | None = None,
     stop: Stop | None = None,
     options: EngineOptions | None = None,
+    folder: str | Path | None = None,
     throw: bool = True,
 ) -> Solution:
     """Follow the equilibrium path of a model from the undeformed state to the full load.
@@ -53,6 +57,9 @@ def solve(
         ``stop(state)`` ends the run early by returning the reason, a few words.
     options : EngineOptions
         Linear solver, threads, where notices go, Newton's method.
+    folder : str or Path, optional
+        Where every accepted state is kept at once. Whatever ends the run, `resume` goes on from the last one, and
+        `load` reads the path so far.
     throw : bool
         Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
 
@@ -64,27 +71,93 @@ def solve(
     Raises
     ------
     TurgorError
-        If the supports leave a rigid motion free, or prescribe the whole surface of an incompressible body.
+        If the supports leave a rigid motion free, prescribe the whole surface of an incompressible body, or the folder
+        holds a run already.
     SolveError
         If the full load was not reached and ``throw`` is set.
     """
-    procedure, listeners = procedure or Static(), Listeners(progress, stop)
-    one = partial(_solved, options or EngineOptions())
-    if isinstance(procedure, Stages):
-        solution = solve_stages(model, procedure, listeners, one)
-    else:
-        solution, _ = one(model, procedure, listeners, None)
+    question = Question(model=model, procedure=procedure or Static(), options=options or EngineOptions())
+    record = None if folder is None else RunRecord.create(Path(folder), question)
+    return follow_question(question, Listeners(progress, stop), record, throw)
+
+
+def resume(
+    folder: str | Path,
+    *,
+    progress: Progress | None = None,
+    stop: Stop | None = None,
+    options: EngineOptions | None = None,
+    throw: bool = True,
+) -> Solution:
+    """Go on with a solve that was ended from outside, from its last accepted state.
+
+    The answers are those of a run that was not ended. A run that had ended by itself is returned as it is.
+
+    Parameters
+    ----------
+    folder : str or Path
+        That of `solve`.
+    progress, stop, options, throw
+        As those of `solve`; the options of the run by default.
+
+    Returns
+    -------
+    Solution
+
+    Raises
+    ------
+    TurgorError
+        If the folder holds no run.
+    SolveError
+        If the full load was not reached and ``throw`` is set.
+    """
+    record = RunRecord.open(Path(folder))
+    question = record.question if options is None else replace(record.question, options=options)
+    return follow_question(question, Listeners(progress, stop), record, throw)
+
+
+def follow_question(question: Question, listeners: Listeners, record: RunRecord | None, throw: bool) -> Solution:
+    """Solve what a run was asked, from its beginning or from where its record ends.
+
+    Parameters
+    ----------
+    question : Question
+    listeners : Listeners
+    record : RunRecord or None
+    throw : bool
+        As that of `solve`.
+
+    Returns
+    -------
+    Solution
+    """
+    model, procedure = question.model, question.procedure
+    solution = None if record is None else record.solution()
+    if solution is None:
+        one = partial(_solved, question.options, record)
+        if isinstance(procedure, Stages):
+            solution = solve_stages(model, procedure, listeners, one)
+        else:
+            solution, _ = one(model, procedure, listeners, None)
+        if record is not None and solution.status is not Status.INTERRUPTED:
+            record.finish(solution)
     if throw and not solution.complete:
         raise SolveError(solution)
     return solution
 
 
 def _solved(
-    options: EngineOptions, model: Model, procedure: OneProcedure, listeners: Listeners, restart: Restart | None
+    options: EngineOptions,
+    record: RunRecord | None,
+    model: Model,
+    procedure: OneProcedure,
+    listeners: Listeners,
+    restart: Restart | None,
 ) -> tuple[Solution, Restart]:
     """Follow one procedure from rest, or from the restart of a former stage; return its own restart, too."""
     method = method_of(procedure)
     start = perf_counter()
+    stage, model = (None, model) if record is None else record.stage(model)
     check_supports(model, inertia=method.may_be_free(model))
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
@@ -98,7 +171,14 @@ def _solved(
         if restart is not None:
             restart.restore(system)
             history = restart.history(system)
-        problem = Problem(system=system, tangent=tangent, listeners=listeners, restart=restart, history=history)
+        problem = Problem(
+            system=system,
+            tangent=tangent,
+            listeners=listeners,
+            restart=restart,
+            history=history,
+            record=None if stage is None else stage.of(system),
+        )
         outcome = method.follow(problem, procedure)
     clock = tangent.clock
     timing = Timing(

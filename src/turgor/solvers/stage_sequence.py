@@ -44,7 +44,7 @@ def solve_stages(model: Model, procedure: Stages, listeners: Listeners, follow: 
         found.append(solution)
         if not solution.complete:
             break
-    return _together(model, procedure, found)
+    return together(model, procedure, found)
 
 
 def questions(model: Model, procedure: Stages) -> tuple[Model, ...]:
@@ -124,8 +124,20 @@ def _within(stage: Stage, listeners: Listeners) -> Listeners:
     return Listeners(tell, ask)
 
 
-def _together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Solution:
-    """One solution of those of the stages; the first state of each but the first is the last of the former."""
+def together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Solution:
+    """Make one solution of those of the stages; the first state of each but the first is the last of the former.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Stages
+    found : sequence of Solution
+        Of the first stages.
+
+    Returns
+    -------
+    Solution
+    """
     states: list[State] = []
     limits = []
     for stage, solution in zip(procedure.stages, found, strict=False):

@@ -34,6 +34,8 @@ class LinearSolver(Protocol):
     """Factor the tangent and solve with it."""
 
     name: str
+    double: bool
+    """Whether all factors are in double precision from now on."""
 
     def factor(self, data: Array) -> None:
         """Factor the values of the analyzed lower triangle."""
@@ -62,13 +64,14 @@ class RslabSolver:
         self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads)
         self._data = np.empty(0)
         self._factor: rslab.Ldlt | None = None
-        self._single = self._single_will_do = pattern.size >= SINGLE_FROM
+        self.double = pattern.size < SINGLE_FROM
+        self._single = not self.double
 
     def factor(self, data: Array) -> None:
         """Factor new values on the analyzed pattern."""
         self._data = data
         self._factor = None  # frees the old factors before the new ones are made
-        self._single = self._single_will_do
+        self._single = not self.double
         if not self._single:
             return self._factor_in_double()
         try:
@@ -94,7 +97,7 @@ class RslabSolver:
             if float(np.linalg.norm(left_over)) <= REFINED * float(np.linalg.norm(right)):
                 return solution
             solution = solution + np.asarray(self._factor.solve(left_over))
-        self._single_will_do = False
+        self.double = True
         self._factor_in_double()
         return np.asarray(self._factor.solve(right))
 
@@ -127,6 +130,8 @@ class PardisoSolver:
     """LDLᵀ by MKL Pardiso, type −2 without matching; faster, proprietary, used where turgor[fast] installed it."""
 
     name = "mkl-pardiso"
+
+    double = True
 
     def __init__(self, pattern: Pattern, threads: int) -> None:
         mkl = _load_mkl()

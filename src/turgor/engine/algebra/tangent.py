@@ -14,6 +14,7 @@ from turgor.engine.runtime import MIXED, PLAIN
 from turgor.engine.system import System
 
 Array = NDArray[np.float64]
+Columns = tuple[Array, NDArray[np.int32], NDArray[np.int32]]
 
 #: With friction, GMRES solves to this relative residual, with at most so many preconditioned steps.
 RUBBING_TOLERANCE, RUBBING_SOLVES = 1e-4, 40
@@ -42,6 +43,26 @@ class Clock:
     factorizations: int = 0
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Factored:
+    """What the next step may need of the factors of the one before.
+
+    Parameters
+    ----------
+    double : bool
+        Whether the linear solver has turned to double precision for good.
+    data : (nnz,) array
+        Values of the lower triangle that was factored last, supports applied; empty where no step uses it again.
+    whole, rubbing : (data, indices, indptr) or None
+        The unsymmetric matrix, and the unsymmetric part of friction beside a symmetric one.
+    """
+
+    double: bool
+    data: Array
+    whole: Columns | None = None
+    rubbing: Columns | None = None
+
+
 class Tangent:
     """The factored tangent of a system, supports applied.
 
@@ -64,6 +85,8 @@ class Tangent:
         self._general: UnsymmetricSolver | None = None
         self._analyzed = system.pattern
         self._rubbing: sp.csc_matrix | None = None
+        self._data: Array = np.empty(0)
+        self._whole: sp.csc_matrix | None = None
         if system.terms.symmetric:
             self._symmetric = linear_solver(solver, system.pattern, threads)
         else:
@@ -105,19 +128,52 @@ class Tangent:
             free = np.flatnonzero(~system.held[: 3 * system.node_count])
             data[system.pattern.diagonal[free]] += shift
         middle = perf_counter()
-        if self._symmetric is not None:
-            if self._analyzed is not system.pattern:  # walls touch that did not before
-                self._symmetric, self._analyzed = None, system.pattern
-                self._symmetric = linear_solver(self._solver, system.pattern, self._threads)
-            self._symmetric.factor(data)
-        else:
-            assert self._general is not None and skew is not None
+        self._data, self._whole = data, None
+        if self._symmetric is None:
+            assert skew is not None
             free = sp.diags((~system.held).astype(np.float64))
-            self._general.factor_matrix((system.pattern.full(data) + free @ skew @ free).tocsc())
+            self._whole = (system.pattern.full(data) + free @ skew @ free).tocsc()
+        self._factor()
         self.clock.assembly += middle - start
         self.clock.factorization += perf_counter() - middle
         self.clock.factorizations += 1
         return coupling
+
+    def _factor(self) -> None:
+        """Factor the present matrix."""
+        if self._general is not None:
+            self._general.factor_matrix(self._whole)
+            return
+        self._analyze()
+        assert self._symmetric is not None
+        self._symmetric.factor(self._data)
+
+    def _analyze(self) -> None:
+        """Analyze the present pattern, if it is another one than before."""
+        pattern = self._system.pattern
+        if self._general is None and self._analyzed is not pattern:  # walls touch that did not before
+            self._symmetric, self._analyzed = None, pattern
+            self._symmetric = linear_solver(self._solver, pattern, self._threads)
+
+    def factored(self, again: bool) -> Factored:
+        """What the next step may need: the matrix too, if it uses the factors ``again``."""
+        double = self._symmetric is not None and self._symmetric.double
+        if not again:
+            return Factored(double, np.empty(0))
+        return Factored(double, self._data, _columns(self._whole), _columns(self._rubbing))
+
+    def restore(self, last: Factored) -> None:
+        """Go on as after the last step, with its factors where the next one uses them; contact must be restored."""
+        self._data, self._whole, self._rubbing = last.data, self._matrix(last.whole), self._matrix(last.rubbing)
+        self._analyze()
+        if self._symmetric is not None:
+            self._symmetric.double = last.double
+        if len(self._data):
+            self._factor()
+
+    def _matrix(self, columns: Columns | None) -> sp.csc_matrix | None:
+        size = self._system.size
+        return None if columns is None else sp.csc_matrix(columns, shape=(size, size))
 
     def solve(self, right: Array) -> Array:
         """Solve with the last factors."""
@@ -139,3 +195,10 @@ class Tangent:
         expected = self._system.element.mean_count
         negative = self._active.negative_pivots(expected)
         return None if negative is None else max(0, negative - expected)
+
+
+def _columns(matrix: sp.csc_matrix | None) -> Columns | None:
+    if matrix is None:
+        return None
+    whole = matrix.tocsc()
+    return whole.data, whole.indices, whole.indptr

@@ -24,12 +24,15 @@ class Layout:
     ----------
     pattern : Pattern
         The present one. It is another object after every change.
+    ties : (keys, list of unknowns) or None
+        What the last change took, as `renew` wants it; None before the first one.
     """
 
     def __init__(self, base: Pattern, held: NDArray[np.bool_]) -> None:
         self.base = self.pattern = base
         self._held = held
         self._known = np.zeros(0, dtype=np.int64)
+        self.ties: tuple[Ints, list[Ints]] | None = None
         self._place: NDArray[np.int32] | None = None
         self._find_held()
 
@@ -45,7 +48,7 @@ class Layout:
 
     def renew(self, keys: Ints, unknowns: list[Ints]) -> None:
         """Take a new set of ties: their keys, and the unknowns of each in rows, −1 for none."""
-        self._known = np.sort(keys)
+        self._known, self.ties = np.sort(keys), (keys, unknowns)
         size = self.base.size
         graph = sp.csc_matrix((size, size), dtype=np.int32)
         for rows in unknowns:

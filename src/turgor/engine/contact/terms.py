@@ -60,6 +60,25 @@ class Contacts:
         return replace(self, found=tuple(replace(f, friction=a) for f, a in zip(self.found, each, strict=True)))
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class ContactMemory:
+    """What contact has learned along a path.
+
+    Parameters
+    ----------
+    last : Contacts or None
+        The last global search, from which points follow their partners.
+    penalty_scales : tuple of (s,) array
+        Of each part.
+    ties : (keys, list of unknowns) or None
+        What the sparsity of the tangent covers; see `turgor.engine.contact.couplings.Layout`.
+    """
+
+    last: Contacts | None
+    penalty_scales: tuple[Array, ...]
+    ties: tuple[Ints, list[Ints]] | None
+
+
 class ContactTerms:
     """Forces and tangents of all contacts of a model.
 
@@ -83,6 +102,18 @@ class ContactTerms:
         self.bodies = Bodies.of(model, scales, first_unknown)
         self._known: Contacts | None = None
         self.parts: list[Part] = build_parts(model, surface, points, self._length, self.bodies)
+
+    def memory(self, layout: Layout) -> ContactMemory:
+        """What was learned so far."""
+        return ContactMemory(self._known, tuple(part.penalty_scale for part in self.parts), layout.ties)
+
+    def restore(self, memory: ContactMemory, layout: Layout) -> None:
+        """Know again what was learned."""
+        self._known = memory.last
+        for part, scale in zip(self.parts, memory.penalty_scales, strict=True):
+            part.penalty_scale = scale
+        if memory.ties is not None:
+            layout.renew(*memory.ties)
 
     def look(
         self, position: Array, springs: Array, factor: float, known: Contacts | None = None, how: Look = Look.FOLLOW

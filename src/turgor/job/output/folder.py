@@ -1,11 +1,15 @@
 """Folder of results, created before the computation, so that no run fails when it writes its results."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryFile
 
+from filelock import FileLock, Timeout
+
 from turgor.errors import TurgorError
+from turgor.solvers.checkpoints.record import INDEX, SOLUTION
+from turgor.solvers.stored import PATH_FOLDER
 
 RESPONSE = "response.csv"
 STEPS = "steps.csv"
@@ -17,6 +21,9 @@ UNDEFORMED = "undeformed.png"
 DEFORMED = "deformed.png"
 CONTACT = "contact.png"
 FIELDS = "vtu"
+
+#: Locked while a run writes into the folder; the system unlocks it when the run ends, however it ends.
+IN_USE = ".in-use"
 
 #: Names of the files of a run; `clear` removes these and nothing else.
 RESULTS = (
@@ -36,28 +43,26 @@ def default_folder(name: str) -> Path:
 
 
 @contextmanager
-def claimed(folder: Path, force: bool) -> Iterator[Path]:
-    """Create a folder and check that it can be written; remove it if it is empty after an error in the block.
+def claimed(folder: Path, force: bool, resume: bool = False) -> Iterator[Path]:
+    """Create a folder, lock it and check that it can be written; remove it if it is empty after an error in the block.
 
     Parameters
     ----------
     folder : Path
         The folder; its parents are created too.
     force : bool
-        Whether it may hold files already.
+        Whether the results of an earlier run in it are removed.
+    resume : bool
+        Whether an earlier run in it goes on.
 
     Raises
     ------
     TurgorError
-        If it is a file, is not empty (unless ``force``), or cannot be written.
+        If it is a file, another run writes into it, it is not empty (unless ``force`` or ``resume``), or it cannot be
+        written.
     """
     if folder.exists() and not folder.is_dir():
         raise TurgorError(f"the output folder '{folder}' is a file; name another with --output OTHER.")
-    if folder.is_dir() and any(folder.iterdir()) and not force:
-        raise TurgorError(
-            f"the output folder '{folder}' exists and is not empty; name another with --output OTHER, or replace the "
-            "results in it with --force."
-        )
     new = not folder.exists()
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -66,14 +71,50 @@ def claimed(folder: Path, force: bool) -> Iterator[Path]:
     except OSError as error:
         raise TurgorError(f"the output folder '{folder}' cannot be written: {error.strerror}.") from error
     try:
-        yield folder
+        with FileLock(folder / IN_USE, timeout=0):
+            _check_empty(folder, force or resume)
+            if force and not resume:
+                clear(folder)
+            yield folder
+    except Timeout:
+        raise TurgorError(
+            f"another run is writing into the output folder '{folder}'; wait for it, or name another with "
+            "--output OTHER."
+        ) from None
     finally:
-        if new and not any(folder.iterdir()):
+        if new and all(each.name == IN_USE for each in folder.iterdir()):
+            (folder / IN_USE).unlink(missing_ok=True)
             folder.rmdir()
+
+
+def _check_empty(folder: Path, allowed: bool) -> None:
+    """Refuse a folder that holds files, unless it may."""
+    if allowed or all(each.name == IN_USE for each in folder.iterdir()):
+        return
+    unfinished = " go on with an unfinished run in it with --resume," if _unfinished(folder) else ""
+    raise TurgorError(
+        f"the output folder '{folder}' exists and is not empty;{unfinished} name another with --output OTHER, or "
+        "replace the results in it with --force."
+    )
+
+
+def _unfinished(folder: Path) -> bool:
+    """Whether a folder holds a run that has not ended."""
+    path = folder / PATH_FOLDER
+    return (path / INDEX).exists() and not (path / f"{SOLUTION}.turgor").exists()
 
 
 def clear(folder: Path) -> None:
     """Remove the files of an earlier run, so that none of them stays beside the new ones."""
+    clear_tables(folder)
+    for file in folder.glob(f"{PATH_FOLDER}/*"):
+        file.unlink()
+    with suppress(OSError):
+        (folder / PATH_FOLDER).rmdir()
+
+
+def clear_tables(folder: Path) -> None:
+    """Remove the files of an earlier run but its path."""
     for pattern in RESULTS:
         for file in folder.glob(pattern):
             file.unlink()

@@ -16,7 +16,7 @@ from turgor.job.output.folder import (
     RESPONSE,
     STEPS,
     UNDEFORMED,
-    clear,
+    clear_tables,
 )
 from turgor.job.output.lock import dimensions, lock_text
 from turgor.job.output.outcome import RunOutcome
@@ -61,13 +61,7 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[P
     The results of an earlier run in the folder are removed.
     """
     folder, output = outcome.folder, outcome.job.output
-    clear(folder)
-    notify("writing the response")
-    outcome.response.to_csv(folder / RESPONSE)
-    (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
-    write_steps(folder / STEPS, outcome.solution)
-    (folder / LOG).write_text(log_text(outcome), encoding="utf-8")
-    files = [folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG]
+    files = list(write_tables(outcome, notify))
     if output.fields:
         notify("writing the fields")
         (folder / FIELDS).mkdir(exist_ok=True)
@@ -85,6 +79,18 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[P
         write_report(folder / REPORT, report_of(outcome, files))
         files.insert(0, folder / REPORT)
     return tuple(files)
+
+
+def write_tables(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[Path, ...]:
+    """Write the response, the lock file, the steps and the log alone, in place of the results of an earlier run."""
+    folder = outcome.folder
+    notify("writing the response")
+    clear_tables(folder)
+    outcome.response.to_csv(folder / RESPONSE)
+    (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
+    write_steps(folder / STEPS, outcome.solution)
+    (folder / LOG).write_text(log_text(outcome), encoding="utf-8")
+    return folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG
 
 
 def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:

@@ -1,6 +1,7 @@
 """Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,24 +71,46 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     TurgorError
         If a measure needs a face that the mesh does not have.
     """
-    chosen = chosen_measures(solution, measures)
-    facts = MeshFacts(solution.model.mesh)
-    rows = []
-    for state in solution.states:
-        at = StateFields(state, facts)  # shared by the measures of this state, then dropped: fields are large
-        rows.append([each(at) for each in chosen])
-    table = np.array(rows).reshape(len(rows), len(chosen))
-    columns = list(_drive(solution))
-    for each, values in zip(chosen, table.T, strict=True):
-        columns.append(Column(each.name, each.unit, np.unwrap(values) if each.unwrap else values))
-    columns += energy_columns(solution)
-    return Response(
-        columns=tuple(columns),
-        source=_source(solution),
-        status=str(solution.status),
-        message=solution.message,
-        stages=tuple(state.stage for state in solution.states) if isinstance(solution.procedure, Stages) else (),
-    )
+    return Reader(measures).response(solution)
+
+
+@dataclass(slots=True, eq=False)
+class Reader:
+    """Reads measures off the states of a path that grows, each state once.
+
+    Parameters
+    ----------
+    measures : sequence of Measure
+        `STANDARD_MEASURES` if it is empty.
+    """
+
+    measures: Sequence[Measure] = ()
+    _chosen: tuple[Measure, ...] = ()
+    _rows: dict[int, tuple[Array, list[float]]] = field(default_factory=dict)
+
+    def response(self, solution: Solution) -> Response:
+        """Return the measures of all states, as `measure` does."""
+        chosen = chosen_measures(solution, self.measures)
+        if chosen != self._chosen:
+            self._chosen, self._rows = chosen, {}
+        facts = MeshFacts(solution.model.mesh)
+        for state in solution.states:
+            if id(state.displacement) not in self._rows:
+                at = StateFields(state, facts)  # shared by the measures of this state, then dropped: fields are large
+                self._rows[id(state.displacement)] = state.displacement, [each(at) for each in chosen]
+        rows = [self._rows[id(state.displacement)][1] for state in solution.states]
+        table = np.array(rows).reshape(len(rows), len(chosen))
+        columns = list(_drive(solution))
+        for each, values in zip(chosen, table.T, strict=True):
+            columns.append(Column(each.name, each.unit, np.unwrap(values) if each.unwrap else values))
+        columns += energy_columns(solution)
+        return Response(
+            columns=tuple(columns),
+            source=_source(solution),
+            status=str(solution.status),
+            message=solution.message,
+            stages=tuple(state.stage for state in solution.states) if isinstance(solution.procedure, Stages) else (),
+        )
 
 
 def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:

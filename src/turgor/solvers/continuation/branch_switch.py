@@ -121,7 +121,7 @@ def follow_auto(problem: Problem, procedure: Auto) -> Outcome:
     check_still(problem.system, "procedure auto")
     history: list[Point] = []
     watch = Watch.at_rest(problem, history)
-    outcome = follow(load_run(problem, load_steps(procedure), False, watch, history))
+    outcome = follow(load_run(problem, load_steps(procedure), False, watch, history), watch)
     return continue_past(problem, procedure, watch) if lost(outcome, watch) else outcome
 
 

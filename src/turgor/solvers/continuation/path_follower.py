@@ -7,7 +7,9 @@ Newton's method starts, whether a result is the next point of the path, and what
 from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
+from typing import Any
 
+from turgor.solvers.checkpoints.loop import Loop
 from turgor.solvers.continuation.limit_points import insert_limit_points
 from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
 from turgor.solvers.continuation.scalar_control.arc_scaling import next_conditions
@@ -17,32 +19,52 @@ from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_s
 from turgor.solvers.solution import Step
 
 
-def follow(run: Run) -> Outcome:
-    """Step along the path from the last point of the history until it is finished."""
-    model = run.task.system.model
+def follow(run: Run, beside: Any = None) -> Outcome:
+    """Step along the path from the last point of the history until it is finished.
+
+    Parameters
+    ----------
+    run : Run
+    beside : dataclass, optional
+        What else the steps change.
+
+    Returns
+    -------
+    Outcome
+    """
     return step_loop(
+        Loop(run.task.problem, [run, run.task.strategy, beside]),
         lambda: _advance(run),
         lambda: len(run.steps) >= run.task.procedure.max_steps,
-        lambda: too_many_steps(model, run.states[-1], run.task.procedure),
-        lambda: interrupted(model, run.states[-1]),
+        lambda: too_many_steps(run.task.system.model, run.states[-1], run.task.procedure),
     )
 
 
 def step_loop(
+    loop: Loop,
     attempt: Callable[[], Outcome | None],
     spent: Callable[[], bool],
     out_of_steps: Callable[[], Outcome],
-    interrupt: Callable[[], Outcome],
 ) -> Outcome:
-    """Attempt steps until one of them ends the run, the allowed number is spent, or the user presses Ctrl-C."""
-    try:
-        while not spent():
-            outcome = attempt()
-            if outcome is not None:
-                return outcome
-        return out_of_steps()
-    except KeyboardInterrupt:
-        return interrupt()
+    """Attempt steps until one of them ends the run, the allowed number is spent, or the user presses Ctrl-C.
+
+    Every accepted step is kept where the problem has a record; a loop that was ended from outside goes on from there.
+    """
+    problem = loop.problem
+
+    def steps(keep: Callable[[], None]) -> Outcome:
+        try:
+            while not spent():
+                outcome = attempt()
+                if outcome is not None:
+                    return outcome
+                if problem.steps and problem.steps[-1].accepted:
+                    keep()
+            return out_of_steps()
+        except KeyboardInterrupt:
+            return interrupted(problem.system.model, problem.states[-1])
+
+    return loop.follow(steps)
 
 
 def _advance(run: Run) -> Outcome | None:

@@ -13,6 +13,7 @@ from turgor.engine.energy import contact_energy, softening_loss, stored_energy
 from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
 from turgor.model.drive import kinks
+from turgor.solvers.checkpoints.loop import Loop
 from turgor.solvers.checks.supports import free_motions
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.loads import load_control
@@ -26,7 +27,7 @@ from turgor.solvers.energies import Energies
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
-from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
+from turgor.solvers.outcomes import Outcome, stopped_by, too_many_steps
 from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.stabilized import Stabilized
 from turgor.solvers.reasons import Cause, Reason
@@ -56,6 +57,8 @@ class _Run:
     free: bool = False
     softened: float = 0.0
     raised: int = 0
+    held: int = 0
+    hold: float = 0.0
 
     @property
     def system(self) -> System:
@@ -75,10 +78,10 @@ def follow_viscously(problem: Problem, procedure: Stabilized) -> Outcome:
     system = problem.system
     run = _begin(problem, procedure)
     return step_loop(
+        Loop(problem, [run]),
         lambda: _advance(run),
         lambda: len(problem.steps) >= procedure.max_steps and run.at.load_factor < 1.0,
         lambda: too_many_steps(system.model, problem.states[-1], procedure),
-        lambda: interrupted(system.model, problem.states[-1]),
     )
 
 
@@ -207,27 +210,30 @@ def _accept(run: _Run, result: NewtonResult, length: float) -> Outcome | None:
     return None if reason is None else stopped_by(system.model, state, reason)
 
 
-def _come_to_rest(run: _Run) -> Outcome:
-    """Hold the load until the viscous forces have faded."""
-    length = run.procedure.first_step
-    for _ in range(HOLDS):
-        at = run.system.evaluate(run.at.unknowns, 1.0, history=run.history)
-        assert at is not None
-        if relative_residual(run.system, at) <= run.procedure.tolerance:
-            break
-        result = _attempt(run, 1.0, length)
-        if not result.converged or _too_far(run, result):
-            length *= 0.25
-            if length < run.procedure.min_step:
-                return no_state(run.states[-1], run.steps[-1], RAISE**run.raised)
-            continue
-        ended = _accept(run, result, length)
-        if ended is not None:
-            return ended
-        run.rate = np.zeros_like(run.rate)
-        length *= HOLD_GROWTH
-    else:
+def _come_to_rest(run: _Run) -> Outcome | None:
+    """Hold the load for one more step, until the viscous forces have faded; return how the run ends, if it does."""
+    length = run.hold or run.procedure.first_step
+    at = run.system.evaluate(run.at.unknowns, 1.0, history=run.history)
+    assert at is not None
+    if run.held == HOLDS:
         return restless(run.states[-1])
+    if relative_residual(run.system, at) <= run.procedure.tolerance:
+        return _at_rest(run, at)
+    run.held += 1
+    result = _attempt(run, 1.0, length)
+    if not result.converged or _too_far(run, result):
+        run.hold = 0.25 * length
+        return no_state(run.states[-1], run.steps[-1], RAISE**run.raised) if run.hold < run.procedure.min_step else None
+    ended = _accept(run, result, length)
+    if ended is not None:
+        return ended
+    run.rate = np.zeros_like(run.rate)
+    run.hold = HOLD_GROWTH * length
+    return None
+
+
+def _at_rest(run: _Run, at: Evaluation) -> Outcome:
+    """Make the state in which viscous forces have faded the last one, and count its unstable modes."""
     run.at = at
     # where nothing holds it, the tangent is singular by itself
     run.problem.tangent.factor(replace(at, addition=_drag(run, 1.0)) if run.free else at)

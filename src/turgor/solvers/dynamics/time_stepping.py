@@ -19,6 +19,7 @@ from turgor.engine.mass import mass_data
 from turgor.engine.system import Evaluation, System
 from turgor.errors import TurgorError
 from turgor.model.drive import kinks
+from turgor.solvers.checkpoints.loop import Loop
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.path_follower import step_loop
@@ -32,7 +33,7 @@ from turgor.solvers.energies import Energies
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
-from turgor.solvers.outcomes import Outcome, interrupted, stopped_by
+from turgor.solvers.outcomes import Outcome, stopped_by
 from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.reasons import Cause, Reason
@@ -75,13 +76,12 @@ def follow_motion(problem: Problem, procedure: Dynamic) -> Outcome:
 
     The motion begins at rest without loads, or at the start of the problem with its velocity.
     """
-    system = problem.system
     run = _begin(problem, procedure)
     return step_loop(
+        Loop(problem, [run], keeps_factors=True),
         lambda: _advance(run),
         lambda: len(run.problem.steps) >= procedure.max_steps,
         lambda: out_of_time_steps(run.time, procedure),
-        lambda: interrupted(system.model, problem.states[-1]),
     )
 
 

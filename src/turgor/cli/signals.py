@@ -1,0 +1,62 @@
+"""Signals: Ctrl-C and SIGTERM end a command soon, whatever it is busy with."""
+
+import os
+import signal
+import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
+from threading import Thread, current_thread, main_thread
+from types import FrameType
+
+from turgor.cli.exits import NOT_CONVERGED
+
+#: Time [s] that a command has to write what is left; a factorization of a large matrix may last longer.
+PATIENCE = 2.0
+
+#: Said where that time was not enough.
+SENTENCE = b"interrupted; with --resume, a run goes on from its last state.\n"
+
+ENDING = (signal.SIGINT, signal.SIGTERM)
+
+
+@contextmanager
+def ends_at_once() -> Iterator[None]:
+    """Turn SIGTERM into what Ctrl-C does, and end the process if either has not ended it within `PATIENCE`.
+
+    States of a run are on disk as soon as they are accepted, so that nothing is lost. Compiled code does not notice a
+    signal, but lets other threads run: one of them waits for it.
+    """
+    if current_thread() is not main_thread():
+        yield
+        return
+    here, there = socket.socketpair()
+    there.setblocking(False)
+    before = signal.set_wakeup_fd(there.fileno(), warn_on_full_buffer=False)
+    handlers = {number: signal.signal(number, _interrupt) for number in ENDING}
+    Thread(target=_watch, args=(here,), daemon=True).start()
+    try:
+        yield
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+        signal.set_wakeup_fd(before)
+        there.close()
+
+
+def _interrupt(number: int, frame: FrameType | None) -> None:
+    """Interrupt as Ctrl-C does."""
+    raise KeyboardInterrupt
+
+
+def _watch(here: socket.socket) -> None:
+    """Wait for a signal, then for the end of the command, and end the process where that does not come."""
+    while number := here.recv(1):
+        if number[0] in ENDING:
+            here.settimeout(PATIENCE)
+            try:
+                while here.recv(1):
+                    pass
+            except TimeoutError:
+                os.write(2, SENTENCE)
+                os._exit(NOT_CONVERGED)
+            return

@@ -1,0 +1,88 @@
+"""Again: measure and report a run from its folder, finished or not, without solving anything."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from turgor.errors import TurgorError
+from turgor.job.job import Job
+from turgor.job.output.folder import LOCK
+from turgor.job.output.material_findings import laws_beyond_their_tests
+from turgor.job.output.outcome import RunOutcome
+from turgor.job.output.versions import versions
+from turgor.job.output.write import write_results
+from turgor.job.read import read_job
+from turgor.response import Response
+from turgor.results.measures.measures import find_measure, measure
+from turgor.solvers.solution import Solution
+from turgor.solvers.stored import load
+
+
+def measure_folder(folder: str | Path, names: tuple[str, ...] = ()) -> Response:
+    """Measure the path that a folder of results holds, as far as it goes.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Of `run_job` or `turgor run`, or of `solve`.
+    names : tuple of str
+        Names of measures; those of the job if none is given.
+
+    Returns
+    -------
+    Response
+        Without mesh errors.
+
+    Raises
+    ------
+    TurgorError
+        If the folder holds no path, or a name is unknown.
+    """
+    folder = Path(folder)
+    solution: Solution = load(folder)
+    asked = names or (_job(folder).output.measures if (folder / LOCK).exists() else ())
+    return measure(solution, *(find_measure(name) for name in asked))
+
+
+def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutcome:
+    """Write all files of a run anew from the path that its folder holds, as far as it goes.
+
+    Mesh errors are not estimated, because that would solve again.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Of `run_job` or `turgor run`.
+    notify : callable
+        ``notify(text)``, called with each activity.
+
+    Returns
+    -------
+    RunOutcome
+
+    Raises
+    ------
+    TurgorError
+        If the folder holds no path or no lock file.
+    """
+    folder = Path(folder)
+    solution: Solution = load(folder)
+    job = _job(folder)
+    response = measure(solution, *(find_measure(name) for name in job.output.measures))
+    outcome = RunOutcome(
+        job=job,
+        solution=solution,
+        response=response,
+        findings=(*laws_beyond_their_tests(solution), *solution.findings),
+        written_by=versions() | {"linear_solver": solution.timing.linear_solver},
+        notices=(),
+        folder=folder,
+    )
+    return replace(outcome, files=write_results(outcome, notify))
+
+
+def _job(folder: Path) -> Job:
+    file = folder / LOCK
+    if not file.exists():
+        raise TurgorError(f"'{folder}' holds no {LOCK}, which says what its run was.")
+    return read_job(file)

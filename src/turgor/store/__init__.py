@@ -1,0 +1,1 @@
+"""Store: files of models, solutions and runs, without pickle."""

@@ -1,0 +1,109 @@
+"""Archive: one file of JSON and arrays, a zip archive that any program can open.
+
+``content.json`` holds the format, its version, the version of turgor that wrote it, the kind of the content, and the
+content itself; ``arrays/NAME.npy`` holds each array in NumPy's own format. docs/reference/saved-files.md describes it.
+"""
+
+import errno
+import json
+import os
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import IO, Any
+from zipfile import BadZipFile, ZipFile
+
+import numpy as np
+from numpy.lib import format as npy
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError
+
+#: Version of the format; a reader refuses others.
+FORMAT, VERSION = "turgor", 1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Content:
+    """What an archive holds: the kind of its content, the content as JSON, and the arrays by their names."""
+
+    kind: str
+    tree: Any
+    arrays: Mapping[str, NDArray[Any]]
+
+
+def write_archive(file: Path | IO[bytes], content: Content) -> None:
+    """Write an archive; a file appears whole or not at all.
+
+    Parameters
+    ----------
+    file : Path or binary stream
+    content : Content
+
+    Raises
+    ------
+    OSError
+        If it cannot be written, with the name of the file; what stood there before stays.
+    """
+    if not isinstance(file, Path):
+        _write(file, content)
+        return
+    part = file.with_name(f"{file.name}.{os.getpid()}.part")
+    try:
+        with part.open("wb") as stream:
+            _write(stream, content)
+        os.replace(part, file)
+    except OSError as error:
+        raise OSError(error.errno or errno.EIO, error.strerror or str(error), str(file)) from error
+    finally:
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
+
+
+def _write(stream: IO[bytes], content: Content) -> None:
+    head = {"format": FORMAT, "version": VERSION, "written_by": f"turgor {version('turgor')}", "kind": content.kind}
+    with ZipFile(stream, "w") as archive:
+        archive.writestr("content.json", json.dumps(head | {"content": content.tree}, allow_nan=False))
+        for name, array in content.arrays.items():
+            with archive.open(f"arrays/{name}.npy", "w", force_zip64=True) as member:
+                npy.write_array(member, np.asarray(array), allow_pickle=False)
+
+
+def read_archive(file: Path | IO[bytes]) -> Content:
+    """Read an archive.
+
+    Raises
+    ------
+    TurgorError
+        If there is no such file, it is damaged or no archive of turgor, or its format is of another version.
+    """
+    named = f"'{file}'" if isinstance(file, Path) else "the data"
+    try:
+        with ZipFile(file) as archive:
+            head = json.loads(archive.read("content.json"))
+            _check(head, named)
+            arrays = {
+                Path(name).stem: _array(archive, name) for name in archive.namelist() if name.startswith("arrays/")
+            }
+            return Content(head["kind"], head["content"], arrays)
+    except FileNotFoundError:
+        raise TurgorError(f"there is no file {named}.") from None
+    except (BadZipFile, KeyError, ValueError, EOFError) as error:
+        raise TurgorError(f"{named} is damaged, or no file that turgor saved ({error}).") from None
+
+
+def _check(head: Any, named: str) -> None:
+    if not isinstance(head, dict) or head.get("format") != FORMAT:
+        raise TurgorError(f"{named} is no file that turgor saved.")
+    if head.get("version") != VERSION:
+        raise TurgorError(
+            f"{named} was written by {head.get('written_by')} in version {head.get('version')} of the format; "
+            f"this turgor {version('turgor')} reads version {VERSION}."
+        )
+
+
+def _array(archive: ZipFile, name: str) -> NDArray[Any]:
+    with archive.open(name) as member:
+        return np.asarray(npy.read_array(member, allow_pickle=False))

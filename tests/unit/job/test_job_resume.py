@@ -1,0 +1,200 @@
+"""Runs of jobs that are ended from outside: what their folder holds, and how they go on."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import turgor as tg
+from turgor.errors import TurgorError
+from turgor.job.again import measure_folder, report_folder
+from turgor.job.read import read_job
+from turgor.job.run import run_job
+from turgor.response import read_response
+
+JOB = """
+[actuator]
+type = "extending_cylinder"
+length = "20 mm"
+
+[mesh]
+size = "6 mm"
+cells = "hexahedra"
+
+[materials]
+body = { name = "rubber", law = "neo_hooke", C10 = "0.1 MPa" }
+
+[loads]
+pressure = "10 kPa"
+
+[procedure]
+type = "static"
+first_step = 0.1
+max_step = 0.1
+
+[output]
+measures = ["tip_displacement", "cavity_volume"]
+fields = false
+pictures = false
+report = false
+mesh_error = false
+"""
+
+
+class Killed(BaseException):
+    """Ends a run as a signal would."""
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory) -> Path:
+    path = tmp_path_factory.mktemp("job") / "pull.toml"
+    path.write_text(JOB, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def whole(file):
+    return run_job(read_job(file), file.parent / "whole", threads=1)
+
+
+def cut(file: Path, folder: Path, steps: int) -> None:
+    """Run a job that ends in the Newton updates after some steps."""
+    seen: list[object] = []
+
+    def progress(iteration, state):
+        if state is not None:
+            seen.append(state)
+        elif len(seen) == steps:
+            raise Killed
+
+    with pytest.raises(Killed):
+        run_job(read_job(file), folder, threads=1, progress=progress)
+
+
+def test_a_run_that_was_killed_leaves_tables_and_goes_on(file, whole, tmp_path):
+    folder = tmp_path / "run"
+    cut(file, folder, 4)
+    response = read_response(folder / "response.csv")
+    assert len(response) == 5
+    assert response.column("tip_displacement") == pytest.approx(whole.response.column("tip_displacement")[:5])
+    assert len((folder / "steps.csv").read_text().splitlines()) == 5
+    assert "step 4: load factor 0.4" in (folder / "run.log").read_text()
+    outcome = run_job(read_job(file), folder, resume=True, threads=1)
+    assert outcome.solution.converged
+    assert np.array_equal(outcome.response.column("tip_displacement"), whole.response.column("tip_displacement"))
+    assert (folder / "response.csv").read_bytes() == (whole.folder / "response.csv").read_bytes()
+
+
+def test_without_a_path_a_run_begins(file, whole, tmp_path):
+    outcome = run_job(read_job(file), tmp_path / "new", resume=True, threads=1)
+    assert outcome.solution.converged
+
+
+def test_another_job_does_not_go_on(file, tmp_path):
+    cut(file, tmp_path / "run", 2)
+    other = file.with_name("other.toml")
+    other.write_text(JOB.replace("10 kPa", "11 kPa").replace('name = "rubber"', 'name = "gum"'), encoding="utf-8")
+    with pytest.raises(TurgorError, match=r"loads\.pressure is 11 kPa here, 10 kPa there"):
+        run_job(read_job(other), tmp_path / "run", resume=True)
+
+
+def test_an_unfinished_run_is_named_where_the_folder_is_not_empty(file, whole, tmp_path):
+    cut(file, tmp_path / "run", 2)
+    with pytest.raises(TurgorError, match="go on with an unfinished run in it with --resume"):
+        run_job(read_job(file), tmp_path / "run")
+    with pytest.raises(TurgorError) as raised:
+        run_job(read_job(file), whole.folder)
+    assert "--resume" not in str(raised.value)
+
+
+def test_a_folder_serves_one_run_at_a_time(file, tmp_path):
+    first = read_job(file)
+
+    def second(iteration, state):
+        with pytest.raises(TurgorError, match="another run is writing into the output folder"):
+            run_job(first, tmp_path / "run", force=True)
+
+    assert run_job(first, tmp_path / "run", threads=1, progress=second).solution.converged
+
+
+def test_an_interrupted_run_writes_its_tables_and_no_pictures(file, tmp_path):
+    def progress(iteration, state):
+        if iteration.step == 4:
+            raise KeyboardInterrupt
+
+    outcome = run_job(read_job(file), tmp_path / "run", threads=1, progress=progress)
+    assert outcome.solution.status is tg.Status.INTERRUPTED
+    assert [each.name for each in outcome.files] == ["response.csv", "job.lock.toml", "steps.csv", "run.log"]
+    assert len(read_response(tmp_path / "run" / "response.csv")) == 4
+
+
+def test_the_folder_of_a_killed_run_is_measured_and_reported(file, whole, tmp_path):
+    folder = tmp_path / "run"
+    cut(file, folder, 3)
+    assert len(tg.load(folder).states) == 4
+    response = measure_folder(folder, ("cavity_volume",))
+    assert response.names[-1] == "cavity_volume" and len(response) == 4
+    outcome = report_folder(folder, lambda text: None)
+    assert outcome.response.status == "interrupted"
+    assert (folder / "response.png") in outcome.files
+    with pytest.raises(TurgorError, match="holds no path"):
+        measure_folder(tmp_path)
+
+
+def _start(file: Path, folder: Path, *more: str) -> subprocess.Popen:
+    command = [sys.executable, "-m", "turgor", "run", str(file), "--output", str(folder), "--threads", "1", *more]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_ends_the_command_within_three_seconds(number, file, tmp_path):
+    process = _start(file, tmp_path / "run")
+    assert process.stdout is not None
+    for line in process.stdout:
+        if "step 2" in line:
+            break
+    process.send_signal(number)
+    began = time.monotonic()
+    code = process.wait(timeout=60)
+    assert time.monotonic() - began < 3.0
+    assert code == 3
+    assert len(tg.load(tmp_path / "run").states) > 2
+    assert "--resume" in process.stdout.read()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="limits of POSIX")
+def test_a_full_disk_names_the_file_and_keeps_what_is_there(file, tmp_path):
+    small = "import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (90_000, 90_000)); "
+    small += "from turgor.cli.app import main; sys.exit(main(sys.argv[1:]))"
+    command = [sys.executable, "-c", small, "run", str(file), "--output", str(tmp_path / "run"), "--threads", "1"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 1
+    assert ".turgor' cannot be read or written" in done.stderr
+    assert (tmp_path / "run" / "job.lock.toml").exists()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+@pytest.mark.parametrize("count", [3, pytest.param(50, marks=pytest.mark.slow)])
+def test_killed_at_any_moment_it_ends_equal(count, file, whole, tmp_path):
+    """Each run is killed (SIGKILL) after a time drawn by chance, as often as it takes, then resumed to its end."""
+    chance = np.random.default_rng(count)
+    process = _start(file, tmp_path / "timed")
+    began = time.monotonic()
+    process.communicate()
+    lasts = time.monotonic() - began
+    for number in range(count):
+        folder = tmp_path / str(number)
+        process = _start(file, folder)
+        time.sleep(float(chance.uniform(0.4, 1.0)) * lasts)
+        process.kill()
+        process.communicate()
+        process = _start(file, folder, "--resume")
+        said, _ = process.communicate()
+        assert process.returncode == 0, said
+        assert (folder / "response.csv").read_bytes() == (whole.folder / "response.csv").read_bytes()
