@@ -44,6 +44,7 @@ def bender_model() -> tg.Model:
         },
         supports=[tg.Fixed("fixed")],
         loads=[tg.Pressure("cavity", problem["load"]["p_max"] * MPa)],
+        formulation="continuous",  # the element of the peers
     )
 
 

@@ -1,6 +1,6 @@
 """`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
 
-python benchmarks/run.py [bender] [demo] [growth] [contact] [newton]   all where none is named; renews results.md
+python benchmarks/run.py [bender] [demo] [growth] [contact] [newton] [running]   all by default; renews results.md
 """
 
 import json
@@ -16,6 +16,7 @@ import numpy as np
 
 import contact
 import newton
+import running
 from machine import machine
 from tables import table
 from turgor.engine.algebra.linear import available_solvers
@@ -146,7 +147,8 @@ def growth() -> str:
 
 def main() -> None:
     """Run the parts named on the command line, print each as it is done, write them all."""
-    parts = {"bender": bender, "demo": demo, "growth": growth, "contact": contact.section, "newton": newton.section}
+    parts = {"bender": bender, "demo": demo, "growth": growth, "contact": contact.section}
+    parts |= {"newton": newton.section, "running": running.section}
     chosen = sys.argv[1:] or list(parts)
     if unknown := [name for name in chosen if name not in parts]:
         sys.exit(f"unknown part {', '.join(unknown)}; known: {', '.join(parts)}.")
