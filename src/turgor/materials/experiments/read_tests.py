@@ -77,7 +77,7 @@ def read_test(
         names = ", ".join(test.name for test in found)
         raise TurgorError(
             f"'{Path(path).name}' holds {len(found)} specimens ({names}); read them with read_tests, "
-            "and average them if they are replicates."
+            "and average them if they are replicates (--average on the command line)."
         )
     return found[0]
 
@@ -121,7 +121,7 @@ def read_tests(
             raise TurgorError(
                 f"'{table.file}': the stretch turns round at row {turn + 1} of the numbers, from "
                 f"{test.stretch[turn - 1]:.4g} to {test.stretch[turn]:.4g}. If these are cycles, read with cyclic=True "
-                "and choose one with select_cycle; if not, correct the row."
+                "and choose one with select_cycle (--cycle on the command line); if not, correct the row."
             )
         tests.append(test)
     return tuple(tests)
