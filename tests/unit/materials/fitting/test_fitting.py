@@ -313,7 +313,7 @@ def test_ranking_orders_and_explains():
     assert len(ranking.failed) == 1 and "rivlin-6 has 27 parameters" in ranking.failed[0]
     words = " ".join(ranking.words)
     assert "neo-hooke suits strains up to 50 %; over the 400 % wanted" in words
-    assert "Uniaxial tests alone do not determine ogden-2" in words
+    assert "ogden-2: Uniaxial tests alone do not determine Ogden constants" in words
     assert "Do not use these constants outside stretch 1 to 5" in words
     with pytest.raises(TurgorError, match="no law was given"):
         rank([], made(YEOH))
