@@ -91,6 +91,11 @@ def test_constrained_least_squares_is_a_minimum(seed):
         ("yeoh-3", "yeoh"),
         ("YEOH-5", "yeoh-5"),
         ("generalized-rivlin-2", "rivlin-2"),
+        ("generalized_rivlin_2", "rivlin-2"),
+        ("neo_hooke", "neo-hooke"),
+        ("Mooney–Rivlin", "mooney-rivlin"),
+        ("ogden_3", "ogden-3"),
+        ("yeoh2", "yeoh-2"),
     ],
 )
 def test_laws_have_many_spellings(name, expected):
