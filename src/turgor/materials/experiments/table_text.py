@@ -3,10 +3,11 @@
 import csv
 import re
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.materials.experiments.columns import FACTORS
 from turgor.materials.experiments.file_text import read_lines
+
+Cells: TypeAlias = tuple[str, ...]
 
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?")
 _COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?")
@@ -148,9 +151,9 @@ def read_table(path: str | Path) -> Table:
         for number in range(start, len(lines))
         if any(cells[number]) and not lines[number].lstrip().startswith("#")
     ]
-    rows = _even([row for _, row in counted], [line for line, _ in counted], names, separator, path.name)
-    table = Table(file=path.name, notes=notes, names=names, rows=rows, lines=tuple(line for line, _ in counted))
-    return _with_points(table)
+    where = tuple(line for line, _ in counted)
+    rows = tuple(_even([row for _, row in counted], where, names, path.name))
+    return _with_points(Table(file=path.name, notes=notes, names=names, rows=rows, lines=where))
 
 
 def _cell(row: Sequence[str], index: int) -> str:
@@ -204,11 +207,11 @@ def _header(above: Sequence[str], separator: str | None, width: int) -> tuple[tu
     """Column names from the lines above the numbers, and how many lines they take: units may have one of their own."""
     if not above:
         return (), 0
-    names = _names(above[-1], separator, width)
-    if len(above) < 2 or not _are_units(names):
-        return names, 1
+    last = _split(above[-1].lstrip("# "), separator)
+    if len(above) < 2 or not _are_units(last):
+        return _names(above[-1], separator, width), 1
     upper = _names(above[-2], separator, width)
-    units = [unit if not unit or _BRACKETS.fullmatch(unit) else f"({unit})" for unit in names]
+    units = [unit if not unit or _BRACKETS.fullmatch(unit) else f"({unit})" for unit in last]
     return tuple(f"{name} {unit}".strip() for name, unit in zip_longest(upper, units, fillvalue="")), 2
 
 
@@ -230,23 +233,20 @@ def _names(line: str, separator: str | None, width: int) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _even(
-    rows: Sequence[Sequence[str]], lines: Sequence[int], names: Sequence[str], separator: str | None, file: str
-) -> tuple[tuple[str, ...], ...]:
-    """Rows without empty cells beyond the columns; a row with a cell too many is an error, because columns move."""
+def _even(rows: Sequence[Sequence[str]], lines: Sequence[int], names: Sequence[str], file: str) -> Iterator[Cells]:
+    """Rows without empty cells beyond the columns; one with a cell too many or too few is an error: columns move."""
     usual = Counter(len(row) for row in rows).most_common(1)[0][0]
-    width = len(names) or usual
-    found = []
+    width = max((n + 1 for n, name in enumerate(names) if name), default=usual)
     for row, line in zip(rows, lines, strict=True):
         end = next((n for n in range(len(row), width, -1) if row[n - 1]), min(len(row), width))
-        # between blanks nobody can tell which cell is missing
-        if end > width or (separator is None and end < width):
-            against = f"the header names {len(names)} columns" if names else f"other lines have {width}"
+        if end != width:
+            against = f"the header names {width} columns" if names else f"other lines have {width}"
             cells = "1 cell" if end == 1 else f"{end} cells"
-            why = "the numbers may stand in wrong columns"
-            raise TurgorError(f"'{file}', line {line} has {cells}, but {against}: {why}; correct the line.")
-        found.append(tuple(row[:end]))
-    return tuple(found)
+            raise TurgorError(
+                f"'{file}', line {line} has {cells}, but {against}: its numbers may stand in wrong columns; correct or "
+                "delete that line."
+            )
+        yield tuple(row[:end])
 
 
 def _with_points(table: Table) -> Table:

@@ -39,6 +39,7 @@ def file(tmp_path):
         "stretch;nominal stress\n-;MPa\n1;0\n1.5;0.1\n2;0.2\n",
         "strain;nominal stress\n%;N/mm²\n0;0\n50;0,1\n100;0,2\n",
         "strain;nominal stress;temperature\n%;MPa;°C\n0;0;21\n50;0,1;21\n100;0,2;21\n",
+        "stretch,nominal stress,,\n,(MPa),,\n1,0,,\n1.5,0.1,,\n2,0.2,,\n",
         "strain\tnominal stress\nmm/mm\tkPa\n0\t0\n0.5\t100\n1\t200\n",
         "strain stress_nominal\n% MPa\n0 0\n50 0.1\n100 0.2\n".replace("stress_nominal", "nominal_stress"),
         "stretch,nominal_stress_MPa,,\n1,0\n1.5,0.1,,\n2,0.2,,,,\n",
@@ -56,6 +57,7 @@ def test_the_same_numbers_from_what_machines_write(file, text):
     [
         ("stretch;nominal_stress_MPa\n1;0\n1.5;7;0.1\n2;0.2\n", "line 3 has 3 cells, but the header names 2 columns"),
         ("stretch,nominal_stress_MPa\n1,0,0,0\n1,5,0,1\n2,0,0,2\n", "line 2 has 4 cells, but the header names 2"),
+        ("stretch;nominal_stress_MPa;K\n1;0;296\n1.5;296\n2;0.2;296\n", "line 3 has 2 cells, but the header names 3"),
         ("stretch nominal_stress_MPa time_s\n1 0 0\n1.5 0.1\n2 0.2 2\n", "line 3 has 2 cells, but the header names 3"),
         ("stretch;nominal_stress_MPa\n1,0;0\n1.5;0.1\n", "'1,0' in line 2 has a decimal comma, '1.5' in line 3"),
         ('stretch,nominal_stress_Pa\n1.0,0\n1.5,"1,000"\n', "'1,000' in line 3 has a decimal comma, '1.0' in line 2"),
