@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from turgor.errors import TurgorError
 from turgor.materials.experiments.columns import FACTORS
@@ -47,13 +47,13 @@ class Sizes:
         Initial length.
     section : float or None [m²]
         Initial cross-section.
-    header : tuple of str
-        What the header states, in its own words.
+    header : mapping of str to str
+        What the header states, in its own words, by dimension.
     """
 
     length: float | None
     section: float | None
-    header: tuple[str, ...] = ()
+    header: Mapping[str, str] = field(default_factory=dict)
 
 
 def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Sizes:
@@ -71,7 +71,7 @@ def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Size
     Examples
     --------
     >>> sizes_of("a.csv", ["Strip 7", "Length = 50mm", "Cross-section (cm^2);0.18"], None)
-    Sizes(length=0.05, section=1.8e-05, header=('Length = 50mm', 'Cross-section (cm^2);0.18'))
+    Sizes(length=0.05, section=1.8e-05, header={'length': 'Length = 50mm', 'area': 'Cross-section (cm^2);0.18'})
     """
     found: dict[str, tuple[float, str]] = {}
     for note in notes:
@@ -84,7 +84,8 @@ def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Size
         section = values.get("area", values["width"] * values["thickness"] if _flat(values) else None)
     else:
         values, section = {"length": specimen.length}, specimen.section
-    sizes = Sizes(length=values.get("length"), section=section, header=tuple(text for _, text in found.values()))
+    header = {name: text for name, (_, text) in found.items()}
+    sizes = Sizes(length=values.get("length"), section=section, header=header)
     _check(file, found, specimen, sizes)
     return sizes
 

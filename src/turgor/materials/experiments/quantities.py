@@ -1,6 +1,6 @@
 """Quantities of a table: which columns give stretch and nominal stress, and how they are converted."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -14,7 +14,7 @@ from turgor.materials.experiments.header_sizes import Sizes
 Array: TypeAlias = NDArray[np.float64]
 Columns: TypeAlias = Mapping[str, Column]
 
-_EXAMPLE = "for example specimen=Specimen(length=33*mm, width=6*mm, thickness=3*mm)"
+_EXAMPLE = 'specimen=Specimen(length=33*mm, width=6*mm, thickness=3*mm) or --specimen "33 mm, 6 mm, 3 mm"'
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,7 +95,7 @@ def stress_quantity(
     if measure is None:
         raise TurgorError(
             f"'{file}': is '{columns['stress'].name}' force per initial area or force per current area? Answer with "
-            'stress_measure="nominal" or stress_measure="cauchy".'
+            'stress_measure="nominal" or stress_measure="cauchy"; on the command line with --stress.'
         )
     return _of_measure("stress", measure, columns, mode)
 
@@ -136,11 +136,11 @@ def _from_length(file: str, columns: Columns, sizes: Callable[[], Sizes]) -> Qua
     initial = stated.length
     if initial is None:
         raise TurgorError(
-            f"'{file}' holds {role}s{_known(stated)}; give the dimensions of the specimen, {_EXAMPLE}, or write "
+            f"'{file}' holds {role}s{_known(stated)}; give the dimensions of the specimen, as by {_EXAMPLE}, or write "
             "'# Length = 33 mm' above the names of the columns."
         )
     ahead = initial if role == "extension" else 0.0
-    text = f"'{columns[role].name}' with an initial length of {initial * 1e3:g} mm{_origin(stated)}"
+    text = f"'{columns[role].name}' with an initial length of {initial * 1e3:g} mm{_origin(stated, 'length')}"
     return Quantity(role=role, text=text, convert=lambda values, _: (values + ahead) / initial)
 
 
@@ -149,23 +149,25 @@ def _from_force(file: str, columns: Columns, sizes: Callable[[], Sizes]) -> Quan
     section = stated.section
     if section is None:
         raise TurgorError(
-            f"'{file}' holds forces{_known(stated)}; give the cross-section of the specimen, {_EXAMPLE}, or write "
+            f"'{file}' holds forces{_known(stated)}; give the section of the specimen, as by {_EXAMPLE}, or write "
             "'# Cross-section = 18 mm²' above the names of the columns."
         )
-    text = f"force over an area of {section * 1e6:g} mm²{_origin(stated)}"
+    text = f"force over an area of {section * 1e6:g} mm²{_origin(stated, 'area', 'width', 'thickness')}"
     return Quantity(role="force", text=text, convert=lambda values, _: values / section)
 
 
 def _known(stated: Sizes) -> str:
-    return f", and its header states only {_header(stated)}" if stated.header else ""
+    words = _words(stated.header.values())
+    return f", and its header states only {words}" if words else ""
 
 
-def _origin(stated: Sizes) -> str:
-    return f" (header: {_header(stated)})" if stated.header else ""
+def _origin(stated: Sizes, *dimensions: str) -> str:
+    words = _words(stated.header[name] for name in dimensions if name in stated.header)
+    return f" (header: {words})" if words else ""
 
 
-def _header(stated: Sizes) -> str:
-    return ", ".join(f"'{text}'" for text in stated.header)
+def _words(texts: Iterable[str]) -> str:
+    return ", ".join(f"'{text}'" for text in texts)
 
 
 def _of_measure(role: str, measure: str, columns: Columns, mode: str) -> Quantity:

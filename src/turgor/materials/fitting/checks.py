@@ -102,9 +102,9 @@ def _check_determined(found: Fit) -> tuple[Finding, ...]:
     """Check whether the tests determine the law and each of its constants (M02)."""
     message = _one_mode(found.law, [test.mode for test in found.tests])
     if found.left_open:
-        names = ", ".join(found.left_open)
+        names = " and ".join(filter(None, (", ".join(found.left_open[:-1]), found.left_open[-1])))
         only = f"they determine only {found.combination}" if found.combination else "they determine only a combination"
-        constants = f"The tests do not determine each of {names}; {only}."
+        constants = f"The tests do not determine {names} separately; {only}."
         message = f"{message} {constants}".strip()
     return (_left_open(message),) if message else ()
 

@@ -89,9 +89,10 @@ def _on_order(fits: Sequence[Fit]) -> list[str]:
     if fewest is best:
         said.append(f"{best.spec.name} fits best, {100 * best.relative:.2g} % off.")
     else:
+        few = len(fewest.spec.names)
         said.append(
             f"{best.spec.name} fits best, {100 * best.relative:.2g} % off; {fewest.spec.name} is nearly as good, "
-            f"{100 * fewest.relative:.2g} %, with {len(fewest.spec.names)} parameters, not {len(best.spec.names)}."
+            f"{100 * fewest.relative:.2g} %, with {few} parameter{'s' if few > 1 else ''}, not {len(best.spec.names)}."
         )
     return said
 
