@@ -117,7 +117,7 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
     found = []
     for index, name in enumerate(names):
         text, unit = split_unit(name)
-        role = stated.get(index, _role(text))
+        role = stated.get(index, role_of(text))
         if role == "specimen":
             found.append(Column(index=index, name=name, role=role, factor=1.0))
         elif role == "time" and unit not in FACTORS["time"] and index not in stated:
@@ -144,8 +144,15 @@ def split_unit(name: str) -> tuple[str, str | None]:
     return name, None
 
 
-def _role(text: str) -> str:
-    words = re.sub(r"[_\s]+", " ", text).strip().lower()
+def role_of(name: str) -> str:
+    """Return the role that the words of a column's name give, without its unit; empty where they give none.
+
+    Examples
+    --------
+    >>> role_of("Engineering Stress"), role_of("sample"), role_of("humidity")
+    ('nominal_stress', 'specimen', '')
+    """
+    words = re.sub(r"[_\s]+", " ", name).strip().lower()
     return next((role for pattern, role in _PATTERNS if re.search(pattern, words)), "")
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
-from turgor.materials.experiments.columns import FACTORS
+from turgor.materials.experiments.columns import FACTORS, role_of
 from turgor.materials.experiments.file_text import read_lines
 
 Cells: TypeAlias = tuple[str, ...]
@@ -267,9 +267,10 @@ def _with_points(table: Table) -> Table:
 
 
 def _first(table: Table, pattern: re.Pattern[str]) -> tuple[str, int] | None:
-    """First cell of a pattern and its line."""
+    """First cell of a pattern and its line; names of specimens, such as 1.2, are no numbers."""
+    labels = {n for n, name in enumerate(table.names) if role_of(name) == "specimen"}
     for row, line in zip(table.rows, table.lines, strict=True):
-        for cell in row:
-            if pattern.fullmatch(cell):
+        for index, cell in enumerate(row):
+            if pattern.fullmatch(cell) and index not in labels:
                 return cell, line
     return None

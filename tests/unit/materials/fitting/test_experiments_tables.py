@@ -77,6 +77,12 @@ def test_names_for_a_file_without_a_header_must_fit_every_row(file):
         read_test(file("1,0\n1.5,7,0.1\n2,0.2\n3,0.3\n"), columns=("stretch", "nominal_stress_MPa"))
 
 
+def test_the_name_of_a_specimen_is_no_number(file):
+    tests = read_tests(file("specimen;stretch;nominal stress (MPa)\n1.1;1,0;0\n1.1;2,0;0,2\n1.2;1,0;0\n1.2;2,0;0,3\n"))
+    assert [test.name for test in tests] == ["strip_uniaxial 1.1", "strip_uniaxial 1.2"]
+    assert [test.nominal_stress[1] for test in tests] == pytest.approx([0.2e6, 0.3e6])
+
+
 def test_rows_without_a_number_are_left_out_and_counted(file):
     text = "stretch,nominal_stress_MPa,temperature\n1,0,nan\n1.2,nan,20\n1.5,0.1,20\n,,\n1.8,,\n2,0.2,x\n"
     test = read_test(file(text))
