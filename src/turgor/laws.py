@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from turgor.materials.laws.laws import Yeoh as Yeoh
     from turgor.materials.laws.laws import YeohN as YeohN
     from turgor.materials.laws.stability import first_instability as first_instability
+    from turgor.materials.laws.stability import instabilities as instabilities
     from turgor.materials.library.doubts import doubts_of as doubts_of
     from turgor.materials.library.records import library as library
     from turgor.materials.library.records import records as records

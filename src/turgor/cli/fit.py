@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from turgor.materials.experiments.specimen import Specimen
     from turgor.materials.fitting.ranking import Ranking
 
+#: Points of a mean where curves are not thinned.
+AVERAGE_POINTS = 60
+
 #: Laws that are fitted by default, from few to many parameters.
 DEFAULT_LAWS = "neo-hooke,mooney-rivlin,yeoh,ogden-3,gent"
 
@@ -45,6 +48,9 @@ class FitOptions:
     keep_tail: Annotated[bool, typer.Option("--keep-tail", help="Keep the points after the break.")] = False
     points: Annotated[int, typer.Option(help="Number of points that a curve is thinned to; 0 keeps all.")] = 60
     each: Annotated[bool, typer.Option("--each", help="Every file is a material of its own.")] = False
+    average: Annotated[
+        bool, typer.Option("--average", help="Files are replicates: fit the mean of those of each mode.")
+    ] = False
     starts: Annotated[int, typer.Option(min=1, help="Number of random starts of the search.")] = 20
     seed: Annotated[int, typer.Option(help="Seed of the random starts.")] = 0
     relaxation: Annotated[
@@ -61,10 +67,15 @@ def fit_files(chosen: FitOptions) -> None:
         names = [law.strip() for law in chosen.laws.split(",") if law.strip()]
         modes = _modes(chosen.mode, len(chosen.files))
         _range(chosen.range_)  # checked before files are read
+        if chosen.average and (chosen.each or chosen.relaxation or chosen.softening):
+            raise TurgorError("--average goes with neither --each nor --relaxation nor --softening.")
         if chosen.relaxation or chosen.softening:
             _fit_over_time(chosen, modes, names)
             return
-        tests = [_test(chosen, file, mode) for file, mode in zip(chosen.files, modes, strict=True)]
+        if chosen.average:
+            tests = _means(chosen, modes)
+        else:
+            tests = [_test(chosen, file, mode) for file, mode in zip(chosen.files, modes, strict=True)]
         groups = [(test.name, [test]) for test in tests] if chosen.each else [(_common_name(chosen.files), tests)]
         rankings = _ranked(chosen, groups, names)
         if chosen.each:
@@ -80,9 +91,39 @@ fit_command = command_of(FitOptions, fit_files)
 def _test(chosen: FitOptions, file: Path, mode: str | None) -> "MaterialTest":
     """Read a test, crop it and thin it for the fit."""
     read = _read(chosen, file, mode, cyclic=chosen.cycle is not None)
-    test = _thinned(_handled(read, chosen), _range(chosen.range_), chosen.points)
+    test = _thinned(_cropped(_handled(read, chosen), _range(chosen.range_)), chosen.points)
     _tell(file, test)
     return test
+
+
+def _means(chosen: FitOptions, modes: Sequence[str | None]) -> "list[MaterialTest]":
+    """Read replicates, several in a file or one in each, and average those of each mode."""
+    from turgor.materials.experiments.handling import average
+    from turgor.materials.experiments.read_tests import read_tests
+
+    measure, specimen = chosen.stress or None, _specimen(chosen.specimen)
+    by_mode: dict[str, list[MaterialTest]] = {}
+    for file, mode in zip(chosen.files, modes, strict=True):
+        cyclic = chosen.cycle is not None
+        for read in read_tests(file, mode=mode, stress_measure=measure, specimen=specimen, cyclic=cyclic):
+            test = _cropped(_handled(read, chosen), _range(chosen.range_))
+            _tell(file, test)
+            by_mode.setdefault(test.mode, []).append(test)
+    means = []
+    for mode, group in by_mode.items():
+        if len(group) == 1:
+            raise TurgorError(f"--average found one {mode} test only; give two replicates or more of each mode.")
+        mean = average(group, points=chosen.points or AVERAGE_POINTS, name=f"mean of {len(group)} {mode}")
+        typer.echo(f"{mean!r}\n  {mean.edits[-1].text}\n  {_spread(mean)}")
+        means.append(mean)
+    return means
+
+
+def _spread(mean: "MaterialTest") -> str:
+    """Sentence on how far replicates lie apart, for a mean of `average`."""
+    assert mean.spread is not None
+    share = (mean.spread / abs(mean.nominal_stress).max()).max()
+    return f"The replicates scatter by up to {100 * share:.2g} % of the largest stress (standard deviation)."
 
 
 def _tell(file: Path, test: "MaterialTest") -> None:
@@ -139,22 +180,22 @@ def _handled(test: "MaterialTest", chosen: FitOptions) -> "MaterialTest":
 
     cycle, preload = chosen.cycle, _preload(chosen.preload)
     if cycle is not None:
-        if cycle == 0:
-            raise TurgorError("--cycle counts from 1; 1 is the first and -1 the last.")
-        test = select_cycle(test, cycle - 1 if cycle > 0 else cycle)
+        test = select_cycle(test, cycle)
     if not chosen.keep_tail and test.mode != "biaxial":
         test = remove_tail(test)
     return test if preload is None else remove_slack(test, preload)
 
 
-def _thinned(test: "MaterialTest", wanted: tuple[float, float] | None, points: int) -> "MaterialTest":
-    from turgor.materials.experiments.handling import crop, thin
+def _cropped(test: "MaterialTest", wanted: tuple[float, float] | None) -> "MaterialTest":
+    from turgor.materials.experiments.handling import crop
 
-    if test.mode in ("biaxial", "simple_shear"):
-        return test
-    if wanted is not None:
-        test = crop(test, *wanted)
-    return thin(test, points) if points else test
+    return test if wanted is None or test.mode in ("biaxial", "simple_shear") else crop(test, *wanted)
+
+
+def _thinned(test: "MaterialTest", points: int) -> "MaterialTest":
+    from turgor.materials.experiments.handling import thin
+
+    return thin(test, points) if points and test.mode not in ("biaxial", "simple_shear") else test
 
 
 def _write(folder: Path, rankings: "Sequence[tuple[str, Ranking]]") -> None:

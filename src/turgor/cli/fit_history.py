@@ -84,7 +84,7 @@ def _first_loading(test: "MaterialTest") -> "MaterialTest":
             f"test '{test.name}' begins stretched, so no law can be fitted to its loading; give its loading, too, "
             "or fit in Python with fit_history and a law from other tests."
         )
-    loading = select_cycle(test, 0)
+    loading = select_cycle(test, 1)
     top = int(np.argmax(loading.stretch >= loading.stretch.max()))
     loading = loading.keeping(np.arange(len(loading.stretch)) <= top, "After the first largest stretch")
     resting = (loading.stretch == 1.0) & (loading.nominal_stress == 0.0)

@@ -39,7 +39,7 @@ def test_table_words_plot_and_constants(run, strip, tmp_path):
     assert re.search(r"C10 = (20|19\.9)", result.output), result.output
     assert "neo-hooke" in result.output
     assert "neo-hooke suits strains up to 50 %" in result.output
-    assert "Uniaxial tests alone do not determine ogden-2" in result.output
+    assert "ogden-2: Uniaxial tests alone do not determine Ogden constants" in result.output
     assert (tmp_path / "out" / "strip_uniaxial.png").read_bytes().startswith(b"\x89PNG")
     first = read_records(tmp_path / "out" / "strip_uniaxial.toml")[0]
     law = first.build_law()
@@ -64,6 +64,36 @@ def test_each_file_can_be_a_material_of_its_own(run, strip, tmp_path):
     assert names == {f"{name}_uniaxial.{ending}" for name in ("strip", "other") for ending in ("png", "toml")}
 
 
+def test_replicates_are_averaged(run, tmp_path):
+    stretch = np.linspace(1.0, 2.0, 40)
+    paths = []
+    for number, modulus in enumerate((80e3, 100e3, 120e3)):
+        path = tmp_path / f"uniaxial_{number}.csv"
+        rows = "".join(f"{x},{modulus * (x - x**-2)}\n" for x in stretch[: 40 - number])
+        path.write_text(f"stretch,nominal_stress_Pa\n{rows}")
+        paths.append(path)
+    result = run(*paths, "--average", "--laws", "neo-hooke")
+    assert result.exit_code == 0, result.output
+    assert re.search(r"C10 = (50|49\.9\d*|50\.0\d*) ", result.output), "half of the mean modulus of 100 kPa"
+    assert "mean of 3 uniaxial [%]" in result.output
+    assert "3 points outside removed" in result.output
+    assert "scatter by up to 20 % of the largest stress" in result.output
+    both = tmp_path / "both_uniaxial.csv"
+    both.write_text("specimen,stretch,nominal_stress_Pa\nA,1,0\nA,2,140e3\nB,1,0\nB,2,210e3\n".replace("e3", "000"))
+    assert "--average on the command line" in run(both).output
+    assert "mean of 2 uniaxial [%]" in run(both, "--average", "--laws", "neo-hooke", "--points", 0).output
+
+
+def test_compression_is_fitted(run, tmp_path):
+    stretch = np.linspace(1.0, 0.5, 30)
+    path = tmp_path / "button_uniaxial.csv"
+    path.write_text("stretch,nominal_stress_Pa\n" + "".join(f"{x},{1e5 * (x - x**-2)}\n" for x in stretch))
+    result = run(path, "--laws", "neo-hooke")
+    assert result.exit_code == 0, result.output
+    assert "C10 = 50 " in result.output
+    assert "outside stretch 0.5 to 1" in result.output
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
@@ -74,8 +104,10 @@ def test_each_file_can_be_a_material_of_its_own(run, strip, tmp_path):
         (["--specimen", "33 mm"], "--specimen is '33 mm'"),
         (["--specimen", "33 mm, 0 mm, 3 mm"], "width is 0 m; it must be more than 0"),
         (["--preload", "7"], "'7' needs a unit"),
-        (["--cycle", "0"], "--cycle counts from 1"),
-        (["--cycle", "9"], "there is no number 8"),
+        (["--cycle", "0"], "cycles are counted from 1: 1 is the first and -1 the last"),
+        (["--cycle", "9"], "has one loading curve; there is no number 9"),
+        (["--average"], "--average found one uniaxial test only"),
+        (["--average", "--each"], "--average goes with neither --each"),
         (["--weights", "none"], "unknown weights 'none'"),
     ],
 )

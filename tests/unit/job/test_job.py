@@ -130,6 +130,14 @@ def test_every_section_reaches_the_job(tmp_path: Path) -> None:
     assert job.materials["strain_limiting_layer"].material.density == 800
 
 
+@pytest.mark.parametrize("name", ["neo_hooke", "neo-hooke", "Neo Hooke"])
+def test_a_law_is_spelled_in_a_job_as_on_the_command_line(tmp_path: Path, name: str) -> None:
+    text = re.sub("(?m)^body = .*", f'body = {{ law = "{name}", C10 = "120 kPa" }}', SMALL)
+    job = read(tmp_path, text)
+    assert job.materials["body"].law == NeoHooke(C10=120e3)
+    assert 'law = "neo_hooke"' in lock_text(job, {"turgor": "0.0"})
+
+
 def test_a_material_can_be_stated_by_its_law(tmp_path: Path) -> None:
     stated = '{ law = "neo_hooke", C10 = "120 kPa", bulk_modulus = "1 GPa", density = "1.1 g/cm³", name = "mine", \
 stretch_range = [0.5, 3.0], source = { text = "our own tests", doubts = ["one specimen only"] } }'

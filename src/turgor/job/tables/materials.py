@@ -13,6 +13,7 @@ from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import MeshTable, read_table, shown
 from turgor.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke
+from turgor.materials.laws.names import law_name
 from turgor.materials.library.records import from_library, library
 from turgor.materials.material import Material
 from turgor.model.layers import as_solid
@@ -60,9 +61,8 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
 
 def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: Problems) -> Material | Membrane | None:
     if isinstance(values, Mapping) and "law" in values:
-        law = str(values["law"])
-        if law not in LAWS:
-            problems.add((*key, "law"), str(unknown("law", law, LAWS)))
+        law = problems.attempt((*key, "law"), lambda: law_name(str(values["law"])))
+        if law is None:
             return None
         kind: Any = LAWS[law]
         table = read_table(law_table(kind), values, key, problems)
@@ -142,7 +142,7 @@ def read_library(name: str, record: str | None, density: float | None, key: Key,
 
 
 def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
-    kind = LAWS[table.law]
+    kind = LAWS[law_name(table.law)]
     source = Source(text=f"stated in {problems.file}")
     if table.source is not None:
         source = Source(text=table.source.text, detail=table.source.detail, doubts=tuple(table.source.doubts))

@@ -39,8 +39,10 @@ DIMENSIONS: Mapping[str, str] = {
     "nominal_stress": "stress",
     "nominal_stress_2": "stress",
     "cauchy_stress": "stress",
+    "cauchy_stress_2": "stress",
     "cauchy_difference": "stress",
     "stress": "stress",
+    "stress_2": "stress",
 }
 
 #: Patterns and roles. The first pattern that matches the name, in lower case and without its unit, gives the role.
@@ -49,14 +51,16 @@ _PATTERNS: tuple[tuple[str, str], ...] = (
     (r"time|cycle|resistance|temperature|width|thickness|area|speed|load factor", ""),
     (r"specimen|sample|replicate|^id$|probe", "specimen"),
     (r"cauchy.*difference|difference.*cauchy|stress difference", "cauchy_difference"),
-    (r"(engineering|nominal|eng\.?|piola).*stress.*\b2$", "nominal_stress_2"),
+    (r"(engineering|nominal|^eng\.?|piola|pk1).*stress.*(?<!\d)2$", "nominal_stress_2"),
     (r"(engineering|nominal|^eng\.?|piola|pk1).*stress", "nominal_stress"),
+    (r"(true|cauchy).*stress.*(?<!\d)2$", "cauchy_stress_2"),
     (r"(true|cauchy).*stress", "cauchy_stress"),
+    (r"(stress|spannung|sigma|σ).*(?<!\d)2$", "stress_2"),
     (r"stress|spannung|sigma|σ", "stress"),
     (r"(true|log\w*|hencky).*strain", "true_strain"),
     (r"shear.*(strain|amount)|amount.*shear|gamma|γ", "shear"),
     (r"strain|dehnung|elongation at", "nominal_strain"),
-    (r"(stretch|lambda|λ).*\b2$", "stretch_2"),
+    (r"(stretch|lambda|λ).*(?<!\d)2$", "stretch_2"),
     (r"stretch|lambda|λ", "stretch"),
     (r"extension|displacement|elongation|crosshead|travel|weg", "extension"),
     (r"length|grip|distance", "length"),
@@ -113,7 +117,7 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
     found = []
     for index, name in enumerate(names):
         text, unit = split_unit(name)
-        role = stated.get(index, _role(text))
+        role = stated.get(index, role_of(text))
         if role == "specimen":
             found.append(Column(index=index, name=name, role=role, factor=1.0))
         elif role == "time" and unit not in FACTORS["time"] and index not in stated:
@@ -134,14 +138,21 @@ def split_unit(name: str) -> tuple[str, str | None]:
     bracket = re.fullmatch(r"(.*?)\s*[(\[]([^)\]]*)[)\]]\s*", name)
     if bracket:
         return bracket[1], bracket[2].strip()
-    words = re.fullmatch(r"(.*?)[_ ,]+([^_ ,]+)", name)
-    if words and any(words[2] in units for units in FACTORS.values()) and words[2] != "1":
-        return words[1], words[2]
+    last = re.search(r"[_ ,]([^_ ,]+)$", name)
+    if last and any(last[1] in units for units in FACTORS.values()) and last[1] != "1":
+        return name[: last.start()].rstrip("_ ,"), last[1]
     return name, None
 
 
-def _role(text: str) -> str:
-    words = re.sub(r"[_\s]+", " ", text).strip().lower()
+def role_of(name: str) -> str:
+    """Return the role that the words of a column's name give, without its unit; empty where they give none.
+
+    Examples
+    --------
+    >>> role_of("Engineering Stress"), role_of("sample"), role_of("humidity")
+    ('nominal_stress', 'specimen', '')
+    """
+    words = re.sub(r"[_\s]+", " ", name).strip().lower()
     return next((role for pattern, role in _PATTERNS if re.search(pattern, words)), "")
 
 

@@ -41,7 +41,7 @@ def half_cycles(test: MaterialTest) -> tuple[slice, ...]:
     return tuple(slice(a, b) for a, b in pairwise(edges))
 
 
-def select_cycle(test: MaterialTest, number: int = -1, *, part: str = "loading") -> MaterialTest:
+def select_cycle(test: MaterialTest, cycle: int = -1, *, part: str = "loading") -> MaterialTest:
     """Keep one loading (or unloading) curve of a cyclic test.
 
     Rubber softens in its first cycles (Mullins). The last cycle is the preconditioned rubber of an actuator that has
@@ -51,23 +51,40 @@ def select_cycle(test: MaterialTest, number: int = -1, *, part: str = "loading")
     ----------
     test : MaterialTest
         Points in the order of time.
-    number : int
-        Number of the curve, from 0; negative numbers count from the last.
+    cycle : int
+        Number of the curve, as on the command line: 1 is the first, -1 the last.
     part : str
-        ``"loading"`` or ``"unloading"``.
+        ``"loading"``, away from the undeformed state, or ``"unloading"``.
+
+    Examples
+    --------
+    >>> stretch = [1.0, 1.5, 2.0, 1.5, 1.0, 1.6, 2.2]
+    >>> test = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stretch, name="cycles")
+    >>> select_cycle(test, 1).range
+    (1.0, 2.0)
     """
     if part not in ("loading", "unloading"):
         raise unknown("part of a cycle", part, ("loading", "unloading"))
+    if cycle == 0:
+        raise TurgorError("cycles are counted from 1: 1 is the first and -1 the last, in Python and with --cycle.")
     parts = half_cycles(test)
-    loading = [s for s in parts if test.stretch[s][-1] >= test.stretch[s][0]]
+    loading = [s for s in parts if _loads(test, s)]
     chosen = loading if part == "loading" else [s for s in parts if s not in loading]
-    if not -len(chosen) <= number < len(chosen):
-        raise TurgorError(f"test '{test.name}' has {len(chosen)} {part} curves; there is no number {number}.")
-    wanted = chosen[number]
+    if abs(cycle) > len(chosen):
+        curves = f"one {part} curve" if len(chosen) == 1 else f"{len(chosen)} {part} curves"
+        raise TurgorError(f"test '{test.name}' has {curves}; there is no number {cycle}.")
+    wanted = chosen[cycle - 1 if cycle > 0 else cycle]
     stretch = test.stretch[wanted]
     keep = np.zeros(len(test.stretch), dtype=bool)
-    # only points with increasing stretch: small steps back are noise of the crosshead
-    onward = stretch if part == "loading" else -stretch
+    # only points with stretches further on: small steps back are noise of the crosshead
+    onward = stretch if stretch[-1] >= stretch[0] else -stretch
     keep[wanted] = onward >= np.maximum.accumulate(onward)
-    place = number % len(chosen) + 1
+    place = chosen.index(wanted) + 1
     return test.keeping(keep, f"All but the {part} curve of cycle {place} of {len(chosen)}")
+
+
+def _loads(test: MaterialTest, half: slice) -> bool:
+    """Whether a half cycle ends further from the undeformed state than it begins, in tension or in compression."""
+    ends = test.stretch[half][[0, -1]]
+    begin, end = np.abs(ends) if test.mode == "simple_shear" else np.abs(np.log(ends))
+    return bool(end >= begin)

@@ -23,12 +23,15 @@ def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> M
     shift : bool
         Whether to subtract the stress at that point too, so that the curve begins at zero.
     """
-    below = np.flatnonzero(test.nominal_stress <= stress)
-    if test.nominal_stress.max() <= stress:
+    load = _load(test)
+    below = np.flatnonzero(load <= stress)
+    if load.max() <= stress:
         raise TurgorError(f"test '{test.name}' never exceeds {stress:g} Pa; choose a smaller preload.")
-    rising = np.flatnonzero(test.nominal_stress > stress)
+    rising = np.flatnonzero(load > stress)
     # noise may lift a single point above the threshold: take the first point that is followed by more
-    start = next(int(i) for i in rising if (test.nominal_stress[i : i + 5] > stress).all())
+    start = next((int(i) for i in rising if (load[i : i + 5] > stress).all()), len(load))
+    if start == len(load):
+        raise TurgorError(f"test '{test.name}' does not stay above {stress:g} Pa; choose a smaller preload.")
     if not len(below) or start == 0:
         return _note(test, f"No slack below {stress:g} Pa.")
     zero = float(test.stretch[start])
@@ -107,6 +110,8 @@ def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
 def remove_tail(test: MaterialTest, *, drop: float = 0.2) -> MaterialTest:
     """Remove the points after the specimen broke: those after the peak, if the stress then falls.
 
+    In compression, where the stress is negative, its size counts.
+
     Parameters
     ----------
     test : MaterialTest
@@ -116,8 +121,9 @@ def remove_tail(test: MaterialTest, *, drop: float = 0.2) -> MaterialTest:
     """
     if not 0 < drop < 1:
         raise TurgorError(f"drop is {drop:g}; allowed is between 0 and 1.")
-    peak = int(np.argmax(test.nominal_stress))
-    if test.nominal_stress[peak:].min() > (1 - drop) * test.nominal_stress[peak]:
+    load = _load(test)
+    peak = int(np.argmax(load))
+    if not load[peak] > 0 or load[peak:].min() > (1 - drop) * load[peak]:
         return _note(test, "No break: the stress does not fall after its peak.")
     keep = np.arange(len(test.stretch)) <= peak
     return test.keeping(keep, f"After the break at stretch {test.stretch[peak]:.4g}")
@@ -231,6 +237,11 @@ def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") 
         ),
         edits=(*(each for test in tests for each in test.edits), edit),
     )
+
+
+def _load(test: MaterialTest) -> Array:
+    """Nominal stress in the direction in which the test goes: positive in tension, and in compression too [Pa]."""
+    return test.nominal_stress if test.stretch[-1] >= test.stretch[0] else -test.nominal_stress
 
 
 def _note(test: MaterialTest, text: str) -> MaterialTest:

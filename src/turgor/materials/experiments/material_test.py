@@ -51,8 +51,7 @@ class MaterialTest:
     stretch : (n,) array [-]
         Length over initial length along the first axis; the amount of shear in ``simple_shear``.
     nominal_stress : (n,) array [Pa]
-        Force per initial area along the first axis; the shear stress in ``simple_shear``. In a ``biaxial`` test without
-        ``nominal_stress_2`` it is the difference of the Cauchy stresses over the stretch, (σ₁ − σ₂)/λ₁.
+        Force per initial area along the first axis; the shear stress in ``simple_shear``.
     name : str
         Name of the test in tables.
     source : Source
@@ -61,6 +60,9 @@ class MaterialTest:
         Stretch along the second axis, in ``biaxial`` tests only.
     nominal_stress_2 : (n,) array [Pa], optional
         Nominal stress along the second axis, in ``biaxial`` tests only.
+    cauchy_difference : bool
+        Whether ``nominal_stress`` is the difference of the Cauchy stresses over the stretch, (σ₁ − σ₂)/λ₁, in
+        ``biaxial`` tests only.
     spread : (n,) array [Pa], optional
         Standard deviation of the replicates that were averaged.
     time : (n,) array [s], optional
@@ -84,6 +86,7 @@ class MaterialTest:
     source: Source = UNSTATED
     stretch_2: Array | None = None
     nominal_stress_2: Array | None = None
+    cauchy_difference: bool = False
     spread: Array | None = None
     time: Array | None = None
     raw: "MaterialTest | None" = None
@@ -103,6 +106,11 @@ class MaterialTest:
             raise TurgorError(f"test '{self.name}' is {self.mode}; stretch_2 belongs to biaxial tests only.")
         if self.nominal_stress_2 is not None and self.stretch_2 is None:
             raise TurgorError(f"test '{self.name}' is {self.mode}; nominal_stress_2 belongs to a biaxial test.")
+        if self.cauchy_difference and (self.stretch_2 is None or self.nominal_stress_2 is not None):
+            raise TurgorError(
+                f"test '{self.name}': a difference of Cauchy stresses belongs to a biaxial test and has no "
+                "nominal_stress_2."
+            )
 
     def __repr__(self) -> str:
         low, high = self.range
@@ -152,10 +160,10 @@ class MaterialTest:
         """
         if self.mode == "simple_shear":
             return np.asarray(P[:, 0, 1])
-        if self.stretch_2 is None:
-            return np.asarray(P[:, 0, 0])
-        if self.nominal_stress_2 is None:
+        if self.cauchy_difference and self.stretch_2 is not None:
             return np.asarray(P[:, 0, 0] - P[:, 1, 1] * self.stretch_2 / self.stretch)
+        if self.nominal_stress_2 is None:
+            return np.asarray(P[:, 0, 0])
         return np.concatenate([P[:, 0, 0], P[:, 1, 1]])
 
     def first_turn(self) -> int | None:

@@ -9,7 +9,9 @@ import numpy as np
 
 from turgor.errors import TurgorError, unknown
 from turgor.materials.experiments.columns import Column, find_columns
+from turgor.materials.experiments.header_sizes import Sizes, sizes_of
 from turgor.materials.experiments.material_test import MODES, Array, Edit, MaterialTest
+from turgor.materials.experiments.quantities import second_stress, stress_quantity, stretch_quantity
 from turgor.materials.experiments.specimen import Specimen
 from turgor.materials.experiments.table_text import Table, read_table
 from turgor.source import Source
@@ -75,7 +77,7 @@ def read_test(
         names = ", ".join(test.name for test in found)
         raise TurgorError(
             f"'{Path(path).name}' holds {len(found)} specimens ({names}); read them with read_tests, "
-            "and average them if they are replicates."
+            "and average them if they are replicates (--average on the command line)."
         )
     return found[0]
 
@@ -111,14 +113,15 @@ def read_tests(
     if stress_measure not in (None, *_MEASURES):
         raise unknown("stress_measure", str(stress_measure), _MEASURES)
     tests = []
-    for name, part, known in _specimens(table, find_columns(table.names, roles, table.file)):
+    found = _for_mode(find_columns(table.names, roles, table.file), mode)
+    for name, part, known in _specimens(table, found):
         test = _test(name, part, known, mode, stress_measure, specimen)
         turn = test.first_turn()
         if turn is not None and not cyclic:
             raise TurgorError(
                 f"'{table.file}': the stretch turns round at row {turn + 1} of the numbers, from "
                 f"{test.stretch[turn - 1]:.4g} to {test.stretch[turn]:.4g}. If these are cycles, read with cyclic=True "
-                "and choose one with select_cycle; if not, correct the row."
+                "and choose one with select_cycle (--cycle on the command line); if not, correct the row."
             )
         tests.append(test)
     return tuple(tests)
@@ -138,6 +141,13 @@ def _mode(file: str, mode: str | None) -> str:
     raise TurgorError(f"'{file}' does not say how the specimen was loaded; give mode, one of {', '.join(MODES)}.")
 
 
+def _for_mode(columns: Sequence[Column], mode: str) -> tuple[Column, ...]:
+    """Columns with their roles in a mode: what ends in 2 is the second axis of biaxial tests, else a replicate."""
+    if mode == "biaxial":
+        return tuple(columns)
+    return tuple(replace(column, role=column.role.removesuffix("_2")) for column in columns)
+
+
 def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table, dict[str, Column]]]:
     """Split a table into its specimens."""
     stem = Path(table.file).stem
@@ -146,12 +156,12 @@ def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table
     times = [column for column in columns if column.role == "time"]
     clock = {"time": times[0]} if times else {}
     if label is not None:
-        names = [row[label.index] for row in table.rows]
-        parts = []
-        for name in dict.fromkeys(names):
-            rows = tuple(row for row, each in zip(table.rows, names, strict=True) if each == name)
-            parts.append((f"{stem} {name}", replace(table, rows=rows), {c.role: c for c in measured} | clock))
-        return parts
+        names = [row[label.index] if label.index < len(row) else "" for row in table.rows]
+        known = {column.role: column for column in measured} | clock
+        return [
+            (f"{stem} {name}".strip(), table.keeping(each == name for each in names), known)
+            for name in dict.fromkeys(names)
+        ]
     roles = [column.role for column in measured]
     copies = max((roles.count(role) for role in roles), default=1)
     if copies == 1 or any(roles.count(role) not in (copies,) for role in roles):
@@ -172,8 +182,9 @@ def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table
 
 def _filled(table: Table, group: Mapping[str, Column]) -> Table:
     """Cut a column group where it ends: replicates side by side break at different rows."""
-    last = [n for n, row in enumerate(table.rows) if any(row[c.index : c.index + 1] != ("",) for c in group.values())]
-    return replace(table, rows=table.rows[: last[-1] + 1] if last else ())
+    last = [n for n, row in enumerate(table.rows) if any("".join(row[c.index : c.index + 1]) for c in group.values())]
+    end = last[-1] + 1 if last else 0
+    return replace(table, rows=table.rows[:end], lines=table.lines[:end])
 
 
 def _test(
@@ -184,22 +195,33 @@ def _test(
     measure: str | None,
     specimen: Specimen | None,
 ) -> MaterialTest:
-    values = {role: table.column(c.index) * c.factor for role, c in columns.items() if _used(role, columns)}
-    stretch, how = _stretch(table.file, values, columns, mode, specimen)
-    stress, also = _stress(table.file, values, columns, stretch, measure, specimen, mode)
-    detail = f"{table.file}: {how}; {also}"
+    def sizes() -> Sizes:
+        return sizes_of(table.file, table.notes, specimen)
+
+    along = stretch_quantity(table.file, columns, mode, sizes)
+    pull = stress_quantity(table.file, columns, mode, sizes, measure)
+    biaxial = mode == "biaxial"
+    second = second_stress(table.file, columns, measure, pull) if biaxial else None
+    across = ("stretch_2",) if biaxial and "stretch_2" in columns else ()
+    roles = (along.role, pull.role, *across, *((second.role,) if second else ()))
+    table, gone = table.complete(columns[role].index for role in roles)
+    values = {role: table.column(columns[role].index) * columns[role].factor for role in roles}
+    stretch = along.convert(values[along.role], None)
+    difference = pull.role == "cauchy_difference"
+    alone = " along the first axis" if biaxial and second is None and not difference else ""
+    how = f"{along.text}; {pull.text}{alone}" + (f"; {second.text}" if second else "")
     time, clock = _time(table, columns.get("time"))
-    source = Source(text=f"test {name}", detail=detail)
     return MaterialTest(
         mode=mode,
         stretch=stretch,
-        nominal_stress=stress,
+        nominal_stress=pull.convert(values[pull.role], stretch),
         name=name,
-        source=source,
-        stretch_2=values.get("stretch_2") if mode == "biaxial" else None,
-        nominal_stress_2=values.get("nominal_stress_2") if mode == "biaxial" else None,
+        source=Source(text=f"test {name}", detail=f"{table.file}: {how}"),
+        stretch_2=values.get("stretch_2"),
+        nominal_stress_2=second.convert(values[second.role], values.get("stretch_2")) if second else None,
+        cauchy_difference=difference,
         time=time,
-        edits=(Edit(text=f"Read {len(stretch)} rows; {how}; {also}{clock}."),),
+        edits=(Edit(text=f"Read {len(stretch)} rows; {how}{clock}{gone}."),),
     )
 
 
@@ -213,84 +235,5 @@ def _time(table: Table, column: Column | None) -> tuple[Array | None, str]:
     time = time * column.factor
     back = np.flatnonzero(np.diff(time) < 0)
     if len(back):
-        return None, f"; '{column.name}' left out, it runs backwards at line {table.first_line + int(back[0]) + 1}"
+        return None, f"; '{column.name}' left out, it runs backwards at line {table.lines[int(back[0]) + 1]}"
     return time - time[0], f"; time from '{column.name}'"
-
-
-def _used(role: str, columns: Mapping[str, Column]) -> bool:
-    """Whether a column is needed: where a file states a quantity twice, the nominal one is read."""
-    if role == "time":
-        return False  # read apart: a test can do without it
-    shadows = {"true_strain": {"nominal_strain", "stretch"}, "nominal_strain": {"stretch"}, "force": {"nominal_stress"}}
-    return not shadows.get(role, set()) & set(columns)
-
-
-def _stretch(
-    file: str, values: Mapping[str, Array], columns: Mapping[str, Column], mode: str, specimen: Specimen | None
-) -> tuple[Array, str]:
-    if mode == "simple_shear":
-        for role in ("shear", "nominal_strain", "true_strain"):
-            if role in values:
-                return values[role], f"amount of shear from '{columns[role].name}'"
-        raise TurgorError(f"'{file}' has no column of the amount of shear; name it with columns={{'shear': ...}}.")
-    if "stretch" in values:
-        return values["stretch"], f"stretch from '{columns['stretch'].name}'"
-    if "nominal_strain" in values:
-        return 1 + values["nominal_strain"], f"stretch = 1 + '{columns['nominal_strain'].name}'"
-    if "true_strain" in values:
-        return np.exp(values["true_strain"]), f"stretch = exp('{columns['true_strain'].name}')"
-    role = "length" if "length" in values else "extension"
-    if role not in values:
-        found = ", ".join(f"'{column.name}'" for column in columns.values()) or "none that is known"
-        raise TurgorError(
-            f"'{file}' has no column of stretch, strain, length or extension (found: {found}); "
-            "name it with columns={'stretch': ...}."
-        )
-    if specimen is None:
-        raise TurgorError(
-            f"'{file}' holds {role}s; give the dimensions of the specimen, "
-            "for example specimen=Specimen(length=33*mm, width=6*mm, thickness=3*mm)."
-        )
-    length = values[role] + (specimen.length if role == "extension" else 0.0)
-    return length / specimen.length, f"'{columns[role].name}' with an initial length of {specimen.length * 1e3:g} mm"
-
-
-def _stress(
-    file: str,
-    values: Mapping[str, Array],
-    columns: Mapping[str, Column],
-    stretch: Array,
-    measure: str | None,
-    specimen: Specimen | None,
-    mode: str,
-) -> tuple[Array, str]:
-    if "cauchy_difference" in values:
-        if mode != "biaxial":
-            raise TurgorError(f"'{file}' holds a difference of Cauchy stresses, which belongs to mode 'biaxial' only.")
-        return values["cauchy_difference"] / stretch, "difference of Cauchy stresses over the stretch"
-    for role in (f"{measure}_stress",) if measure else ("nominal_stress", "cauchy_stress"):
-        if role in values:
-            measure, given = role.removesuffix("_stress"), role
-            break
-    else:
-        if "force" in values and "stress" not in values:
-            if specimen is None:
-                raise TurgorError(
-                    f"'{file}' holds forces; give the cross-section of the specimen, "
-                    "for example specimen=Specimen(length=33*mm, width=6*mm, thickness=3*mm)."
-                )
-            return values["force"] / specimen.section, f"force over an area of {specimen.section * 1e6:g} mm²"
-        if "stress" not in values:
-            found = ", ".join(f"'{column.name}'" for column in columns.values())
-            raise TurgorError(f"'{file}' has no such column of stress or force (found: {found}); name it with columns.")
-        given = "stress"
-    name = columns[given].name
-    if measure is None:
-        raise TurgorError(
-            f"'{file}': is '{name}' force per initial area or force per current area? Answer with "
-            'stress_measure="nominal" or stress_measure="cauchy".'
-        )
-    if measure == "nominal":
-        return values[given], f"nominal stress from '{name}'"
-    divisor = np.ones_like(stretch) if mode == "simple_shear" else stretch
-    return values[given] / divisor, f"nominal stress = Cauchy stress '{name}' / stretch"

@@ -10,14 +10,15 @@ from scipy.optimize import least_squares
 from turgor.errors import TurgorError, unknown
 from turgor.materials.experiments.material_test import Array, MaterialTest
 from turgor.materials.fitting.checks import covered_range, fit_findings
-from turgor.materials.fitting.constrained import solve_constrained, standard_errors
+from turgor.materials.fitting.constrained import solve_constrained
 from turgor.materials.fitting.law_specs import law_spec, shape_bounds
 from turgor.materials.fitting.points import FitPoints, ModeRanges, modulus_row, off_zero, stability_rows, within
 from turgor.materials.fitting.result import Fit, FitResidual
+from turgor.materials.fitting.uncertainty import Uncertainty, uncertainty_of
 from turgor.materials.laws.homogeneous import equibiaxial, planar, uniaxial
 from turgor.materials.laws.law_spec import LawSpec
 from turgor.materials.laws.laws import Law
-from turgor.materials.laws.stability import Mode, first_instability
+from turgor.materials.laws.stability import Mode, instabilities
 
 Shapes: TypeAlias = Sequence[float] | Array
 
@@ -78,7 +79,7 @@ def fit(
     wanted = _range(used, stretch)
     search = _Search(spec, FitPoints(used, weights), _mode_ranges(wanted, strict=stretch is not None), stable)
     made, found = _solved(search, starts, seed)
-    return Fit(
+    fitted = Fit(
         **found,
         quality=tuple(FitResidual.of(test, test.predicted(made)) for test in used),
         stretch=wanted,
@@ -86,8 +87,8 @@ def fit(
         instability=_instability(made, wanted),
         weights=weights,
         tests=used,
-        findings=fit_findings(made, spec.name, given, wanted),
     )
+    return fitted.with_findings(fit_findings(fitted, given))
 
 
 def _used(
@@ -114,13 +115,15 @@ def _solved(search: "_Search", starts: int, seed: int) -> tuple[Any, dict[str, A
         raise TurgorError(f"{spec.name} cannot be fitted to these tests: {error}") from error
     residual = search.residual(coefficients, shapes)
     search.check_linear(made, residual)
-    errors, correlation = search.uncertainty(coefficients, shapes, held)
+    known = search.uncertainty(coefficients, shapes, held)
+    values = (*map(float, coefficients), *map(float, shapes))
     return made, {
         "spec": spec,
         "law": made,
-        "values": dict(zip(spec.names, (*map(float, coefficients), *map(float, shapes)), strict=True)),
-        "errors": dict(zip(spec.names, errors, strict=True)),
-        "correlation": correlation,
+        "values": dict(zip(spec.names, values, strict=True)),
+        "errors": dict(zip(spec.names, map(float, known.errors), strict=True)),
+        "correlation": known.correlation,
+        "combination": known.combination(spec.names, values, len(spec.coefficients)),
         "bounds_hit": search.bounds_hit(coefficients, shapes, held),
         "aic": _aic(residual, len(spec.names)),
         "starts": (agreed, starts if spec.shapes else 1),
@@ -225,8 +228,8 @@ class _Search:
         signs = np.where(random.random(len(low)) < 0.35, -1.0, 1.0)
         return np.asarray(np.clip(sizes * signs, low + 1e-6, high - 1e-6))
 
-    def uncertainty(self, coefficients: Array, shapes: Sequence[float], held: Array) -> tuple[Array, Array]:
-        """Return standard errors and correlations from the Jacobian, in the directions without an active constraint."""
+    def uncertainty(self, coefficients: Array, shapes: Sequence[float], held: Array) -> Uncertainty:
+        """Return the uncertainty from the Jacobian, in the directions without an active constraint."""
         J = [self._columns(shapes) * self._signs(shapes)]
         for k, value in enumerate(shapes):
             step = 1e-5 * max(1.0, abs(value))
@@ -240,7 +243,7 @@ class _Search:
             idle = self.spec.sign != "slope" and coefficients[k] == 0
             if at_bound or idle:
                 limits.append(np.eye(jacobian.shape[1])[len(coefficients) + k])
-        return standard_errors(
+        return uncertainty_of(
             jacobian, self.residual(coefficients, shapes), np.array(limits).reshape(len(limits), jacobian.shape[1])
         )
 
@@ -275,11 +278,11 @@ def _mode_ranges(wanted: tuple[float, float], *, strict: bool) -> ModeRanges:
 
 
 def _instability(law: Law, stretch: tuple[float, float]) -> dict[str, float]:
-    """Stretch at which Drucker's postulate first fails in a range, by mode; modes in which it holds are left out."""
+    """Stretch at which stability is first lost in a range, by the strictest criterion; stable modes are left out."""
     low, high = min(stretch[0], 1.0), max(stretch[1], 1.0)
     modes: tuple[Mode, ...] = ("uniaxial", "equibiaxial", "planar")
-    found = {mode: first_instability(law, mode, high, low, "drucker") for mode in modes}
-    return {mode: float(at) for mode, at in found.items() if at is not None}
+    found = {mode: instabilities(law, mode, high, low) for mode in modes}
+    return {mode: float(next(iter(lost.values()))) for mode, lost in found.items() if lost}
 
 
 def _range(tests: Sequence[MaterialTest], stretch: tuple[float, float] | None) -> tuple[float, float]:

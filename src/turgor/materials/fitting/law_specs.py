@@ -6,6 +6,7 @@ from typing import Any
 from turgor.errors import TurgorError, near_match
 from turgor.materials.laws.law_spec import LawSpec, spec_of_fields
 from turgor.materials.laws.laws import LAWS
+from turgor.materials.laws.names import spelled
 
 #: Largest order that a name may ask for; more terms than that describe noise.
 LARGEST_ORDER = 6
@@ -33,14 +34,15 @@ def law_spec(law: str | type[Any] | LawSpec) -> LawSpec:
         name = re.sub(r"(?<!^)(?=[A-Z])", "-", law.__name__).lower()
         return _of_series(law, name, "") if hasattr(law, "series") else spec_of_fields(law, name)
     single, series = _fitted_laws()
-    plain = re.sub(r"[\s_]+", "-", law.strip().lower())
-    kind, _, order = plain.rpartition("-") if plain[-1:].isdigit() else (plain, "", "")
-    if plain in single:
-        return spec_of_fields(single[plain], plain)
-    if kind in series:
+    one = spelled(law, single)
+    if one is not None:
+        return spec_of_fields(single[one], one)
+    words, order = re.fullmatch(r"(.*?)([0-9]*)", law.strip(), re.DOTALL).groups()  # type: ignore[union-attr]
+    kind = spelled(words, series)
+    if kind is not None:
         return _of_series(series[kind], law, order)
     known = [*single, *(f"{each.series}-N" for each in dict.fromkeys(series.values()))]
-    hint = near_match(plain, [*single, *(f"{name}-3" for name in series)]) or "."
+    hint = near_match(re.sub(r"[\s_]+", "-", law.strip().lower()), [*single, *(f"{name}-3" for name in series)]) or "."
     raise TurgorError(f"unknown law '{law}'{hint} Known: {', '.join(sorted(known))}.")
 
 

@@ -1,12 +1,20 @@
 """Ranking of laws on the same tests, with sentences that explain the numbers."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.fit_laws import fit
 from turgor.materials.fitting.result import Fit
+from turgor.materials.laws.stability import Criterion, instabilities
+
+#: What happens where each criterion of stability fails.
+_FAILS: Mapping[Criterion, str] = {
+    "nominal": "the nominal stress has an extreme",
+    "cauchy": "the Cauchy stress has an extreme",
+    "drucker": "Drucker's postulate fails",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -81,21 +89,24 @@ def _on_order(fits: Sequence[Fit]) -> list[str]:
     if fewest is best:
         said.append(f"{best.spec.name} fits best, {100 * best.relative:.2g} % off.")
     else:
+        few = len(fewest.spec.names)
         said.append(
             f"{best.spec.name} fits best, {100 * best.relative:.2g} % off; {fewest.spec.name} is nearly as good, "
-            f"{100 * fewest.relative:.2g} %, with {len(fewest.spec.names)} parameters, not {len(best.spec.names)}."
+            f"{100 * fewest.relative:.2g} %, with {few} parameter{'s' if few > 1 else ''}, not {len(best.spec.names)}."
         )
     return said
 
 
 def _on_modes(fits: Sequence[Fit]) -> list[str]:
-    names = [each.spec.name for each in fits if any(found.code == "M02" for found in each.findings)]
-    if not names:
-        return []
-    return [
-        f"Uniaxial tests alone do not determine {', '.join(names)}: add an equibiaxial or planar test, or use "
-        "Yeoh, which predicts other modes from uniaxial tests reasonably well (M02)."
-    ]
+    """What the tests leave open, once for all laws with the same sentence, and the advice once."""
+    said: dict[str, list[str]] = {}
+    advice = ""
+    for each in fits:
+        for found in each.findings:
+            if found.code == "M02":
+                said.setdefault(found.message, []).append(each.spec.name)
+                advice = found.advice
+    return [f"{', '.join(names)}: {message} (M02)" for message, names in said.items()] + ([advice] if advice else [])
 
 
 def _on_range(fits: Sequence[Fit]) -> list[str]:
@@ -115,10 +126,19 @@ def _on_search(fits: Sequence[Fit]) -> list[str]:
         if starts > 1 and agreed < 0.2 * starts:
             said.append(f"{each.spec.name}: only {agreed} of {starts} starts found this fit; try more starts.")
         loose = each.undetermined
-        if loose:
+        if loose and not each.left_open:
             said.append(f"{each.spec.name}: the tests determine only a combination of {loose[0]} and {loose[1]}.")
-        for mode, at in each.instability.items():
-            said.append(f"{each.spec.name} loses its stability in {mode} tests at stretch {at:.3g} (Drucker).")
+        said += [f"{each.spec.name} {_lost(each, mode)}" for mode in each.instability]
+        if not each.instability:  # beyond the range, then
+            said += [f"{each.spec.name}: {found.message} (M06)" for found in each.findings if found.code == "M06"]
         if each.bounds_hit:
             said.append(f"{each.spec.name}: {'; '.join(each.bounds_hit)}.")
     return said
+
+
+def _lost(found: Fit, mode: str) -> str:
+    """Where stability is lost in a mode, by the strictest criterion and the others."""
+    low, high = min(found.stretch[0], 1.0), max(found.stretch[1], 1.0)
+    first, *others = instabilities(found.law, mode, high, low).items()  # type: ignore[arg-type]
+    rest = "".join(f"; {_FAILS[name]} at {at:.4g}" for name, at in others)
+    return f"loses its stability in {mode} tests at stretch {first[1]:.4g}, where {_FAILS[first[0]]}{rest}."

@@ -83,8 +83,8 @@ class Fit:
     values : mapping of str to float
         Parameters in SI, by name.
     errors : mapping of str to float
-        Standard errors, from the scatter about the curve; 0 for a parameter at a bound. If the law cannot follow the
-        curve, the deviations are not scatter, and these errors are too small.
+        Standard errors, from the scatter about the curve; 0 for a parameter at a bound, infinite for one that the tests
+        leave open. If the law cannot follow the curve, the deviations are not scatter, and these errors are too small.
     correlation : (n, n) array [-]
         Correlations of the parameters; ±1 means that the tests determine only a combination.
     bounds_hit : tuple of str
@@ -98,13 +98,16 @@ class Fit:
     stretch_range : (float, float) [-]
         Part of it that the tests cover, in which the law may be used; it includes the undeformed state.
     instability : mapping of str to float
-        Stretch at which Drucker's postulate first fails in this range, by mode; empty where the law is stable.
+        Stretch at which stability is first lost in the wanted range, by mode, according to the strictest of the
+        criteria of `turgor.laws.instabilities`; empty where the law is stable.
     weights : str
         ``"relative"`` or ``"absolute"``.
     starts : (int, int)
         Number of starts of the search that reached this residual, and number of all starts.
     tests : tuple of MaterialTest
         The points that were used.
+    combination : str
+        The sum of two parameters that the tests determine, where they leave both open; empty otherwise.
     findings : tuple of Finding
         Findings of the checks.
     """
@@ -123,6 +126,7 @@ class Fit:
     weights: str
     starts: tuple[int, int]
     tests: tuple[MaterialTest, ...]
+    combination: str = ""
     findings: tuple[Finding, ...] = ()
 
     def __repr__(self) -> str:
@@ -133,6 +137,11 @@ class Fit:
         """Root mean square relative error over all points [-]."""
         count = sum(test.points for test in self.quality)
         return float(np.sqrt(sum(test.points * test.relative**2 for test in self.quality) / count))
+
+    @property
+    def left_open(self) -> tuple[str, ...]:
+        """Parameters that the tests do not determine at all."""
+        return tuple(name for name, error in self.errors.items() if error == inf)
 
     @property
     def undetermined(self) -> tuple[str, str] | None:
@@ -174,8 +183,10 @@ class Fit:
             source=Source(
                 text=f"fitted to {names}",
                 detail=detail,
-                # M01 and M03 concern a use, M02 the constants themselves
-                doubts=tuple(f"{found.code}: {found.message}" for found in self.findings if found.code == "M02"),
+                # M01 and M03 concern a use, and M06 is found anew for every law; M02 concerns the tests
+                doubts=tuple(
+                    f"{found.code} {found.severity}: {found.message}" for found in self.findings if found.code == "M02"
+                ),
             ),
         )
 
@@ -187,7 +198,7 @@ class Fit:
         return ", ".join(self.parameter(name) for name in self.spec.names)
 
     def parameter(self, name: str) -> str:
-        """Write one parameter with its standard error.
+        """Write one parameter with its standard error, or that it is not determined.
 
         Parameters
         ----------
@@ -196,6 +207,8 @@ class Fit:
         """
         factor, unit = (1e3, " kPa") if name in self.spec.coefficients else (1.0, "")
         value, error = self.values[name] / factor, self.errors[name] / factor
+        if error == inf:
+            return f"{name} = {value:.5g}{unit}, not determined"
         return f"{name} = {value:.5g} ± {error:.2g}{unit}" if error > 0 else f"{name} = {value:.5g}{unit}"
 
     def predict(self, tests: Sequence[MaterialTest]) -> tuple[FitResidual, ...]:

@@ -1,5 +1,8 @@
 """The pull of a law by differences of its energy: quick checks of library records, without SymPy."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -46,5 +49,16 @@ def _energy(law: Law, mode: str, a: Array) -> Array:
     else:
         b, c = a, a**-2.0
     if isinstance(law, StretchLaw):
-        return np.asarray(law.energy_of_stretches(a, b, c))
-    return np.asarray(law.energy(a**2 + b**2 + c**2, a**2 * b**2 + b**2 * c**2 + c**2 * a**2))
+        return _of_arrays(law.energy_of_stretches, a, b, c)
+    return _of_arrays(law.energy, a**2 + b**2 + c**2, a**2 * b**2 + b**2 * c**2 + c**2 * a**2)
+
+
+def _of_arrays(energy: Callable[..., Any], *at: Array) -> Array:
+    """Evaluate an energy for arrays, point by point where it takes only numbers, as functions of SymPy do."""
+    try:
+        found = np.asarray(energy(*at))
+    except (TypeError, AttributeError, ValueError):
+        found = np.empty(0, dtype=object)
+    if found.dtype == object:
+        return np.array([float(energy(*point)) for point in zip(*at, strict=True)])
+    return np.asarray(found + np.zeros_like(at[0]))

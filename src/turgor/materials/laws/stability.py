@@ -48,8 +48,9 @@ def first_instability(
         Range of stretch that is searched; 1 leaves out tension or compression.
     criterion : {"nominal", "cauchy", "drucker"}
         What fails: ``"nominal"``, dP/dλ ≤ 0, where a specimen under a dead load runs away; ``"cauchy"``, dσ/dλ ≤ 0;
-        ``"drucker"``, dτ : dε > 0 for every small change of the two free stretches, the strictest of these that
-        finite element programs check.
+        ``"drucker"``, dτ : dε > 0 for every small change of the two free stretches, which finite element programs
+        check. Drucker's postulate fails no later than the Cauchy stress falls, but the nominal stress may fall
+        before; see `instabilities`.
 
     Returns
     -------
@@ -74,6 +75,37 @@ def first_instability(
     initial = float(_margin(law, mode, criterion, np.ones(1))[0])
     found = [s for s in (_first(law, mode, criterion, initial, end) for end in (upper, lower)) if s is not None]
     return min(found, key=lambda stretch: abs(np.log(stretch)), default=None)
+
+
+def instabilities(law: Law, mode: Mode, upper: float = 8.0, lower: float = 0.2) -> dict[Criterion, float]:
+    """Find the stretch at which each criterion first fails in a test, the strictest criterion first.
+
+    Parameters
+    ----------
+    law, mode, upper, lower
+        See `first_instability`.
+
+    Returns
+    -------
+    dict of str to float [-]
+        Criteria that fail, in the order of the distance of their stretch from 1; empty where the law is stable.
+
+    Examples
+    --------
+    The nominal stress of this law falls before Drucker's postulate fails:
+
+    >>> from turgor.materials.laws.laws import MooneyRivlin
+    >>> law = MooneyRivlin(C10=35.68e3, C01=-9.17e3)
+    >>> {name: round(at, 3) for name, at in instabilities(law, "equibiaxial", lower=1.0).items()}
+    {'nominal': 1.389, 'drucker': 1.485, 'cauchy': 1.485}
+    """
+    found: dict[Criterion, float] = {}
+    for criterion in ("nominal", "drucker", "cauchy"):
+        at = first_instability(law, mode, upper, lower, criterion)
+        if at is not None:
+            found[criterion] = at
+    # equal but for round-off: Drucker's postulate implies that the Cauchy stress rises
+    return dict(sorted(found.items(), key=lambda item: round(abs(float(np.log(item[1]))), 9)))
 
 
 def _first(law: Law, mode: Mode, criterion: Criterion, initial: float, end: float) -> float | None:

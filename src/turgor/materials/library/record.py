@@ -9,7 +9,8 @@ from turgor.errors import TurgorError
 from turgor.materials.history.softening import Mullins
 from turgor.materials.history.viscoelastic import Prony
 from turgor.materials.laws.conventions import describe, has_no_unit, law_from_printed
-from turgor.materials.laws.laws import Hooke, Law
+from turgor.materials.laws.laws import LAWS, Hooke, Law
+from turgor.materials.laws.names import spelled
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.materials.library.supplier import Supplier
 from turgor.materials.library.table_keys import table
@@ -161,7 +162,7 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         name=name,
         material_name=_text(content, "name", library),
         kind=_kind(content, library),
-        law=_text(entry, "law", where),
+        law=spelled(_text(entry, "law", where), LAWS) or entry["law"],
         convention=_text(entry, "convention", where),
         printed=", ".join(f"{symbol} = {value}" for symbol, value in parameters.items()),
         constants={symbol: _constant(value, symbol, where) for symbol, value in parameters.items()},

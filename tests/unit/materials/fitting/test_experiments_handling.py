@@ -39,16 +39,33 @@ def test_cycles_are_found_and_chosen():
     last = select_cycle(test)
     assert last.range == (pytest.approx(1.0, abs=0.25), 3.0)
     assert (np.diff(last.stretch) > 0).all()
-    assert select_cycle(test, 0).range[1] == 2.0
-    down = select_cycle(test, 0, part="unloading")
+    assert select_cycle(test, 1).range[1] == 2.0
+    down = select_cycle(test, 1, part="unloading")
     assert (np.diff(down.stretch) < 0).all()
     assert count(last) == len(test.stretch)
     assert last.raw is test
     assert "loading curve of cycle 3 of 3" in last.edits[-1].text
-    with pytest.raises(TurgorError, match="has 3 loading curves; there is no number 3"):
-        select_cycle(test, 3)
+    with pytest.raises(TurgorError, match="has 3 loading curves; there is no number 4"):
+        select_cycle(test, 4)
     with pytest.raises(TurgorError, match="did you mean 'loading'"):
         select_cycle(test, part="loadin")
+
+
+def test_cycles_are_counted_from_one_as_on_the_command_line():
+    test = strip(saw([1.5, 2.0, 3.0]))
+    assert [select_cycle(test, number).range[1] for number in (1, 2, 3)] == [1.5, 2.0, 3.0]
+    assert [select_cycle(test, -number).range[1] for number in (1, 2, 3)] == [3.0, 2.0, 1.5]
+    assert "cycle 1 of 3" in select_cycle(test, -3).edits[-1].text
+    with pytest.raises(TurgorError, match="counted from 1: 1 is the first and -1 the last"):
+        select_cycle(test, 0)
+
+
+def test_loading_in_compression_is_away_from_the_undeformed_state():
+    stretch = np.concatenate([np.linspace(1, 0.5, 11), np.linspace(0.55, 1, 10), np.linspace(0.9, 0.4, 6)])
+    test = strip(stretch, stretch - stretch**-2)
+    assert select_cycle(test, 1).range == (0.5, 1.0)
+    assert (np.diff(select_cycle(test, 2).stretch) < 0).all()
+    assert (np.diff(select_cycle(test, 1, part="unloading").stretch) > 0).all()
 
 
 def test_noise_is_no_cycle():
@@ -93,6 +110,26 @@ def test_tail_after_a_break_goes_and_a_whole_curve_stays():
     assert "No break" in remove_tail(whole).edits[-1].text
     with pytest.raises(TurgorError, match="drop is 2"):
         remove_tail(whole, drop=2)
+
+
+def test_compression_is_no_break():
+    """A test from 1 down to 0.5 has its largest stress at its beginning, which was taken for a break there."""
+    stretch = np.linspace(1.0, 0.5, 26)
+    stress = 2e4 * (stretch - stretch**-2)
+    whole = remove_tail(strip(stretch, stress))
+    assert len(whole.stretch) == 26
+    assert "No break" in whole.edits[-1].text
+    crushed = remove_tail(strip([*stretch, 0.48, 0.46], [*stress, -1e3, -0.5e3]))
+    assert crushed.range == (0.5, 1.0)
+    taut = remove_slack(strip(stretch, np.minimum(stress + 5e3, 0.0)), 100.0)
+    assert taut.stretch[0] == 1.0
+    assert len(taut.stretch) < 26
+
+
+def test_a_test_from_compression_to_tension_is_no_break():
+    stretch = np.linspace(0.4, 1.5, 30)
+    assert len(remove_tail(strip(stretch, stretch - stretch**-2)).stretch) == 30
+    assert len(remove_tail(strip(stretch[::-1], (stretch - stretch**-2)[::-1])).stretch) == 30
 
 
 def test_thinning_is_even_in_stretch():

@@ -75,8 +75,8 @@ def test_slope_belongs_to_the_stress(law: Law, mode: str) -> None:
 
 @pytest.mark.parametrize("law", [D, F, G_CANONICAL])
 @pytest.mark.parametrize("mode", MODES)
-def test_drucker_is_the_strictest(law: Law, mode: str) -> None:
-    """It fails no later than the Cauchy stress falls, on both sides."""
+def test_drucker_is_stricter_than_the_cauchy_stress(law: Law, mode: str) -> None:
+    """It fails no later than the Cauchy stress falls, on both sides; the nominal stress may fall before."""
     for side in ({"lower": 1.0}, {"upper": 1.0}):
         fall = first_instability(law, mode, criterion="cauchy", **side)  # type: ignore[arg-type]
         drucker = first_instability(law, mode, criterion="drucker", **side)  # type: ignore[arg-type]

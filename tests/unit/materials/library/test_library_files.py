@@ -120,6 +120,15 @@ def test_a_record_of_each_law_is_read(tmp_path: Path) -> None:
         assert (finding.code, finding.message) == ("M02", "Ours: One mode.")
 
 
+@pytest.mark.parametrize("law", ["neo_hooke", "neo-hooke", "Neo Hooke"])
+def test_a_law_is_spelled_in_a_record_as_on_the_command_line(tmp_path: Path, law: str) -> None:
+    path = tmp_path / "ours.toml"
+    record = f'law = "{law}"\nconvention = "two_index"\nsource = "us"\nparameters = {{ C10 = "40 kPa" }}\n'
+    path.write_text(f'name = "Ours"\n[records.one]\n{record}')
+    assert from_library(str(path)).law == LAWS["neo_hooke"](C10=40e3)
+    assert read_records(str(path))[0].law == "neo_hooke"
+
+
 def test_no_file_and_no_text(tmp_path: Path) -> None:
     with pytest.raises(TurgorError, match=r"there is no file 'none\.toml' with records of a material"):
         from_library("none.toml")

@@ -1,0 +1,73 @@
+"""Text of a file from a testing machine: its encoding, and a sentence for a file that is no text."""
+
+import codecs
+from pathlib import Path
+
+from turgor.errors import TurgorError
+
+#: Marks at the beginning of a file that state its encoding; the longer of two that begin alike comes first.
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+
+#: First bytes of spreadsheets.
+_SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
+
+#: Share of zero bytes at every other place of a text in UTF-16, which needs no mark.
+_HALF_ZERO = 0.3
+
+
+def read_lines(path: Path) -> list[str]:
+    """Return the lines of a text file in UTF-8, UTF-16, UTF-32 or Latin-1.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Raises
+    ------
+    TurgorError
+        If the file cannot be read, is empty, or is no text.
+    """
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise TurgorError(f"'{path}' cannot be read: {error.strerror}.") from error
+    if data.startswith(_SPREADSHEETS):
+        raise TurgorError(f"'{path.name}' is a spreadsheet, not a text file; save its sheet as CSV and read that.")
+    encoding = _encoding(data)
+    try:
+        text = data.decode(encoding)
+    except UnicodeDecodeError as error:
+        raise TurgorError(
+            f"'{path.name}' begins like a text in {encoding.upper()}, but is damaged at byte {error.start + 1}; "
+            "export it again as CSV in UTF-8."
+        ) from error
+    if "\0" in text:
+        raise TurgorError(f"'{path.name}' is no text file (byte 0 occurs in it); export the test as CSV in UTF-8.")
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    if not any(line.strip() for line in lines):
+        raise TurgorError(f"'{path.name}' is empty; a test needs a header line and at least two rows of numbers.")
+    return lines
+
+
+def _encoding(data: bytes) -> str:
+    """Encoding of a text by its mark, by zero bytes at every other place, or by whether it is sound UTF-8."""
+    for mark, encoding in _MARKS:
+        if data.startswith(mark):
+            return encoding
+    start = data[: min(len(data), 2000) // 2 * 2]
+    for first, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):
+        zeros, others = start[first::2].count(0), start[1 - first :: 2].count(0)
+        if len(start) >= 8 and zeros > _HALF_ZERO * len(start) / 2 and others == 0:
+            return encoding
+    try:
+        data.decode("utf-8")
+    except UnicodeDecodeError:
+        return "latin-1"  # older machines write µ and ² in Latin-1
+    return "utf-8"
