@@ -110,9 +110,9 @@ def test_paths_of_obstacles_have_kinks() -> None:
     "points", [[1], [[0, 0], [1]], [[0, 0], "ab"], 5, None, [["a", "b"]], [[0, 0], [np.nan, 1]], []]
 )
 def test_malformed_points_are_told(points: Any) -> None:
-    with pytest.raises(TurgorError, match="points \\(time in seconds, share\) are needed, such as"):
+    with pytest.raises(TurgorError, match="points \\(time in seconds, share\\) are needed, such as"):
         over_time(points, 2.0)
-    with pytest.raises(TurgorError, match="points \\(load factor, share\) are needed, such as"):
+    with pytest.raises(TurgorError, match="points \\(load factor, share\\) are needed, such as"):
         checked(points, "pressure")
 
 
