@@ -1,6 +1,6 @@
 """Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,7 +52,7 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     solution : Solution
         The path, complete or not.
     *measures : Measure
-        What to read; `STANDARD_MEASURES` if none is given.
+        What to read; those of `STANDARD_MEASURES` that the part has, if none is given.
 
     Returns
     -------
@@ -92,9 +92,22 @@ def measure(solution: Solution, *measures: Measure) -> Response:
 
 def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:
     """Choose what `measure` reads: what is asked for with its parts, or the standard measures."""
-    standard = tuple(measures) in ((), STANDARD_MEASURES)
-    asked = (*STANDARD_MEASURES, *contact_measures_of(solution)) if standard else measures
-    return _with_parts(asked, solution.model.mesh)
+    mesh = solution.model.mesh
+    fitting = fitting_measures(mesh.faces)
+    standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
+    asked = (*fitting, *contact_measures_of(solution)) if standard else measures
+    return _with_parts(asked, mesh)
+
+
+def fitting_measures(faces: Collection[str]) -> tuple[Measure, ...]:
+    """Return the standard measures that a part with these faces has.
+
+    Examples
+    --------
+    >>> [each.name for each in fitting_measures(["fixed", "outside"])][:2]
+    ['principal_stretch_p99', 'maximum_principal_stretch']
+    """
+    return tuple(each for each in STANDARD_MEASURES if each.fits(faces))
 
 
 def check_measures(model: Model, measures: Sequence[Measure]) -> None:
@@ -105,7 +118,7 @@ def check_measures(model: Model, measures: Sequence[Measure]) -> None:
         mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
     )  # fmt: skip
     at = StateFields(rest)
-    for each in measures:
+    for each in fitting_measures(mesh.faces) if tuple(measures) == STANDARD_MEASURES else measures:
         each(at)
 
 
@@ -230,12 +243,12 @@ def _reaction(at: StateFields) -> float:
 
 
 bending_angle = Measure(
-    name="bending_angle", unit="deg", function=_bending_angle, unwrap=True,
+    name="bending_angle", unit="deg", function=_bending_angle, unwrap=True, faces=("fixed", "tip"),
     definition="rotation of the face tip (its vector area) against the face fixed in the x-z plane, "
     "positive towards the base",
 )  # fmt: skip
 tip_displacement = Measure(
-    name="tip_displacement", unit="mm", function=lambda at: float(np.linalg.norm(_tip_vector(at))),
+    name="tip_displacement", unit="mm", function=lambda at: float(np.linalg.norm(_tip_vector(at))), faces=("tip",),
     definition="magnitude of the mean displacement of the face tip",
 )  # fmt: skip
 tip_displacement_x = Measure(
@@ -256,7 +269,7 @@ twist_angle = Measure(
     "seen from the tip; zero where a mirror plane forbids it",
 )  # fmt: skip
 cavity_volume = Measure(
-    name="cavity_volume", unit="mL", function=_cavity_volume,
+    name="cavity_volume", unit="mL", function=_cavity_volume, faces=("cavity",),
     definition="current volume enclosed by the faces cavity*, whole actuator",
 )  # fmt: skip
 reaction = Measure(
