@@ -56,7 +56,8 @@ def read_stl(path: Path) -> Array:
     count = int.from_bytes(content[80:84], "little") if len(content) >= 84 else -1
     if len(content) == 84 + 50 * count and count > 0:
         kind = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-        corners = np.frombuffer(content, dtype=kind, offset=84)["corners"].astype(np.float64)
+        with np.errstate(invalid="ignore"):  # damaged numbers are refused below
+            corners = np.frombuffer(content, dtype=kind, offset=84)["corners"].astype(np.float64)
     else:
         number = rb"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
         found = re.findall(rb"vertex\s+(%b)\s+(%b)\s+(%b)" % (number, number, number), content)
