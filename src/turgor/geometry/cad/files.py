@@ -19,8 +19,9 @@ from turgor.units import UNITS, mm
 #: Kind of file by its suffix.
 SUFFIXES = {".step": "STEP", ".stp": "STEP", ".brep": "BREP", ".brp": "BREP", ".stl": "STL"}
 
-#: Time after which reading is stopped [s]; a STL file of 20,000 triangles takes a few minutes.
-LONGEST_READING = 600.0
+#: Time after which reading is stopped [s]: the kernel never ends with some damaged files. An STL file of 20,000
+#: triangles takes a few minutes.
+LONGEST_READING = {"STEP": 120.0, "BREP": 120.0, "STL": 600.0}
 
 #: Smallest and largest allowed longest side [m].
 SMALLEST, LARGEST = 1 * mm, 2.0
@@ -93,7 +94,7 @@ def reading(path: str | Path) -> Work:
         who="the CAD kernel",
         doing=f"reading '{path}'",
         advice="The file seems damaged; export it again from the CAD program, as STEP (AP214) or BREP.",
-        limit=LONGEST_READING,
+        limit=LONGEST_READING[_kind(Path(path))],
     )
 
 

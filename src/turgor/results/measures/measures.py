@@ -44,15 +44,16 @@ from turgor.source import Source
 Array = NDArray[np.float64]
 
 
-def measure(solution: Solution, *measures: Measure) -> Response:
+def measure(solution: Solution, *measures: Measure | str) -> Response:
     """Read measures off every state of a path.
 
     Parameters
     ----------
     solution : Solution
         The path, complete or not.
-    *measures : Measure
-        What to read; those of `STANDARD_MEASURES` that the part has, if none is given.
+    *measures : Measure or str
+        What to read, such as `bending_angle` or its name; those of `STANDARD_MEASURES` that the part has, if none is
+        given.
 
     Returns
     -------
@@ -68,9 +69,9 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     Raises
     ------
     TurgorError
-        If a measure needs a face that the mesh does not have.
+        If a measure is unknown, or needs a face that the mesh does not have.
     """
-    chosen = chosen_measures(solution, measures)
+    chosen = chosen_measures(solution, tuple(map(as_measure, measures)))
     facts = MeshFacts(solution.model.mesh)
     rows = []
     for state in solution.states:
@@ -120,6 +121,26 @@ def check_measures(model: Model, measures: Sequence[Measure]) -> None:
     at = StateFields(rest)
     for each in fitting_measures(mesh.faces) if tuple(measures) == STANDARD_MEASURES else measures:
         each(at)
+
+
+def as_measure(given: object) -> Measure:
+    """Return a measure, given itself or by its name.
+
+    Examples
+    --------
+    >>> as_measure("bending_angle") is bending_angle
+    True
+    >>> as_measure(3)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: 3 is no measure; give one of tg.measures, such as tg.measures.bending_angle, or its name.
+    """
+    if isinstance(given, str):
+        return find_measure(given)
+    if not isinstance(given, Measure):
+        raise TurgorError(
+            f"{given!r} is no measure; give one of tg.measures, such as tg.measures.bending_angle, or its name."
+        )
+    return given
 
 
 def find_measure(name: str) -> Measure:
