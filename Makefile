@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification actuators docs bench robustness truth fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators docs bench robustness fuzz truth fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -27,6 +27,7 @@ help:
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make bench         run the benchmarks; writes benchmarks/results"
 	@echo "make robustness    run the hard cases (some minutes); writes benchmarks/robustness.md"
+	@echo "make fuzz          thousands of damaged files (half an hour of one core); make test tries some hundred"
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
 	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
 	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
@@ -67,6 +68,9 @@ bench: $(RUN)
 
 robustness: $(RUN)
 	$(BIN)/python benchmarks/robustness.py
+
+fuzz: $(DEV)
+	TURGOR_FUZZ=5000 $(BIN)/python -m pytest tests/fuzz -n auto
 
 truth: $(RUN) requirements/truth.lock
 	$(PIP) install -r requirements/truth.lock

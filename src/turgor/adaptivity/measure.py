@@ -6,7 +6,7 @@ from turgor.adaptivity.mesh_error import MeshError, estimate_mesh_error, procedu
 from turgor.engine.runtime import EngineOptions
 from turgor.response import MESH_ERROR, Column, Response
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.measures.measures import chosen_measures
+from turgor.results.measures.measures import as_measure, chosen_measures
 from turgor.results.measures.measures import measure as read
 from turgor.results.measures.reading import Measure
 from turgor.solvers.pressures import pressures_of, stated_by_loads
@@ -16,7 +16,7 @@ from turgor.solvers.solution import Solution
 
 
 def measure(
-    solution: Solution, *measures: Measure, mesh_error: bool = True, options: EngineOptions | None = None
+    solution: Solution, *measures: Measure | str, mesh_error: bool = True, options: EngineOptions | None = None
 ) -> Response:
     """Read measures off every state of a path, each with an estimate of its mesh error.
 
@@ -24,8 +24,9 @@ def measure(
     ----------
     solution : Solution
         The path, complete or not.
-    *measures : Measure
-        What to read; `STANDARD_MEASURES` if none is given.
+    *measures : Measure or str
+        What to read, such as `bending_angle` or its name; those of `STANDARD_MEASURES` that the part has, if none is
+        given.
     mesh_error : bool
         Whether the mesh error is estimated. It takes up to half the time of the solve, once for a solution: a few
         states are solved for again on a second, finer mesh.
@@ -48,10 +49,11 @@ def measure(
     TurgorError
         If a measure needs a face that the mesh does not have.
     """
-    response = read(solution, *measures)
+    wanted = tuple(map(as_measure, measures))
+    response = read(solution, *wanted)
     if not mesh_error:
         return response
-    return with_mesh_error(response, mesh_error_of(solution, measures, options))
+    return with_mesh_error(response, mesh_error_of(solution, wanted, options))
 
 
 def mesh_error_of(

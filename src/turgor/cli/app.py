@@ -127,19 +127,20 @@ def _check(job: JobFile, debug: Debug = False) -> None:
 @app.command("actuators")
 def _actuators() -> None:
     """List the actuator families and their keys with defaults."""
-    from dataclasses import fields
+    with errors_as_sentences(debug=False):
+        from dataclasses import fields
 
-    from turgor.job.job import ACTUATORS
-    from turgor.job.output.lock import dimensions
-    from turgor.job.text.quantities import shown
+        from turgor.job.job import ACTUATORS
+        from turgor.job.output.lock import dimensions
+        from turgor.job.text.quantities import shown
 
-    for name, family in ACTUATORS.items():
-        typer.echo(f"{name}: {(family.__doc__ or '').splitlines()[0]}")
-        values = dimensions(family())
-        for item in fields(family):  # type: ignore[arg-type]
-            typer.echo(f"  {item.name} = {shown(values[item.name])}")
-    typer.echo("cad_file: An actuator from a CAD file; `turgor inspect` shows what it holds.")
-    typer.echo("  file, unit, faces, regions, split")
+        for name, family in ACTUATORS.items():
+            typer.echo(f"{name}: {(family.__doc__ or '').splitlines()[0]}")
+            values = dimensions(family())
+            for item in fields(family):  # type: ignore[arg-type]
+                typer.echo(f"  {item.name} = {shown(values[item.name])}")
+        typer.echo("cad_file: An actuator from a CAD file; `turgor inspect` shows what it holds.")
+        typer.echo("  file, unit, faces, regions, split")
 
 
 app.add_typer(materials_app, name="materials")
@@ -158,12 +159,10 @@ def _solve(job: Path, output: Path | None, again: tuple[bool, bool], quiet: bool
     from turgor.job.read import read_job
 
     question = read_job(job)
-    from rich.console import Console
-
-    from turgor.cli.console import LiveDisplay, PlainDisplay
+    from turgor.cli.console import LiveDisplay, PatientConsole, PlainDisplay
     from turgor.job.run import run_job
 
-    console, (force, resume) = Console(quiet=quiet), again
+    console, (force, resume) = PatientConsole(quiet=quiet), again
     with LiveDisplay(console) if console.is_terminal else PlainDisplay(console) as display:
         return run_job(
             question,

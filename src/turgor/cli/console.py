@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, ProgressColumn, SpinnerColumn, Task, TextColumn
 from rich.text import Text
 
+from turgor.cli.exits import write_nowhere
 from turgor.errors import TurgorError
 from turgor.results.measures.measures import bending_angle
 from turgor.solvers.pressures import pressure_text
@@ -17,6 +18,15 @@ from turgor.units import deg
 
 #: Number of last accepted steps for the estimate of the remaining time; only a few, because steps grow along a path.
 RECENT_STEPS = 4
+
+
+class PatientConsole(Console):
+    """A console whose reader may go away, as in ``turgor run job.toml | head``: the run goes on in silence."""
+
+    def on_broken_pipe(self) -> None:
+        """Write nothing more."""
+        self.quiet = True
+        write_nowhere()
 
 
 class Course:

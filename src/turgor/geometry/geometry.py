@@ -1,12 +1,13 @@
 """Geometry: solids with named regions and faces."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.packing import PackedShape, packed
 from turgor.geometry.sweep import Sweep
 
 #: Tolerance of CAD volumes: planar and cylindrical parts reach 1e-13, a face lost in a boolean changes far more.
@@ -38,6 +39,9 @@ class Geometry:
         Length of one CAD unit: 1 mm, because CAD tolerances are absolute. Everything public is in meters.
     findings : tuple of Finding
         Findings of the import of a CAD file.
+    file : str
+        CAD file that the shape comes from, if it comes from one: such a shape is meshed in a child process
+        (`turgor.geometry.child`), because it may crash the mesh generator.
 
     Examples
     --------
@@ -57,6 +61,7 @@ class Geometry:
     faces: tuple[str, ...]
     length_scale: float = METERS_PER_CAD_UNIT
     findings: tuple[Finding, ...] = ()
+    file: str = ""
     _shape: Any = field(repr=False)
     _sweep: Sweep | None = field(default=None, repr=False)
 
@@ -77,6 +82,17 @@ class Geometry:
         """Longest side of the bounding box [m]."""
         low, high = self.bounds
         return max(b - a for a, b in zip(low, high, strict=True))
+
+    def __reduce__(self) -> tuple[Callable[..., "Geometry"], tuple[dict[str, Any]]]:
+        values = {item.name: getattr(self, item.name) for item in fields(self)}
+        if hasattr(self._shape, "WriteBrep"):  # what comes from a mesh file has no CAD shape
+            values["_shape"] = packed(self._shape)
+        return _unpacked, (values | {"cavity_volumes": dict(self.cavity_volumes)},)
+
+
+def _unpacked(values: dict[str, Any]) -> Geometry:
+    shape = values["_shape"]
+    return Geometry(**(values | {"_shape": shape.shape() if isinstance(shape, PackedShape) else shape}))
 
 
 def check_volume(what: str, measured: float, expected: float) -> None:

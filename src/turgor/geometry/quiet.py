@@ -1,6 +1,7 @@
 """Suppression of the terminal output of compiled code."""
 
 import ctypes
+import faulthandler
 import os
 import sys
 from collections.abc import Callable, Iterator
@@ -13,7 +14,8 @@ def captured_output() -> Iterator[Callable[[], str]]:
     """Capture the output to the file descriptors of stdout and stderr, also that of C++.
 
     The mesh generator writes hundreds of lines when it fails, at any message level. Descriptors belong to the process,
-    so the output of other threads is captured as well.
+    so the output of other threads is captured as well. If the compiled code ends the process, its last words are lost;
+    Python then says on the true stderr where it happened.
 
     Yields
     ------
@@ -30,6 +32,7 @@ def captured_output() -> Iterator[Callable[[], str]]:
     'noise'
     """
     saved: dict[int, int] = {}
+    watched = False
     with TemporaryFile() as file:
 
         def text() -> str:
@@ -43,9 +46,14 @@ def captured_output() -> Iterator[Callable[[], str]]:
                 with suppress(OSError):  # closed, as under pythonw: there is no output to capture
                     saved[descriptor] = os.dup(descriptor)
                     os.dup2(file.fileno(), descriptor)
+            watched = 2 in saved and not faulthandler.is_enabled()
+            if watched:
+                faulthandler.enable(saved[2], all_threads=False)
             yield text
         finally:
             _flush()
+            if watched:
+                faulthandler.disable()
             for descriptor, copy in saved.items():
                 os.dup2(copy, descriptor)
                 os.close(copy)

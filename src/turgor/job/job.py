@@ -1,6 +1,6 @@
 """Job: the description of one run, independent of its file."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -55,17 +55,17 @@ def actuator_type(actuator: Actuator) -> str:
     return name
 
 
-def standard_measures() -> tuple[str, ...]:
-    """Return the names of the default measures of a run.
+def standard_measures(faces: Collection[str] | None = None) -> tuple[str, ...]:
+    """Return the names of the default measures of a run, of a part with some faces if they are given.
 
     Examples
     --------
-    >>> standard_measures()[0]
-    'bending_angle'
+    >>> standard_measures()[0], standard_measures(["fixed"])[0]
+    ('bending_angle', 'principal_stretch_p99')
     """
-    from turgor.results.measures.measures import STANDARD_MEASURES  # here, because it loads the engine
+    from turgor.results.measures.measures import STANDARD_MEASURES, fitting_measures  # here: it loads the engine
 
-    return tuple(measure.name for measure in STANDARD_MEASURES)
+    return tuple(measure.name for measure in (STANDARD_MEASURES if faces is None else fitting_measures(faces)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -85,10 +85,21 @@ def read_job(path: str | Path) -> Job:
     except tomllib.TOMLDecodeError as error:
         raise _not_toml(path, error) from error
     problems = Problems(str(path), with_names(key_lines(text), content))
-    job = _read(content, path.stem, problems)
+    job = _read(content, name_of_file(path), problems)
     problems.raise_any()
     assert job is not None
     return job
+
+
+def name_of_file(path: Path) -> str:
+    """Return the name of the run of a job file that states none: any file name makes one.
+
+    Examples
+    --------
+    >>> name_of_file(Path("my job (2).toml")), name_of_file(Path("%.toml"))
+    ('my-job-2', 'job')
+    """
+    return path.stem if _NAME.fullmatch(path.stem) else "-".join(re.findall(r"[\w.]+", path.stem)) or "job"
 
 
 def _given(content: Mapping[str, Any], problems: Problems) -> dict[str, Any]:
@@ -143,7 +154,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
     setup, procedure = _read_path(given, around, problems)
-    output = read_output(given["output"], problems)
+    output = read_output(given["output"], geometry, problems)
     threads = read_engine(given["engine"], problems)
     refuse_shells(materials, mesh, problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:

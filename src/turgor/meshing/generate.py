@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
+from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.bodies.assemble import Raw, assemble
 from turgor.meshing.chosen import chosen_settings
+from turgor.meshing.foreign import meshing
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
 from turgor.meshing.quality.mend import mended
@@ -109,6 +111,8 @@ def mesh(
 def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
     """Mesh a geometry as settings say; `mesh` takes them as keywords.
 
+    The shape of a CAD file is meshed in a child process, because it may crash the mesh generator.
+
     Parameters
     ----------
     geometry : Geometry
@@ -119,6 +123,12 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
     Mesh
     """
     chosen = chosen_settings(geometry, settings)
+    if not geometry.file:
+        return _meshed(geometry, chosen)
+    return in_child(meshing(geometry.name), _meshed, geometry, replace(chosen, face_sizes=dict(chosen.face_sizes)))
+
+
+def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
     assert chosen.size is not None  # chosen where it was not given
     size, grading = chosen.size, float(chosen.grading)
     if chosen.cells == "hexahedra":

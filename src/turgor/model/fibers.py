@@ -1,7 +1,8 @@
 """Fibers: threads wound on a face of the body, and how they run."""
 
 from dataclasses import dataclass
-from math import inf, isfinite, pi
+from math import inf, isfinite, nan, pi
+from numbers import Real
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,20 +72,23 @@ angle_from_circumference, turns, pitch.
 
     def __post_init__(self) -> None:
         if self.hand not in HANDS:
-            raise unknown("hand of a winding", self.hand, HANDS)
+            raise unknown("hand of a winding", str(self.hand), HANDS)
         self._exactly_one(("angle_from_axis", "angle_from_circumference", "turns", "pitch"))
         self._exactly_one(("spacing", "starts"))
         for name in ("angle_from_axis", "angle_from_circumference"):
             angle = getattr(self, name)
-            if angle is not None and not 0 <= angle <= pi / 2 + 1e-12:
+            if angle is not None and not 0 <= _number(f"winding {name}", angle, "60*deg") <= pi / 2 + 1e-12:
                 raise TurgorError(f"winding {name} is {angle / deg:g} deg; allowed is 0 deg to 90 deg.")
         for name, unit in (("turns", 1.0), ("pitch", mm), ("spacing", mm), ("starts", 1)):
             value = getattr(self, name)
-            if value is not None and not (isfinite(value) and value > 0):
+            if value is not None and not 0 < _number(f"winding {name}", value, "2*mm" if unit == mm else "2") < inf:
                 shown = f"{value / unit:g}" + (" mm" if unit == mm else "")
                 raise TurgorError(f"winding {name} is {shown}; a positive value is needed.")
         if self.starts is not None and self.starts != int(self.starts):
             raise TurgorError(f"winding starts is {self.starts:g}; a whole number of threads is needed, at least 1.")
+        axis = _vector(self.axis)
+        if axis is None or not all(map(isfinite, axis)) or not any(axis):
+            raise TurgorError(f"winding axis is {self.axis!r}; a direction is needed, such as (1, 0, 0).")
 
     def _exactly_one(self, names: tuple[str, ...]) -> None:
         given = [name for name in names if getattr(self, name) is not None]
@@ -139,14 +143,40 @@ class Fibers:
     within: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
 
     def __post_init__(self) -> None:
-        if not isinstance(self.material.law, Hooke):
+        self._check_faces()
+        law = getattr(self.material, "law", None)
+        if not isinstance(self.material, Material) or not isinstance(law, Hooke):
             raise TurgorError(
-                f"fibers on '{self.name}': the law of '{self.material.name}' is {type(self.material.law).__name__}; "
-                "fibers need Hooke, of which Young's modulus counts."
+                f"fibers on '{self.name}': the law of '{getattr(self.material, 'name', self.material)}' is "
+                f"{type(law).__name__}; fibers need a material with the law Hooke, of which Young's modulus counts."
             )
+        if not isinstance(self.winding, Winding):
+            raise TurgorError(f"fibers on '{self.name}': winding is {self.winding!r}; a Winding is needed.")
         if self.form not in (SMEARED, DISCRETE):
-            raise unknown("form of fibers", self.form, (SMEARED, DISCRETE))
-        if not 0 < self.diameter < inf or self.diameter > 10 * mm:
+            raise unknown("form of fibers", str(self.form), (SMEARED, DISCRETE))
+        self._check_numbers()
+        if self.bending and self.form == SMEARED:
+            raise TurgorError(f"fibers on '{self.name}': smeared fibers do not bend; bending needs form 'discrete'.")
+        if self.within is not None:
+            corners = [_vector(corner) for corner in self.within] if isinstance(self.within, tuple | list) else []
+            if len(corners) != 2 or None in corners or not (np.array(corners[0]) < np.array(corners[1])).all():
+                raise TurgorError(
+                    f"fibers on '{self.name}': within is {self.within!r}; two corners are needed, the first below the "
+                    "second one in every direction, such as ((0, -inf, -inf), (50*mm, inf, inf))."
+                )
+
+    def _check_faces(self) -> None:
+        faces = (self.face,) if isinstance(self.face, str) else self.face
+        if not isinstance(faces, tuple | list) or not faces or not all(isinstance(f, str) and f for f in faces):
+            raise TurgorError(
+                f"fiber face is {self.face!r}; the name of a face is needed, such as 'outside', or several names."
+            )
+        twice = sorted({face for face in faces if list(faces).count(face) > 1})
+        if twice:
+            raise TurgorError(f"fiber face is {self.face!r}; '{twice[0]}' stands there twice: name each face once.")
+
+    def _check_numbers(self) -> None:
+        if not 0 < _number("fiber diameter", self.diameter, "0.2*mm") <= 10 * mm:
             raise TurgorError(f"fiber diameter is {self.diameter / mm:g} mm; allowed is more than 0 up to 10 mm.")
         pitch = self.winding.pitch
         if pitch is not None and pitch < self.diameter:
@@ -154,19 +184,12 @@ class Fibers:
                 f"fiber pitch is {pitch / mm:.4g} mm, less than the diameter of {self.diameter / mm:.4g} mm; turns "
                 "would overlap."
             )
-        if not 0 <= self.compression <= 1:
+        if not 0 <= _number("fiber compression", self.compression, "0") <= 1:
             raise TurgorError(f"fiber compression is {self.compression:g}; allowed is 0 (slack) to 1 (as in tension).")
-        if self.bending and self.form == SMEARED:
-            raise TurgorError(f"fibers on '{self.name}': smeared fibers do not bend; bending needs form 'discrete'.")
-        if not 0 < self.bending_diameter <= 1:
+        if not 0 < _number("bending_diameter of fibers", self.bending_diameter, "0.5") <= 1:
             raise TurgorError(
                 f"fibers on '{self.name}': bending_diameter is {self.bending_diameter:g} of their diameter; "
                 "allowed is more than 0 up to 1."
-            )
-        if self.within is not None and not (np.array(self.within[0]) < np.array(self.within[1])).all():
-            raise TurgorError(
-                f"fibers on '{self.name}': within is {self.within}; its first corner must lie below its second one in "
-                "every direction."
             )
 
     @property
@@ -199,3 +222,19 @@ class Fibers:
         law = self.material.law
         assert isinstance(law, Hooke)
         return law.E * pi * (self.bending_diameter * self.diameter) ** 4 / 64 if self.bending else 0.0
+
+
+def _number(what: str, value: object, example: str) -> float:
+    """Return a number, refusing anything else; NaN is within no range."""
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TurgorError(f"{what} is {value!r}; a number is needed, such as {example}.")
+    return float(value)
+
+
+def _vector(value: object) -> tuple[float, ...] | None:
+    """Return three numbers as floats, or None for anything else; corners may be infinite."""
+    try:
+        numbers = tuple(nan if isinstance(v, str) else float(v) for v in value)  # type: ignore[attr-defined]
+    except (TypeError, ValueError):
+        return None
+    return numbers if len(numbers) == 3 else None

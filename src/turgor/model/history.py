@@ -73,13 +73,8 @@ def checked(history: Any, what: str, largest: float = 1.0) -> History:
     said = f"{what}: history is {history!r}"
     if isinstance(history, str):
         return _checked_expression(history, said, largest)
-    try:
-        points = tuple((float(factor), float(share)) for factor, share in history)
-    except (TypeError, ValueError):
-        raise TurgorError(
-            f"{said}; points (load factor, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]]."
-        ) from None
-    if not points or points[0] != (0.0, 0.0):
+    points = _points(history, said, "load factor")
+    if points[0] != (0.0, 0.0):
         raise TurgorError(f"{said}; it must begin with (0, 0), because the actuator starts without load.")
     if points[-1][0] != 1 or not all(a < b for (a, _), (b, _) in pairwise(points)):
         raise TurgorError(f"{said}; the load factors must rise from 0 to 1.")
@@ -173,7 +168,7 @@ def over_time(history: Iterable[tuple[float, float]] | str, duration: float) -> 
     Raises
     ------
     TurgorError
-        If the duration is not positive, or the expression is none.
+        If the duration is not positive, or it is neither points nor an expression.
 
     Examples
     --------
@@ -185,7 +180,8 @@ def over_time(history: Iterable[tuple[float, float]] | str, duration: float) -> 
     if not 0 < duration < math.inf:
         raise TurgorError(f"duration is {duration:g} s; it must be more than 0.")
     if not isinstance(history, str):
-        return tuple((float(time) / duration, float(share)) for time, share in history)
+        points = _points(history, f"history over time is {history!r}", "time in seconds")
+        return tuple((time / duration, share) for time, share in points)
     tree = _parsed(history, f"history is {history!r}")
 
     class Scaled(ast.NodeTransformer):
@@ -197,6 +193,17 @@ def over_time(history: Iterable[tuple[float, float]] | str, duration: float) -> 
     return ast.unparse(Scaled().visit(tree))
 
 
+def _points(history: Any, said: str, first: str) -> tuple[tuple[float, float], ...]:
+    """Pairs of finite numbers, the first of each being a load factor or a time."""
+    try:
+        points = tuple((float(at), float(share)) for at, share in history)
+    except (TypeError, ValueError):
+        points = ()
+    if not points or not all(math.isfinite(number) for point in points for number in point):
+        raise TurgorError(f"{said}; points ({first}, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]].")
+    return points
+
+
 def _checked_expression(text: str, said: str, largest: float) -> str:
     kinds = "points (load factor, share) are needed, such as [[0, 0], [0.5, 1], [1, 0.5]], or an expression of the load"
     try:
@@ -204,6 +211,8 @@ def _checked_expression(text: str, said: str, largest: float) -> str:
         shares = [value(s) for s in np.linspace(0.0, 1.0, SAMPLES)]
     except TurgorError as error:
         raise TurgorError(f"{said}; {kinds} factor s: {error}") from None
+    except RecursionError:
+        raise TurgorError(f"{said[:200]}; this expression is too long.") from None
     except (ArithmeticError, ValueError, TypeError) as error:
         raise TurgorError(f"{said}; it has no value everywhere between s = 0 and 1: {error}.") from None
     if not abs(shares[0]) <= 1e-9:
@@ -216,7 +225,7 @@ def _checked_expression(text: str, said: str, largest: float) -> str:
 def _parsed(text: str, said: str) -> ast.Expression:
     try:
         return ast.parse(text.strip(), mode="eval")
-    except (SyntaxError, ValueError):
+    except (SyntaxError, ValueError, RecursionError, MemoryError):  # the last two: brackets in thousands of brackets
         raise TurgorError(f"{said}; this is no expression.") from None
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from turgor.model.drive import drive_text, kinks, pressures_at
 from turgor.model.model import Model
 from turgor.solvers.checks.distortion import distortion_text
+from turgor.solvers.checks.fibers import stiff_threads_text
 from turgor.solvers.continuation.branch_jump import first_branch_jump, move_ratio_to
 from turgor.solvers.continuation.extrema import extremum_ahead
 from turgor.solvers.pressures import pressure_text, pressures_of
@@ -109,11 +110,14 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
             f"{'let the volume of the cavities drive (VolumeControl), ' if driven else ''}"
             "follow the path by its length (ArcLength), or choose the procedure auto.",
         )
+    stiff = stiff_threads_text(model)
+    if stiff:
+        distorted += " Fibers are so stiff that it was not found which of them are slack."
     return Outcome(
         Status.STEP_TOO_SMALL,
         f"No equilibrium was found beyond {_at(last)}: {steps[-1].reason}, "
         f"down to steps of {steps[-1].increment:.2g} of the load.{distorted}",
-        "Look at the last state for a badly distorted cell or walls that met; refine the mesh there.",
+        stiff or "Look at the last state for a badly distorted cell or walls that met; refine the mesh there.",
     )
 
 

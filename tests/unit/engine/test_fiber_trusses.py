@@ -301,7 +301,7 @@ def test_faces_and_mirror_planes_that_do_not_fit_are_refused():
         discrete_threads(quarter, wound(hand="both", spacing=None, starts=3))
     with pytest.raises(TurgorError, match=r"starts is 0\.4; a whole number"):
         Winding(angle_from_axis=60 * deg, starts=0.4)  # type: ignore[arg-type]
-    with pytest.raises(TurgorError, match="first corner must lie below"):
+    with pytest.raises(TurgorError, match="the first below the second one"):
         wound(within=((1.0, 0.0, 0.0), (0.0, 1.0, 1.0)))
 
 

@@ -144,6 +144,7 @@ MISTAKES = [
     ('spacing = "2 mm"', "starts = 1.5", "16: fibers.braid.starts: 1.5 is not a whole number."),
     ('angle_from_axis = "60 deg"', 'pitch = "0.1 mm"', "15: fibers.braid.pitch: 0.1 mm, less than the diameter"),
     ('hand = "both"', 'hand = "bot"', "12: fibers.braid: unknown hand of a winding 'bot'; did you mean 'both'?"),
+    ('face = "outside"', 'face = ["tip", "tip"]', "13: fibers.braid.face: ('tip', 'tip'); 'tip' stands there twice"),
     ('hand = "both"', 'hand = "left"', "17: fibers.braid.hand: the mirror plane symmetry_"),
     ('hand = "both"', 'axis = "w"', "17: fibers.braid.axis: unknown axis of a winding 'w'. Known: x, y, z."),
     ('hand = "both"', 'form = "smered"', "12: fibers.braid: unknown form of fibers 'smered'; did you mean 'smear"),
@@ -176,6 +177,11 @@ def test_each_mistake_is_one_clear_sentence(tmp_path, old, new, problem):
     found = problems(tmp_path, TUBE.replace(old, new))
     assert any(line.startswith(f"tube.toml:{problem}") for line in found), "\n".join(found)
     assert all(line.endswith((".", "?")) and "\n" not in line for line in found)
+
+
+def test_an_unknown_hand_is_told_once(tmp_path):
+    (found,) = problems(tmp_path, TUBE.replace('hand = "both"', 'hand = "Both"'))
+    assert "unknown hand of a winding 'Both'; did you mean 'both'?" in found
 
 
 def test_windings_that_do_not_fit_the_face_are_found_before_solving(tmp_path):

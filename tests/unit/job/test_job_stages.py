@@ -208,6 +208,7 @@ def test_every_mistake_has_its_sentence(tmp_path: Path, old: str, new: str, mess
         ("stages = []", "stages: [] is no list of stages"),
         ("stages = [1]", "stages.1: 1 is no table"),
         ('stages = [\n{ name = "a" },\n{ name = "b", procedur = {} }]', "job.toml:3: stages.b.procedur: unknown key"),
+        ('stages = [{ name = "a" }, { name = {} }]', "stages.2.name: "),
         ('stages = [{ name = "a" }, { name = "b" }]', "nothing drives the actuator in any stage"),
         ('stages = [{ name = "a", procedure = "static" }]', "'static' is not a table; write [stages.procedure]"),
     ],

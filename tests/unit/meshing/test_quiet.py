@@ -1,6 +1,9 @@
 """Output of compiled code is caught while it lasts and the terminal is given back afterwards."""
 
 import os
+import signal
+import subprocess
+import sys
 
 import pytest
 
@@ -28,3 +31,12 @@ def test_an_error_inside_gives_the_terminal_back_too(capfd: pytest.CaptureFixtur
         fail()
     os.write(1, b"after")
     assert capfd.readouterr().out == "after"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals end processes otherwise there")
+def test_the_end_of_the_process_is_told_although_output_is_caught() -> None:
+    script = "import os\nfrom turgor.geometry.quiet import captured_output\nwith captured_output():\n    os.abort()\n"
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == -signal.SIGABRT
+    assert done.stderr.startswith("Fatal Python error: Aborted")

@@ -69,7 +69,7 @@ def test_times_become_load_factors() -> None:
         assert share_at(turned, time / 1.5) == pytest.approx(np.sin(2 * np.pi * time / 0.3), abs=1e-12)
     with pytest.raises(TurgorError, match="duration is 0 s"):
         over_time("t", 0.0)
-    with pytest.raises(TurgorError, match="this is no expression"):
+    with pytest.raises(TurgorError, match=r"this is no expression"):
         over_time("t +", 1.0)
 
 
@@ -104,3 +104,19 @@ def test_paths_of_obstacles_have_kinks() -> None:
     contact = tg.Contact(obstacles=[plate])
     model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], [], contact=contact)
     assert kinks(model) == (0.3,)
+
+
+@pytest.mark.parametrize(
+    "points", [[1], [[0, 0], [1]], [[0, 0], "ab"], 5, None, [["a", "b"]], [[0, 0], [np.nan, 1]], []]
+)
+def test_malformed_points_are_told(points: Any) -> None:
+    with pytest.raises(TurgorError, match="points \\(time in seconds, share\\) are needed, such as"):
+        over_time(points, 2.0)
+    with pytest.raises(TurgorError, match="points \\(load factor, share\\) are needed, such as"):
+        checked(points, "pressure")
+
+
+@pytest.mark.parametrize("text", ["(" * 5000 + "s" + ")" * 5000, "+".join(["s"] * 20000)])
+def test_an_endless_expression_is_refused(text: str) -> None:
+    with pytest.raises(TurgorError, match=r"this is no expression|this expression is too long"):
+        Pressure("cavity", 2e3, text)

@@ -150,6 +150,26 @@ def test_without_pressure_the_load_factor_alone_drives():
     assert response.names == ("load_factor", "tip_displacement")
 
 
+def test_measures_are_given_themselves_or_by_name():
+    solution = cases.solution([cases.state(cases.model(cases.body()))])
+    by_name, itself = measure(solution, "tip_displacement"), measure(solution, measures.tip_displacement)
+    assert by_name.column("tip_displacement") == itself.column("tip_displacement")
+    with pytest.raises(TurgorError, match=r"unknown measure 'tip_displacment'; did you mean 'tip_displacement'?"):
+        measure(solution, "tip_displacment")
+    with pytest.raises(TurgorError, match=r"3 is no measure; give one of tg.measures"):
+        measure(solution, 3)
+
+
+def test_standard_measures_are_those_that_the_part_has():
+    mesh = cases.body(hollow=False)
+    faces = {name: sides for name, sides in mesh.faces.items() if name != "tip"}
+    other = Mesh(points=mesh.points, cells=mesh.cells, regions=mesh.regions, faces=faces)
+    model = Model(other, {"body": cases.RUBBER, "base": cases.RUBBER}, [Fixed("fixed")], [])
+    names = measure(cases.solution([cases.state(model)])).names
+    assert not {"bending_angle", "tip_displacement", "cavity_volume"} & set(names)
+    assert {"von_mises_p99", "reaction"} <= set(names)
+
+
 def test_standard_measures_and_fields_computed_once_a_state(monkeypatch):
     model = cases.model(cases.body(half=True))
     calls = []

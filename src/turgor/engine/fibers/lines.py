@@ -53,15 +53,14 @@ def thread_lines(course: Course, face: UnrolledSurface, fibers: Fibers) -> Lines
     Helices begin at the start of the face, evenly around its perimeter. Where the winding is given by its spacing, as
     many begin as come nearest to it. Mirror planes ask for an even number where there are two of them.
     """
-    copies = course.copies
-    around = face.contour.length * copies
+    around = face.contour.length * course.copies
     length = face.end - face.start
     if course.angle > pi / 2 - 1e-9:
-        count = max(1, round(length / course.spacing))
+        count = _hoops(length, course)
         begin = np.c_[np.zeros(count), face.start + (np.arange(count) + 0.5) * length / count]
         direction, reach = np.tile([1.0, 0.0], (count, 1)), face.contour.length
     else:
-        count = _starts(course, fibers, around, copies)
+        count = _starts(course, fibers, around)
         offset = 0.5 if course.angle < 1e-9 else 0.0  # axial threads keep off the mirror planes
         places = (np.arange(count) + offset) / count * around
         places += NUDGE[0] * around
@@ -72,11 +71,26 @@ def thread_lines(course: Course, face: UnrolledSurface, fibers: Fibers) -> Lines
     return Lines(begin, direction, np.full(len(begin), reach), around)
 
 
-def _starts(course: Course, fibers: Fibers, around: float, copies: int) -> int:
+def laid_spacing(course: Course) -> float:
+    """Return the distance between neighboring discrete threads [m], whose number is whole."""
+    if course.angle > pi / 2 - 1e-9:
+        return course.length / _hoops(course.length, course)
+    return course.perimeter * cos(course.angle) / max(1, _nearest(course))
+
+
+def _hoops(length: float, course: Course) -> int:
+    return max(1, round(length / course.spacing))
+
+
+def _nearest(course: Course) -> int:
+    """Number of threads of one hand whose distance comes nearest to the one that is asked for."""
+    step = max(1, course.copies // 2)
+    return int(step * round(course.perimeter * cos(course.angle) / course.spacing / step))
+
+
+def _starts(course: Course, fibers: Fibers, around: float) -> int:
     """Number of threads of one hand that begin at the start of the face."""
-    wished = around * cos(course.angle) / course.spacing
-    step = max(1, copies // 2)
-    count = step * round(wished / step)
+    count = _nearest(course)
     if fibers.winding.starts is not None and count != fibers.winding.starts:
         raise TurgorError(
             f"fibers on '{fibers.name}': a quarter model needs an even number of starts, not {fibers.winding.starts}; "

@@ -17,6 +17,9 @@ from turgor.units import mm
 
 Array = NDArray[np.float64]
 
+#: Largest difference between a spacing and the one that pitch and a whole number of threads make, as a share.
+CONTRADICTION = 0.1
+
 #: Largest cosine between the normals of a wound face and its axis.
 CYLINDER_LIKE = 0.2
 
@@ -122,11 +125,28 @@ def _angle(winding: Winding, perimeter: float, length: float) -> float:
 
 def _spacing(winding: Winding, angle: float, perimeter: float) -> float:
     if winding.spacing is not None:
+        _check_pitch(winding, angle, perimeter)
         return winding.spacing
     assert winding.starts is not None
     if angle > pi / 2 - 1e-9:
         raise TurgorError("a winding of hoops has starts; hoops do not start at an end, give their spacing.")
     return perimeter * cos(angle) / winding.starts
+
+
+def _check_pitch(winding: Winding, angle: float, perimeter: float) -> None:
+    """Refuse a spacing that contradicts the pitch: a whole number of threads advances by the pitch in one turn."""
+    if winding.pitch is None and winding.turns is None:
+        return
+    assert winding.spacing is not None
+    alone = perimeter * cos(angle)  # distance of neighboring turns of a single thread
+    count = max(1, round(alone / winding.spacing))
+    if abs(alone / count - winding.spacing) > CONTRADICTION * winding.spacing:
+        given = f"pitch of {winding.pitch / mm:.4g} mm" if winding.pitch is not None else f"{winding.turns:.4g} turns"
+        many = "a single thread" if count == 1 else f"{count} threads"
+        raise TurgorError(
+            f"spacing is {winding.spacing / mm:.4g} mm, which contradicts the {given}: turns of {many} are then "
+            f"{alone / count / mm:.4g} mm apart; give starts, the number of threads, instead of spacing."
+        )
 
 
 def smeared_pieces(mesh: Mesh, fibers: Fibers) -> Pieces:

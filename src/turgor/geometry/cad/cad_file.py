@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 
@@ -62,5 +63,19 @@ class CadFile:
         object.__setattr__(self, "sha256", found)
 
     def build(self) -> Geometry:
-        """Read the file with `read_cad`."""
-        return read_cad(self.file, unit=self.unit, faces=self.faces, regions=self.regions, split=self.split)
+        """Read the file with `read_cad`, once: a job builds its actuator several times."""
+        names = tuple(self.faces.items()), tuple(self.regions.items())
+        return _built(self.file, self.sha256, self.unit, *names, self.split)
+
+
+@lru_cache(maxsize=8)
+def _built(
+    file: Path,
+    sha256: str,
+    unit: str | None,
+    faces: tuple[tuple[str, Selector], ...],
+    regions: tuple[tuple[str, Selector], ...],
+    split: SplitPlane | None,
+) -> Geometry:
+    """Read a file; the checksum makes another call of it when its content changes."""
+    return read_cad(file, unit=unit, faces=dict(faces), regions=dict(regions), split=split)

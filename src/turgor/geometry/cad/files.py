@@ -12,11 +12,16 @@ from netgen.occ import OCCGeometry, Pnt
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry.cad.stl import stl_solids
+from turgor.geometry.child import Work
 from turgor.geometry.quiet import captured_output
 from turgor.units import UNITS, mm
 
 #: Kind of file by its suffix.
 SUFFIXES = {".step": "STEP", ".stp": "STEP", ".brep": "BREP", ".brp": "BREP", ".stl": "STL"}
+
+#: Time after which reading is stopped [s]: the kernel never ends with some damaged files. An STL file of 20,000
+#: triangles takes a few minutes.
+LONGEST_READING = {"STEP": 120.0, "BREP": 120.0, "STL": 600.0}
 
 #: Smallest and largest allowed longest side [m].
 SMALLEST, LARGEST = 1 * mm, 2.0
@@ -68,9 +73,7 @@ def load_file(path: str | Path, unit: str | None = None) -> FileContents:
         If the file is missing, of an unknown kind, damaged, without a solid, or of an impossible size.
     """
     path = Path(path)
-    kind = _kind(path)
-    if unit is not None and unit not in UNITS["length"]:
-        raise TurgorError(f"unit is {unit!r}; allowed is one of {', '.join(UNITS['length'])}.")
+    kind = check_file(path, unit)
     if kind == "STL":
         bodies = stl_solids(path)
         names = [""] * len(bodies)
@@ -83,6 +86,30 @@ def load_file(path: str | Path, unit: str | None = None) -> FileContents:
     _check_size(path, bodies, stated if unit is None else None, unit)
     how = f"{unit}, as given" if unit else f"{_unit_name(stated)}, from the file" if stated else "mm, assumed"
     return FileContents(kind=kind, bodies=bodies, names=names, unit=how)
+
+
+def reading(path: str | Path) -> Work:
+    """Return the reading of a CAD file in words, for the child process that does it."""
+    return Work(
+        who="the CAD kernel",
+        doing=f"reading '{path}'",
+        advice="The file seems damaged; export it again from the CAD program, as STEP (AP214) or BREP.",
+        limit=LONGEST_READING[_kind(Path(path))],
+    )
+
+
+def check_file(path: str | Path, unit: str | None = None) -> str:
+    """Return the kind of a CAD file, STEP, BREP or STL, after a look at its name, its first bytes and the unit.
+
+    Raises
+    ------
+    TurgorError
+        If it is missing or no such file, or the unit is unknown.
+    """
+    kind = _kind(Path(path))
+    if unit is not None and unit not in UNITS["length"]:
+        raise TurgorError(f"unit is {unit!r}; allowed is one of {', '.join(UNITS['length'])}.")
+    return kind
 
 
 def _kind(path: Path) -> str:

@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 
 from turgor.finding import Finding
 from turgor.geometry.cad.colors import hexadecimal
+from turgor.geometry.cad.files import check_file, reading
 from turgor.geometry.cad.naming import Naming, name_faces, scaled
 from turgor.geometry.cad.part import Part, as_vector, load_part
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.walls import smallest_wall
+from turgor.geometry.child import in_child
 from turgor.geometry.directions import Vector
 from turgor.units import mm
 
@@ -112,11 +114,23 @@ def inspect_cad(
     >>> [(cavity.name, cavity.closed, round(cavity.volume * 1e9)) for cavity in found.cavities]
     [('cavity', True, 2098)]
     """
+    check_file(path, unit)
+    return in_child(reading(path), inspect_here, Path(path), unit, dict(faces or {}), dict(regions or {}), split)
+
+
+def inspect_here(
+    path: Path,
+    unit: str | None = None,
+    faces: Mapping[str, Selector] | None = None,
+    regions: Mapping[str, Selector] | None = None,
+    split: SplitPlane | None = None,
+) -> Inspection:
+    """Look through a CAD file as `inspect_cad`, but in this process, which the CAD kernel may crash."""
     part = load_part(path, unit, regions or {}, split)
     naming = name_faces(part, faces or {}, split.interface if split is not None else None)
     low, high = part.facets.points.min(axis=0), part.facets.points.max(axis=0)
     return Inspection(
-        name=Path(path).name,
+        name=path.name,
         unit=part.file.unit,
         size=as_vector((high - low) * mm),
         smallest_wall=smallest_wall(part.facets) * mm,

@@ -4,12 +4,15 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from turgor.errors import TurgorError
+from turgor.geometry.cad.files import check_file, reading
 from turgor.geometry.cad.naming import Naming, name_faces
 from turgor.geometry.cad.part import Part, load_part
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.walls import smallest_wall
+from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
+from turgor.geometry.packing import packed
 from turgor.units import mm
 
 
@@ -23,8 +26,9 @@ def read_cad(
 ) -> Geometry:
     """Read a STEP, BREP or closed STL file as a geometry.
 
-    Bodies that touch are joined. Closed voids and pockets with one opening become cavities: one is named ``cavity``,
-    several are ``cavity_1``, ``cavity_2``, …. `name_faces` says how the other faces get their names.
+    The CAD kernel reads the file in a child process, because a damaged file may crash it. Bodies that touch are joined.
+    Closed voids and pockets with one opening become cavities: one is named ``cavity``, several are ``cavity_1``,
+    ``cavity_2``, …. `name_faces` says how the other faces get their names.
 
     Parameters
     ----------
@@ -47,7 +51,8 @@ def read_cad(
     Raises
     ------
     TurgorError
-        If the file has no closed solid, its bodies overlap or do not touch, or a selector finds nothing.
+        If the file has no closed solid, its bodies overlap or do not touch, a selector finds nothing, or the CAD kernel
+        dies.
 
     Examples
     --------
@@ -62,25 +67,45 @@ def read_cad(
     >>> round(part.cavity_volume * 1e9, 6)
     2098.0
     """
+    check_file(path, unit)
     _check_names("face", faces or {})
     _check_names("region", regions or {})
+    return in_child(reading(path), read_here, Path(path), unit, dict(faces or {}), dict(regions or {}), split)
+
+
+def read_here(
+    path: Path,
+    unit: str | None = None,
+    faces: Mapping[str, Selector] | None = None,
+    regions: Mapping[str, Selector] | None = None,
+    split: SplitPlane | None = None,
+) -> Geometry:
+    """Read a CAD file as `read_cad`, but in this process, which the CAD kernel may crash.
+
+    What other processes do with the shape is done here first: it is packed, made again and triangulated.
+    """
     part = load_part(path, unit, regions or {}, split)
     naming = name_faces(part, faces or {}, split.interface if split is not None else None)
-    return _geometry(Path(path).stem, part, naming)
+    geometry = _geometry(Path(path), part, naming)
+    again = packed(geometry._shape).shape()
+    again.MakeTriangulation()
+    assert again.bounding_box and all(face.mass >= 0 for face in again.faces)
+    return geometry
 
 
-def _geometry(name: str, part: Part, naming: Naming) -> Geometry:
+def _geometry(path: Path, part: Part, naming: Naming) -> Geometry:
     """Write the names into the shape and return it as a geometry."""
     for face, face_name in zip(part.faces, naming.names, strict=True):
         face.name = face_name
     return Geometry(
-        name=name,
+        name=path.stem,
         smallest_wall=smallest_wall(part.facets) * mm,
         cavity_volumes={name: hollow.volume * mm**3 for name, hollow in naming.cavities.items()},
         solid_volume=sum(float(solid.mass) for solid in part.shape.solids) * mm**3,
         regions=tuple(dict.fromkeys(part.regions)),
         faces=tuple(sorted(set(naming.names))),
         findings=naming.findings,
+        file=str(path),
         _shape=part.shape,
     )
 

@@ -29,7 +29,7 @@ def stl_solids(path: Path) -> list[Any]:
     Raises
     ------
     TurgorError
-        If it is damaged, open, intersects itself, or has too many triangles.
+        If it is damaged, open or flat, intersects itself, or has too many triangles.
     """
     corners = read_stl(path)
     if len(corners) > MOST_TRIANGLES:
@@ -39,9 +39,13 @@ def stl_solids(path: Path) -> list[Any]:
         )
     points, triangles = weld(corners.reshape(-1, 3))
     triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    if not len(triangles):
+        raise TurgorError(f"'{path}' has no body: all of its triangles are flat; export it again.")
     _check_closed(path, points, triangles)
     _check_crossing(path, points, triangles)
     shells = list(Sew([_face(points[triangle]) for triangle in triangles]).shells)
+    if not shells:
+        raise TurgorError(f"'{path}' has no body: its triangles could not be sewn to one; export STEP instead.")
     solids = sorted((_positive(shell) for shell in shells), key=lambda solid: -solid.mass)
     return _nested(solids)
 
@@ -52,7 +56,8 @@ def read_stl(path: Path) -> Array:
     count = int.from_bytes(content[80:84], "little") if len(content) >= 84 else -1
     if len(content) == 84 + 50 * count and count > 0:
         kind = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-        corners = np.frombuffer(content, dtype=kind, offset=84)["corners"].astype(np.float64)
+        with np.errstate(invalid="ignore"):  # damaged numbers are refused below
+            corners = np.frombuffer(content, dtype=kind, offset=84)["corners"].astype(np.float64)
     else:
         number = rb"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
         found = re.findall(rb"vertex\s+(%b)\s+(%b)\s+(%b)" % (number, number, number), content)

@@ -122,7 +122,7 @@ def _read_winding(values: Any, key: Key, geometry: Geometry | None, problems: Pr
     if material is None or winding is None or diameter is None:
         return None
     make = partial(_fibers, table, material, diameter, winding)
-    return problems.attempt(key, make, fields=("diameter", "compression", "within", "pitch", "bending"))
+    return problems.attempt(key, make, fields=("face", "diameter", "compression", "within", "pitch", "bending"))
 
 
 def _faces_are_there(table: FibersTable, key: Key, geometry: Geometry | None, problems: Problems) -> bool:
@@ -169,7 +169,7 @@ def _check_turns(table: FibersTable, key: Key, geometry: Geometry | None, proble
     mirrors = [] if geometry is None else [face for face in geometry.faces if face.startswith("symmetry_")]
     angle = table.angle_from_axis if table.angle_from_axis is not None else table.angle_from_circumference
     straight = angle is not None and not 1e-9 < angle < pi / 2 - 1e-9
-    if not mirrors or table.hand == "both" or straight:
+    if not mirrors or table.hand not in ("right", "left") or straight:
         return
     problems.add(
         (*key, "hand"),

@@ -73,8 +73,8 @@ def read_engine(values: Any, problems: Problems) -> int | None:
     return None if options is None else options.threads
 
 
-def read_output(values: Any, problems: Problems) -> Output | None:
-    """Read ``[output]``: which measures, and what else to write."""
+def read_output(values: Any, geometry: Geometry | None, problems: Problems) -> Output | None:
+    """Read ``[output]``: which measures, by default those that the part has, and what else to write."""
     key = ("output",)
     table = read_table(OutputTable, values, key, problems)
     if table is None:
@@ -84,7 +84,7 @@ def read_output(values: Any, problems: Problems) -> Output | None:
     if problems.found:
         return None  # the job is refused: the standard measures, which load the engine, are not needed
     return Output(
-        measures=tuple(table.measures) or standard_measures(),
+        measures=tuple(table.measures) or standard_measures(None if geometry is None else geometry.faces),
         fields=table.fields,
         pictures=table.pictures,
         report=table.report,

@@ -110,7 +110,7 @@ def read_stages(values: Any, around: Around, problems: Problems) -> Stages | Non
     found: list[Stage | None] = []
     for number, (label, entry) in enumerate(zip(_labels(values), values, strict=True)):
         found.append(_read_stage(entry, number, around, problems.below((STAGES, label))))
-        if isinstance(entry, Mapping) and entry.get("name") in {each.name for each in found[:-1] if each is not None}:
+        if isinstance(entry, Mapping) and entry.get("name") in [each.name for each in found[:-1] if each is not None]:
             problems.add((STAGES, label, "name"), f"'{entry['name']}' names another stage too; give each its own name.")
     stages = [stage for stage in found if stage is not None]
     if len(stages) < len(values) or problems.found:

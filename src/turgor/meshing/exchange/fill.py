@@ -9,6 +9,7 @@ from netgen.meshing import Element2D, FaceDescriptor, MeshPoint, NgException, Pn
 from netgen.meshing import Mesh as NetgenMesh
 
 from turgor.errors import TurgorError
+from turgor.geometry.child import in_child
 from turgor.meshing.exchange.formats.raw import KINDS, Block, RawMesh
 from turgor.meshing.exchange.formats.stl import Triangles, read_stl
 from turgor.meshing.exchange.frame import Frame
@@ -16,6 +17,7 @@ from turgor.meshing.exchange.names import Wishes
 from turgor.meshing.exchange.read import named_mesh
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.exchange.solids import place_of
+from turgor.meshing.foreign import meshing
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quiet import captured_output
 
@@ -32,6 +34,8 @@ def mesh_surfaces(
     axes: tuple[str, str, str] = ("x", "y", "z"),
 ) -> Mesh:
     """Fill the space between closed STL surfaces with tetrahedra, keeping their triangles as they are.
+
+    The mesh generator runs in a child process, because surfaces may crash it.
 
     Parameters
     ----------
@@ -53,7 +57,7 @@ def mesh_surfaces(
     Raises
     ------
     TurgorError
-        If a surface is open, or surfaces cross themselves or each other.
+        If a file has no surface or an open one, surfaces cross themselves or each other, or the mesh generator dies.
     """
     file = Path(path)
     outer = read_stl(file).shells()
@@ -62,10 +66,12 @@ def mesh_surfaces(
     for shell, where in ((shell, file) for shell in (*outer, *inner)):
         if shell.open_edges:
             raise TurgorError(f"a surface of '{where}' is open: {shell.open_edges} edges have not two triangles.")
+    if not outer:
+        raise TurgorError(f"'{file}' has no surface: all of its triangles are flat; export it again.")
     shells = [_wound(shell, outward=i == 0) for i, shell in enumerate((*outer, *inner))]
     frame = Frame(unit=unit, axes=axes)
     wishes = Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame)
-    return named_mesh(_filled(file, shells, frame), wishes)
+    return named_mesh(in_child(meshing(str(file)), _filled, file, shells, frame), wishes)
 
 
 def _same(a: Triangles, b: Triangles) -> bool:

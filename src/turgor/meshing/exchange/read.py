@@ -129,7 +129,12 @@ def _read(file: Path) -> RawMesh:
     if not file.is_file():
         there = sorted(entry.name for entry in file.parent.glob(f"*{file.suffix}")) if file.parent.is_dir() else []
         raise TurgorError(f"there is no mesh file '{file}'{near_match(file.name, there) or '.'}")
-    return reader(file)
+    try:
+        return reader(file)
+    except TurgorError:
+        raise
+    except (ArithmeticError, LookupError, MemoryError, TypeError, ValueError) as error:  # what a parser stumbles over
+        raise TurgorError(f"'{file}' cannot be read, the file seems damaged ({error}); export it again.") from error
 
 
 def _check_extent(raw: RawMesh, frame: Frame) -> None:

@@ -133,6 +133,13 @@ def _check_size(geometry: Geometry, size: object, high: float) -> None:
     length, low, wall = float(size), size_range(geometry)[0], geometry.smallest_wall
     if low <= length <= high * (1 + 1e-9):
         return
+    if high < low:
+        millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / high**3 / 1e6
+        raise TurgorError(
+            f"the thinnest wall of '{geometry.name}', {wall / mm:.4g} mm, is too thin for a part of its size: cells "
+            f"four times as long would make about {millions:.3g} million unknowns; make the wall thicker, or cut away "
+            "what is sharp."
+        )
     limit = f"(four times the thinnest wall, {wall / mm:.4g} mm)" if high < extent_of(geometry) else "(the whole part)"
     # rounded inwards, so that both numbers shown are themselves allowed
     allowed = f"allowed is {ceil(low / mm * 1000) / 1000} mm to {floor(high / mm * 1000 + 1e-6) / 1000:g} mm {limit}"

@@ -1,6 +1,6 @@
 """Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -45,15 +45,16 @@ from turgor.source import Source
 Array = NDArray[np.float64]
 
 
-def measure(solution: Solution, *measures: Measure) -> Response:
+def measure(solution: Solution, *measures: Measure | str) -> Response:
     """Read measures off every state of a path.
 
     Parameters
     ----------
     solution : Solution
         The path, complete or not.
-    *measures : Measure
-        What to read; `STANDARD_MEASURES` if none is given.
+    *measures : Measure or str
+        What to read, such as `bending_angle` or its name; those of `STANDARD_MEASURES` that the part has, if none is
+        given.
 
     Returns
     -------
@@ -69,9 +70,9 @@ def measure(solution: Solution, *measures: Measure) -> Response:
     Raises
     ------
     TurgorError
-        If a measure needs a face that the mesh does not have.
+        If a measure is unknown, or needs a face that the mesh does not have.
     """
-    return Reader(measures).response(solution)
+    return Reader(tuple(map(as_measure, measures))).response(solution)
 
 
 @dataclass(slots=True, eq=False)
@@ -115,9 +116,22 @@ class Reader:
 
 def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:
     """Choose what `measure` reads: what is asked for with its parts, or the standard measures."""
-    standard = tuple(measures) in ((), STANDARD_MEASURES)
-    asked = (*STANDARD_MEASURES, *contact_measures_of(solution)) if standard else measures
-    return _with_parts(asked, solution.model.mesh)
+    mesh = solution.model.mesh
+    fitting = fitting_measures(mesh.faces)
+    standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
+    asked = (*fitting, *contact_measures_of(solution)) if standard else measures
+    return _with_parts(asked, mesh)
+
+
+def fitting_measures(faces: Collection[str]) -> tuple[Measure, ...]:
+    """Return the standard measures that a part with these faces has.
+
+    Examples
+    --------
+    >>> [each.name for each in fitting_measures(["fixed", "outside"])][:2]
+    ['principal_stretch_p99', 'maximum_principal_stretch']
+    """
+    return tuple(each for each in STANDARD_MEASURES if each.fits(faces))
 
 
 def check_measures(model: Model, measures: Sequence[Measure]) -> None:
@@ -128,8 +142,28 @@ def check_measures(model: Model, measures: Sequence[Measure]) -> None:
         mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
     )  # fmt: skip
     at = StateFields(rest)
-    for each in measures:
+    for each in fitting_measures(mesh.faces) if tuple(measures) == STANDARD_MEASURES else measures:
         each(at)
+
+
+def as_measure(given: object) -> Measure:
+    """Return a measure, given itself or by its name.
+
+    Examples
+    --------
+    >>> as_measure("bending_angle") is bending_angle
+    True
+    >>> as_measure(3)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: 3 is no measure; give one of tg.measures, such as tg.measures.bending_angle, or its name.
+    """
+    if isinstance(given, str):
+        return find_measure(given)
+    if not isinstance(given, Measure):
+        raise TurgorError(
+            f"{given!r} is no measure; give one of tg.measures, such as tg.measures.bending_angle, or its name."
+        )
+    return given
 
 
 def find_measure(name: str) -> Measure:
@@ -253,12 +287,12 @@ def _reaction(at: StateFields) -> float:
 
 
 bending_angle = Measure(
-    name="bending_angle", unit="deg", function=_bending_angle, unwrap=True,
+    name="bending_angle", unit="deg", function=_bending_angle, unwrap=True, faces=("fixed", "tip"),
     definition="rotation of the face tip (its vector area) against the face fixed in the x-z plane, "
     "positive towards the base",
 )  # fmt: skip
 tip_displacement = Measure(
-    name="tip_displacement", unit="mm", function=lambda at: float(np.linalg.norm(_tip_vector(at))),
+    name="tip_displacement", unit="mm", function=lambda at: float(np.linalg.norm(_tip_vector(at))), faces=("tip",),
     definition="magnitude of the mean displacement of the face tip",
 )  # fmt: skip
 tip_displacement_x = Measure(
@@ -279,7 +313,7 @@ twist_angle = Measure(
     "seen from the tip; zero where a mirror plane forbids it",
 )  # fmt: skip
 cavity_volume = Measure(
-    name="cavity_volume", unit="mL", function=_cavity_volume,
+    name="cavity_volume", unit="mL", function=_cavity_volume, faces=("cavity",),
     definition="current volume enclosed by the faces cavity*, whole actuator",
 )  # fmt: skip
 reaction = Measure(

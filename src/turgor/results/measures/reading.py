@@ -1,12 +1,13 @@
 """Measure: a number that can be read off a state, with its name, unit and definition."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from types import ModuleType
 
 import numpy as np
 
 from turgor.errors import TurgorError
+from turgor.geometry.names import cavity_names
 from turgor.response import COLUMN_UNITS, Column
 from turgor.results.fields.state_fields import StateFields
 from turgor.solvers.solution import State
@@ -28,6 +29,8 @@ class Measure:
         What it is, in one line, for reports.
     unwrap : bool
         Whether it is an angle known up to full turns, to be continued along the path.
+    faces : tuple of str
+        Faces without which it has no value; ``"cavity"`` stands for any cavity.
 
     Examples
     --------
@@ -42,6 +45,7 @@ class Measure:
     function: Callable[[StateFields], float]
     definition: str
     unwrap: bool = False
+    faces: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         Column(self.name, self.unit, np.empty(0))  # its checks are the checks of a column
@@ -53,6 +57,10 @@ class Measure:
             return float(self.function(at))
         except TurgorError as error:
             raise TurgorError(f"measure '{self.name}': {error}") from None
+
+    def fits(self, faces: Collection[str]) -> bool:
+        """Whether a part with these faces has a value of the measure."""
+        return all(face in faces or (face == "cavity" and bool(cavity_names(faces))) for face in self.faces)
 
     def text(self, value: float) -> str:
         """Write a value for a person, such as ``"85.3 deg"``."""

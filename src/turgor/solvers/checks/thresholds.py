@@ -19,6 +19,21 @@ HARD_RUBBER = 50.0
 #: Distance between smeared threads, in cells and as a share of the perimeter, from which smearing them is doubtful.
 CELLS_BETWEEN, SHARE_OF_PERIMETER = 1.5, 0.25
 
+#: Difference between the distance of discrete threads and the one that was asked for, from which it is said, and from
+#: which it is a warning.
+OTHER_SPACING, WRONG_SPACING = 0.02, 0.1
+
+#: Angle from the axis [rad], 80°, from which threads of both hands are nearly hoops, and count twice.
+NEARLY_HOOPS = 1.396
+
+#: Stiffness of slack-prone threads over that of the wall below them, per width, from which they are too stiff to be
+#: solved: which of them are slack changes from iteration to iteration. Tubes with 10,000 times took 140 iterations,
+#: with 50,000 times none converged; Kevlar of 0.18 mm every 2 mm has 800.
+TOO_STIFF = 20_000.0
+
+#: A stiffness of this many times the wall is as good as rigid.
+RIGID = 2_000.0
+
 # --- obstacles
 
 #: Obstacles may reach into the actuator by this share of its longest side: what just touches overlaps by round-off.

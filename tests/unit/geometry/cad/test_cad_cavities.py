@@ -10,8 +10,8 @@ from netgen.occ import Box, Cylinder, Pnt, X
 import turgor as tg
 from turgor.geometry.cad.cavities import find_hollows
 from turgor.geometry.cad.facets import find_facets
-from turgor.geometry.cad.inspection import inspect_cad
-from turgor.geometry.cad.read import read_cad
+from turgor.geometry.cad.inspection import inspect_here as inspect_cad
+from turgor.geometry.cad.read import read_here as read_cad
 from turgor.geometry.cad.selectors import NearestTo, WithNormal
 from turgor.meshing.surface import check_surface
 from turgor.units import mm

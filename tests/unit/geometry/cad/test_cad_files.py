@@ -9,8 +9,9 @@ import turgor as tg
 from turgor.errors import TurgorError
 from turgor.geometry.cad.facets import find_facets
 from turgor.geometry.cad.files import load_file
-from turgor.geometry.cad.read import read_cad
+from turgor.geometry.cad.read import read_here as read_cad
 from turgor.geometry.cad.stl import crossings, read_stl
+from turgor.meshing.exchange.fill import mesh_surfaces
 from turgor.units import mm
 
 
@@ -107,6 +108,21 @@ def test_a_missing_or_damaged_file_is_told(name, content, expected, tmp_path, ca
         (tmp_path / name).write_bytes(content)
     assert expected in refused(tmp_path / name)
     assert capfd.readouterr() == ("", "")
+
+
+FLAT = np.tile(np.array([[0, 0, 0], [10, 0, 0], [10, 0, 0.0]]), (4, 1, 1))
+TWICE = np.array([[[0, 0, 0], [10, 0, 0], [0, 10, 0]], [[0, 0, 0], [0, 10, 0], [10, 0, 0.0]]])
+
+
+@pytest.mark.parametrize(("triangles", "said"), [(FLAT, "has no body: all of its tri"), (TWICE, "encloses no volume")])
+def test_triangles_without_a_body_are_told(triangles, said, tmp_path):
+    path = cases.write_stl(tmp_path / "flat.stl", triangles)
+    assert said in refused(path)
+
+
+def test_a_surface_file_without_a_surface_is_told(tmp_path):
+    with pytest.raises(TurgorError, match="has no surface: all of its triangles are flat"):
+        mesh_surfaces(cases.write_stl(tmp_path / "flat.stl", FLAT))
 
 
 def test_a_misspelled_file_gets_a_near_match(tmp_path):

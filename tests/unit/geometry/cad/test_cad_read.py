@@ -8,7 +8,7 @@ from netgen.occ import Box, Compound, Pnt
 import turgor as tg
 from turgor.errors import TurgorError
 from turgor.geometry.cad.cad_file import CadFile
-from turgor.geometry.cad.read import read_cad
+from turgor.geometry.cad.read import read_here as read_cad
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, WithNormal
 from turgor.geometry.cad.split import SplitPlane
 from turgor.units import mm

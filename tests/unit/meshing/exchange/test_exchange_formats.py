@@ -195,3 +195,18 @@ def test_missing_file_names_the_near_one(tmp_path):
     written(tmp_path, "finger.msh", "")
     with pytest.raises(TurgorError, match=r"did you mean 'finger\.msh'"):
         read_mesh(tmp_path / "fnger.msh")
+
+
+def test_a_count_below_zero_is_no_endless_loop(tmp_path):
+    points, cells, _ = cases.hollow_cube()
+    content = cases.vtk_legacy(points, [(12, cells)], binary=True)
+    file = written(tmp_path, "cube.vtk", content.replace(b"POINTS 64 double", b"POINTS -1 double"))
+    with pytest.raises(TurgorError, match="is damaged: it states -3 numbers"):
+        read_mesh(file)
+
+
+def test_numbers_that_are_no_points_are_told(tmp_path):
+    points, cells, _ = cases.hollow_cube()
+    content = cases.vtu(points, [(12, cells)]).replace(b">0.0 0.0 0.0", b">0.0 0.0", 1)
+    with pytest.raises(TurgorError, match="cannot be read, the file seems damaged"):
+        read_mesh(written(tmp_path, "cube.vtu", content))

@@ -56,6 +56,8 @@ class _Scanner:
         """Take numbers of a type."""
         if type_name.lower() not in _TYPES:
             raise TurgorError(f"'{self.path}' has numbers of type '{type_name}'; known: {', '.join(_TYPES)}.")
+        if count < 0:  # and so would lead back in the file, again and again
+            raise TurgorError(f"'{self.path}' is damaged: it states {count} numbers.")
         kind = np.dtype(_TYPES[type_name.lower()])
         if self.binary:
             end = self.place + count * kind.itemsize

@@ -9,10 +9,12 @@ from netgen.meshing import MeshingStep, SetMessageImportance
 from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError, unknown
+from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.exchange.formats.raw import Array, Ints
 from turgor.meshing.exchange.formats.stl import Triangles, stl_bytes
+from turgor.meshing.foreign import meshing
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quiet import captured_output
 from turgor.meshing.surface import outer_triangles
@@ -67,7 +69,12 @@ def write_stl(source: Geometry | Mesh, path: str | Path, *, face: str | None = N
     TurgorError
         If there is no such face or the surface is not closed.
     """
-    surface = _of_mesh(source) if isinstance(source, Mesh) else _of_geometry(source)
+    if isinstance(source, Mesh):
+        surface = _of_mesh(source)
+    elif source.file:
+        surface = in_child(meshing(source.name), _of_geometry, source)
+    else:
+        surface = _of_geometry(source)
     if face is not None and face not in surface.faces:
         raise unknown("face", face, surface.faces)
     mirrors = surface.mirrors if whole else ()
