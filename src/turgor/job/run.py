@@ -5,15 +5,14 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from turgor.adaptivity.findings import mesh_error_findings
+from turgor.adaptivity.findings import matter, mesh_error_findings
 from turgor.adaptivity.measure import mesh_error_of, with_mesh_error
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
-from turgor.finding import Finding
+from turgor.finding import Finding, by_weight, not_told
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
 from turgor.job.output.folder import claimed, default_folder
-from turgor.job.output.material_findings import constants_in_doubt, laws_beyond_their_tests
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_results
@@ -22,10 +21,8 @@ from turgor.model.model import Model
 from turgor.response import Response
 from turgor.results.measures.measures import check_measures, find_measure, measure
 from turgor.setups.added import with_setup
-from turgor.solvers.checks.contact import check_contact
-from turgor.solvers.checks.fibers import check_fibers
-from turgor.solvers.checks.obstacles import overlapping_obstacles
-from turgor.solvers.checks.supports import check_supports, unloaded_cavities
+from turgor.solvers.checks.early import early_findings
+from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.methods import may_be_free, method_of
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Procedure, Solution
@@ -33,6 +30,7 @@ from turgor.solvers.solve import Progress, solve
 from turgor.solvers.stage_sequence import questions
 
 Notify = Callable[[str], None]
+Found = Callable[[Finding], None]
 
 
 def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Finding, ...]]:
@@ -75,15 +73,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     asked = with_setup(model, job.setup)
     first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
-    return asked, (
-        *geometry.findings,
-        *constants_in_doubt(model),
-        *check_mesh(made),
-        *(() if isinstance(job.procedure, Stages) else unloaded_cavities(model)),
-        *check_fibers(model),
-        *check_contact(model),
-        *overlapping_obstacles(model),
-    )
+    return asked, by_weight((*geometry.findings, *check_mesh(made), *early_findings(asked, job.procedure)))
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:
@@ -106,6 +96,7 @@ def run_job(
     threads: int | None = None,
     notify: Notify | None = None,
     progress: Progress | None = None,
+    found: Found | None = None,
 ) -> RunOutcome:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder of its own.
 
@@ -124,7 +115,9 @@ def run_job(
     notify : callable, optional
         ``notify(text)``, called with each activity.
     progress : callable, optional
-        Called by `solve` after every iteration and every accepted step.
+        Called by `solve` after every iteration and every attempted step.
+    found : callable, optional
+        ``found(finding)``, called before the solve with each error and warning that is known by then.
 
     Returns
     -------
@@ -142,7 +135,7 @@ def run_job(
     if wanted is not None:
         options = replace(options, threads=wanted)
     with claimed(Path(output) if output is not None else default_folder(job.name), force) as folder:
-        solution, response, findings = _solved(job, options, say, progress)
+        solution, response, findings = _solved(job, options, say, progress, found or _unheard)
         outcome = RunOutcome(
             job=replace(job, threads=options.threads),
             solution=solution,
@@ -156,17 +149,19 @@ def run_job(
 
 
 def _solved(
-    job: Job, options: EngineOptions, say: Notify, progress: Progress | None
+    job: Job, options: EngineOptions, say: Notify, progress: Progress | None, found: Found
 ) -> tuple[Solution, Response, tuple[Finding, ...]]:
     """Prepare and solve a job, refine its mesh where it has a target, and measure."""
     model, findings = prepare(job, say)
+    for each in matter(findings, job.output.mesh_error):
+        found(each)
     say("solving")
     solution = solve(model, job.procedure, progress=progress, options=options, throw=False)
     solution, refined = _refined(job, solution, options)
     say("measuring")
     response, unknown = _measured(job, solution, options, bool(refined))
     before = (*mesh_error_findings(response, findings), *refined, *unknown)
-    return solution, response, (*before, *laws_beyond_their_tests(solution), *solution.findings)
+    return solution, response, by_weight((*before, *not_told(solution.findings, findings)))
 
 
 def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:
@@ -208,6 +203,10 @@ def _noted(notices: list[str], notify: Notify, text: str) -> None:
     """Keep a notice for the log and pass it on."""
     notices.append(text)
     notify(text)
+
+
+def _unheard(_: Finding) -> None:
+    """Ignore a finding, where the caller gave no ``found``."""
 
 
 def _silent(_: str) -> None:

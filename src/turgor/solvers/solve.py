@@ -1,6 +1,7 @@
 """solve: follow the equilibrium path of a model."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from math import inf
 from time import perf_counter
@@ -9,8 +10,11 @@ from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.contact.build import may_touch
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
+from turgor.finding import by_weight
 from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
+from turgor.solvers.checks.early import early_findings
+from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
 from turgor.solvers.listeners import Listeners
@@ -48,7 +52,8 @@ def solve(
     procedure : Static, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
         How the path is followed; `Static` if it is not given. `Stages` follows several in turn.
     progress : callable
-        ``progress(iteration, state)``, called after every Newton update (state None) and after every accepted step.
+        ``progress(iteration, state)``, called after every Newton update (state None), after every accepted step (with
+        its state), and after every rejected one (``iteration.rejected`` says why).
     stop : callable
         ``stop(state)`` ends the run early by returning the reason, a few words.
     options : EngineOptions
@@ -69,11 +74,14 @@ def solve(
         If the full load was not reached and ``throw`` is set.
     """
     procedure, listeners = procedure or Static(), Listeners(progress, stop)
+    early = early_findings(model, procedure)
     one = partial(_solved, options or EngineOptions())
     if isinstance(procedure, Stages):
         solution = solve_stages(model, procedure, listeners, one)
     else:
         solution, _ = one(model, procedure, listeners, None)
+    beyond = laws_beyond_their_tests(model, solution.states)
+    solution = replace(solution, findings=by_weight((*early, *beyond, *solution.findings)))
     if throw and not solution.complete:
         raise SolveError(solution)
     return solution

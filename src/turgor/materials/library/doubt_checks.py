@@ -95,12 +95,16 @@ def _negative_modulus(case: Case) -> Iterator[Doubt]:
 
 
 def _unstable(case: Case) -> Iterator[Doubt]:
-    if case.rubber is None or case.record.kind != "rubber":
-        return
+    if case.rubber is not None and case.record.kind == "rubber":
+        yield from unstable_law(case.rubber)
+
+
+def unstable_law(law: Law) -> Iterator[Doubt]:
+    """Find out whether the stress of a law has an extreme within the usual range of soft actuators (M06)."""
     limits = []
     for mode, (lower, upper) in USUAL_RANGE.items():
         for end in (upper, lower):
-            limit = falls_at(case.rubber, mode, end)
+            limit = falls_at(law, mode, end)
             if limit is not None:
                 limits.append(f"{mode} {'tension' if end > 1 else 'compression'} at stretch {limit:.2f}")
     if limits:
@@ -233,7 +237,8 @@ def _printed_modulus(record: Record) -> float | None:
 def falls_at(law: Law, mode: str, end: float) -> float | None:
     """First stretch between 1 and ``end`` at which the nominal stress stops to rise with the stretch."""
     stretch = np.linspace(1.0, end, 600)
-    stress = pull(law, mode, stretch)
+    with np.errstate(invalid="ignore", divide="ignore"):  # beyond a locking stretch there is no stress
+        stress = pull(law, mode, stretch)
     fallen = np.flatnonzero(np.diff(stress) * np.sign(end - 1.0) <= 0)
     return float(stretch[fallen[0]]) if fallen.size else None
 
