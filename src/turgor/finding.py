@@ -1,5 +1,6 @@
 """Finding: what a check noticed."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -40,3 +41,36 @@ class Finding:
 
     def __str__(self) -> str:
         return f"{self.code} {self.severity}: {self.message} {self.advice}"
+
+
+#: Severities by weight.
+HEAVIEST_FIRST = (Severity.ERROR, Severity.WARNING, Severity.NOTE)
+
+
+def by_weight(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return each finding once: errors first, then warnings, then notes; equal ones in the order in which they came.
+
+    Examples
+    --------
+    >>> note = Finding(code="B03", severity=Severity.NOTE, message="Open.", advice="")
+    >>> thin = Finding(code="G01", severity=Severity.WARNING, message="Thin.", advice="Refine.")
+    >>> [found.code for found in by_weight([note, thin, note])]
+    ['G01', 'B03']
+    """
+    return tuple(sorted(dict.fromkeys(findings), key=lambda found: HEAVIEST_FIRST.index(found.severity)))
+
+
+def not_told(findings: Iterable[Finding], told: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return the findings of codes that were not told before.
+
+    A check before a solve and the solve itself look at the same model, of which the second may have a finer mesh and
+    other digits; what the first said is said once.
+
+    Examples
+    --------
+    >>> note = Finding(code="B03", severity=Severity.NOTE, message="Open.", advice="")
+    >>> not_told([note], told=[note]), len(not_told([note], told=[]))
+    ((), 1)
+    """
+    codes = {found.code for found in told}
+    return tuple(found for found in findings if found.code not in codes)

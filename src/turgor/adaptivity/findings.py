@@ -62,6 +62,22 @@ def mesh_error_findings(response: Response, before: Sequence[Finding]) -> tuple[
     )
 
 
+def matter(findings: Sequence[Finding], mesh_error: bool) -> tuple[Finding, ...]:
+    """Return the findings that a person should see before a solve: errors and warnings.
+
+    Parameters
+    ----------
+    findings : sequence of Finding
+    mesh_error : bool
+        Whether the mesh error will be estimated; G01 waits for it then.
+    """
+    return tuple(
+        found
+        for found in findings
+        if found.severity is not Severity.NOTE and not (mesh_error and found.code == ONLY_WITH_ERROR)
+    )
+
+
 def _relative(response: Response, column: Column) -> float | None:
     errors = response.mesh_error(column.name)
     if errors is None or not isfinite(errors[-1]):

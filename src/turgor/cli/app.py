@@ -24,6 +24,7 @@ from turgor.cli.modes import modes_command
 from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
+    from turgor.finding import Finding
     from turgor.job.output.outcome import RunOutcome
 
 app = typer.Typer(
@@ -89,10 +90,13 @@ def _run(
 ) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
     with errors_as_sentences(debug), ends_at_once():
-        outcome = _solve(job, output, (force, resume), quiet, threads)
+        from turgor.adaptivity.findings import matter
+
+        outcome, told = _solve(job, output, (force, resume), quiet, threads)
         if not quiet:
             _tell(outcome)
-        warn(outcome.findings)
+        heavy = matter(outcome.findings, mesh_error=False)
+        warn([found for found in heavy if found not in told])
         if not outcome.solution.complete:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
             raise typer.Exit(NOT_CONVERGED)
@@ -154,8 +158,13 @@ app.command("modes")(modes_command)
 app.command("convergence")(convergence_command)
 
 
-def _solve(job: Path, output: Path | None, again: tuple[bool, bool], quiet: bool, threads: int | None) -> "RunOutcome":
-    """Run a job; ``again`` says whether to replace the results in the folder, and whether to go on with its run."""
+def _solve(
+    job: Path, output: Path | None, again: tuple[bool, bool], quiet: bool, threads: int | None
+) -> "tuple[RunOutcome, list[Finding]]":
+    """Run a job; return the outcome, and the findings that were printed before the solve.
+
+    ``again`` says whether to replace the results in the folder, and whether to go on with its run.
+    """
     from turgor.job.read import read_job
 
     question = read_job(job)
@@ -163,20 +172,24 @@ def _solve(job: Path, output: Path | None, again: tuple[bool, bool], quiet: bool
     from turgor.job.run import run_job
 
     console, (force, resume) = PatientConsole(quiet=quiet), again
-    with LiveDisplay(console) if console.is_terminal else PlainDisplay(console) as display:
-        return run_job(
+    with LiveDisplay(console) if console.is_terminal and not quiet else PlainDisplay(console) as show:
+        outcome = run_job(
             question,
             output,
             force=force,
             resume=resume,
             threads=threads,
-            notify=display.notify,
-            progress=display.progress,
+            notify=show.notify,
+            progress=show.progress,
+            found=show.found,
         )
+    return outcome, show.told
 
 
 def _tell(outcome: "RunOutcome") -> None:
-    """Print the end of the solve, the last values of the response, and the folder of results."""
+    """Print the end of the solve, the last values of the response, the folder of results, and where notes are."""
+    from turgor.finding import Severity
+    from turgor.job.output.folder import LOG
     from turgor.results.measures.headlines import in_regions, with_parts
     from turgor.results.report.error_text import last_with_error
     from turgor.solvers.pressures import pressure_text
@@ -194,6 +207,10 @@ def _tell(outcome: "RunOutcome") -> None:
     drive = pressure_text(solution.states[-1]) or "the end"
     typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
+    notes = sum(found.severity is Severity.NOTE for found in outcome.findings)
+    if notes:
+        where = outcome.files[0].name if outcome.job.output.report else LOG
+        typer.echo(f"{notes} note{'s' if notes > 1 else ''} on the results in {where}.")
 
 
 def _sentence(text: str) -> str:

@@ -1,16 +1,20 @@
 """Console: progress of a job, as a bar on a terminal and line by line elsewhere."""
 
+import sys
 from collections import deque
+from collections.abc import Sequence
 from math import pi
 from time import perf_counter
 from typing import Self
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, ProgressColumn, SpinnerColumn, Task, TextColumn
+from rich.table import Column
 from rich.text import Text
 
 from turgor.cli.exits import write_nowhere
 from turgor.errors import TurgorError
+from turgor.finding import Finding
 from turgor.results.measures.measures import bending_angle
 from turgor.solvers.pressures import pressure_text
 from turgor.solvers.solution import Iteration, State
@@ -18,6 +22,9 @@ from turgor.units import deg
 
 #: Number of last accepted steps for the estimate of the remaining time; only a few, because steps grow along a path.
 RECENT_STEPS = 4
+
+#: Characters of a line beside the texts that change: spinner, the shortest bar, times, and gaps between them.
+BESIDE = 2 + 10 + 7 + 5
 
 
 class PatientConsole(Console):
@@ -87,6 +94,7 @@ class PlainDisplay:
     """Display for files and pipes: one line for each notice and each accepted step."""
 
     def __init__(self, console: Console) -> None:
+        self.told: list[Finding] = []
         self._console = console
         self._course = Course()
         self._began = perf_counter()
@@ -102,12 +110,19 @@ class PlainDisplay:
         self._line(text)
 
     def progress(self, iteration: Iteration, state: State | None) -> None:
-        """Write a line for an accepted step."""
+        """Write a line for an accepted or a rejected step."""
         self._course.follow(state)
+        if iteration.rejected is not None:
+            self._line(f"{of_stage(self._course.stage)}{cut_back(iteration)}")
         if state is None:
             return
         left = clock(self._course.seconds_left)
         self._line(f"{describe(iteration, state)}{bending(self._course.angle)}, {left} left")
+
+    def found(self, finding: Finding) -> None:
+        """Print a finding on standard error, also where notices are off."""
+        self.told.append(finding)
+        print(finding, file=sys.stderr, flush=True)
 
     def _line(self, text: str) -> None:
         self._console.out(f"[{clock(perf_counter() - self._began):>5}] {text}", highlight=False)
@@ -125,15 +140,16 @@ class LiveDisplay:
     """Display for terminals: a bar over the load factor with step, iteration, residual, angle and remaining time."""
 
     def __init__(self, console: Console) -> None:
+        self.told: list[Finding] = []
         self._console = console
         self._course = Course()
         self._bar = Progress(
             SpinnerColumn(),
-            TextColumn("{task.description}"),
+            TextColumn("{task.description}", table_column=Column(no_wrap=True)),
             BarColumn(bar_width=None),
-            TextColumn("{task.fields[state]}"),
+            TextColumn("{task.fields[state]}", table_column=Column(no_wrap=True)),
             _Elapsed(),
-            TextColumn("{task.fields[left]}"),
+            TextColumn("{task.fields[left]}", table_column=Column(no_wrap=True)),
             console=console,
             transient=True,
             refresh_per_second=5,
@@ -150,21 +166,56 @@ class LiveDisplay:
     def notify(self, text: str) -> None:
         """Print a notice; results stay on the screen, activities do not."""
         if ":" in text:
-            self._console.print(text, highlight=False, markup=False)
+            self._print(text)
         else:
-            self._bar.update(self._task, description=text, state="", left="")
+            self._bar.update(self._task, description=fitting([text], self._console.width - BESIDE), state="", left="")
+
+    def found(self, finding: Finding) -> None:
+        """Print a finding above the bar."""
+        self.told.append(finding)
+        self._console.print(str(finding), highlight=False, markup=False)
 
     def progress(self, iteration: Iteration, state: State | None) -> None:
-        """Move the bar."""
+        """Move the bar; a rejected step leaves a line above it."""
         self._course.follow(state)
+        if iteration.rejected is not None:
+            self._print(f"{of_stage(self._course.stage)}{cut_back(iteration)}")
+        factor, left = f"{self._course.load_factor:.3f}", f"{clock(self._course.seconds_left)} left"
+        free = self._console.width - BESIDE - len(left)
+        description = fitting([f"{of_stage(self._course.stage)}load factor {factor}", factor], free, alternatives=True)
+        work = (
+            f"step {iteration.step}",
+            f"iteration {iteration.iteration}",
+            f"residual {iteration.residual:.1e}",
+            *([bending(self._course.angle)[2:]] if self._course.angle is not None else []),
+        )
         self._bar.update(
             self._task,
             completed=self._course.load_factor,
-            description=f"{of_stage(self._course.stage)}load factor {self._course.load_factor:.3f}",
-            state=f"step {iteration.step}, iteration {iteration.iteration}, residual {iteration.residual:.1e}"
-            f"{bending(self._course.angle)}",
-            left=f"{clock(self._course.seconds_left)} left",
+            description=description,
+            state=fitting(work, free - len(description)),
+            left=left,
         )
+
+    def _print(self, text: str) -> None:
+        """Print one line, cut off where the terminal ends."""
+        self._console.print(Text(text, overflow="ellipsis", no_wrap=True), highlight=False)
+
+
+def fitting(parts: Sequence[str], width: int, alternatives: bool = False) -> str:
+    """Join as many parts as fit into a width, or return the first of alternatives that does.
+
+    Examples
+    --------
+    >>> fitting(["step 6", "iteration 3", "residual 1e-05"], 20)
+    'step 6, iteration 3'
+    >>> fitting(["load factor 0.412", "0.412"], 10, alternatives=True)
+    '0.412'
+    """
+    if alternatives:
+        return next((part for part in parts if len(part) <= width), parts[-1])
+    counts = range(len(parts), 0, -1)
+    return next((text for count in counts if len(text := ", ".join(parts[:count])) <= width), "")
 
 
 def describe(iteration: Iteration, state: State) -> str:
@@ -173,6 +224,19 @@ def describe(iteration: Iteration, state: State) -> str:
     load = f", {pressures}" if pressures else ""
     work = f"{iteration.iteration} iterations, residual {iteration.residual:.1e}"
     return f"{of_stage(state.stage)}step {iteration.step}: load factor {state.load_factor:.4f}{load}, {work}"
+
+
+def cut_back(iteration: Iteration) -> str:
+    """Write one rejected step in words.
+
+    Examples
+    --------
+    >>> from turgor.solvers.reasons import Cause, Reason
+    >>> cut_back(Iteration(step=6, iteration=15, load_factor=0.4, residual=1.0, correction=0.0, step_length=1.0,
+    ...                    rejected=Reason(Cause.TOO_MANY_ITERATIONS, 15)))
+    'step 6 cut back: no convergence in 15 iterations at load factor 0.4000'
+    """
+    return f"step {iteration.step} cut back: {iteration.rejected} at load factor {iteration.load_factor:.4f}"
 
 
 def of_stage(name: str) -> str:

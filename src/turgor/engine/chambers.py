@@ -9,8 +9,32 @@ from turgor.engine.cells.reference import side_tables
 from turgor.engine.faces import surfaces
 from turgor.engine.faces.openings import cap_gradient
 from turgor.engine.system import System
+from turgor.meshing.mesh import Mesh
 
 Array = NDArray[np.float64]
+
+
+def cavity_volume(mesh: Mesh, name: str, displacement: Array | None = None) -> float:
+    """Return the volume that a face encloses, of the whole actuator [m³], at rest or in a state.
+
+    Mirror planes and caps of openings close it, as in `Chambers`.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    name : str
+        Face of the cavity.
+    displacement : (n, 3) array [m], optional
+        That of a state; at rest by default.
+    """
+    points = mesh.points.copy()
+    for plane in mesh.symmetry_faces:  # planes through the origin add nothing to ⅓ ∮ x·n da
+        on = points[mesh.face_nodes(plane)]
+        axis = int(np.ptp(on, axis=0).argmin())
+        points[:, axis] -= on[:, axis].mean()
+    if displacement is not None:
+        points += displacement
+    return float(-mesh.symmetry_factor * surfaces.enclosed_volume(points, mesh.face(name)))
 
 
 class Chambers:

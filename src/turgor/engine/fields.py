@@ -76,10 +76,9 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: M
     memory : Memory, optional
         What its rubber remembers, where any relaxes or softens; by default the deformation is a sudden one from rest.
     """
-    mesh, element = model.mesh, element_of(model)
+    element = element_of(model)
     r = element.tables
-    Jinv, weight = _geometry(mesh, len(r.weights))
-    F = kernels_geometry.deformation_gradients(element.shape, mesh.cells, displacement, r.dN, Jinv)
+    F, weight = deformation_gradients(model, displacement)
     J = np.linalg.det(F)
     B = F @ F.swapaxes(-1, -2)
     I1 = np.trace(B, axis1=-2, axis2=-1)
@@ -107,6 +106,14 @@ def cell_fields(model: Model, displacement: Array, mean_stress: Array, memory: M
         volume_ratio=J,
         weight=weight,
     )
+
+
+def deformation_gradients(model: Model, displacement: Array) -> tuple[Array, Array]:
+    """Return the deformation gradients F (c, q, 3, 3) at the quadrature points, and their volumes (c, q) [m³]."""
+    mesh, element = model.mesh, element_of(model)
+    dN = element.tables.dN
+    Jinv, weight = _geometry(mesh, len(element.tables.weights))
+    return kernels_geometry.deformation_gradients(element.shape, mesh.cells, displacement, dN, Jinv), weight
 
 
 def _largest_eigenvalue(B: Array, trace: Array) -> Array:

@@ -39,8 +39,12 @@ def total_mass(model: Model) -> float:
     TurgorError
         If a material has no density.
     """
-    volumes = _volumes(model.mesh, model.mesh.points).sum(axis=1)
-    return float(densities(model) @ volumes) * model.mesh.symmetry_factor
+    return float(densities(model) @ cell_volumes(model.mesh)) * model.mesh.symmetry_factor
+
+
+def cell_volumes(mesh: Mesh) -> Array:
+    """Return the volume of every cell at rest, (c,) [m³]."""
+    return np.asarray(_volumes(mesh, mesh.points).sum(axis=1))
 
 
 def mass_data(system: System, density: Array | None = None) -> Array:

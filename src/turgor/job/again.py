@@ -5,15 +5,16 @@ from dataclasses import replace
 from pathlib import Path
 
 from turgor.errors import TurgorError
+from turgor.finding import by_weight
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK
-from turgor.job.output.material_findings import laws_beyond_their_tests
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_results
 from turgor.job.read import read_job
 from turgor.response import Response
 from turgor.results.measures.measures import find_measure, measure
+from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.solution import Solution
 from turgor.solvers.stored import load
 
@@ -73,7 +74,7 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
         job=job,
         solution=solution,
         response=response,
-        findings=(*laws_beyond_their_tests(solution), *solution.findings),
+        findings=by_weight((*laws_beyond_their_tests(solution.model, solution.states), *solution.findings)),
         written_by=versions() | {"linear_solver": solution.timing.linear_solver},
         notices=(),
         folder=folder,

@@ -4,17 +4,16 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from turgor.adaptivity.findings import mesh_error_findings
+from turgor.adaptivity.findings import matter, mesh_error_findings
 from turgor.adaptivity.measure import mesh_error_of, with_mesh_error
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
-from turgor.finding import Finding
+from turgor.finding import Finding, by_weight, not_told
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
 from turgor.job.output.folder import LOCK, claimed, clear, default_folder
 from turgor.job.output.growing import GrowingFiles
 from turgor.job.output.lock import check_same_job
-from turgor.job.output.material_findings import constants_in_doubt, laws_beyond_their_tests
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_results, write_tables
@@ -24,10 +23,8 @@ from turgor.response import Response
 from turgor.results.measures.measures import Measure, check_measures, find_measure, measure
 from turgor.setups.added import with_setup
 from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
-from turgor.solvers.checks.contact import check_contact
-from turgor.solvers.checks.fibers import check_fibers
-from turgor.solvers.checks.obstacles import overlapping_obstacles
-from turgor.solvers.checks.supports import check_supports, unloaded_cavities
+from turgor.solvers.checks.early import early_findings
+from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.methods import may_be_free, method_of
 from turgor.solvers.procedures.stages import Stages
@@ -37,6 +34,7 @@ from turgor.solvers.stage_sequence import questions
 from turgor.solvers.stored import PATH_FOLDER
 
 Notify = Callable[[str], None]
+Found = Callable[[Finding], None]
 
 
 def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Finding, ...]]:
@@ -79,15 +77,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     asked = with_setup(model, job.setup)
     first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
-    return asked, (
-        *geometry.findings,
-        *constants_in_doubt(model),
-        *check_mesh(made),
-        *(() if isinstance(job.procedure, Stages) else unloaded_cavities(model)),
-        *check_fibers(model),
-        *check_contact(model),
-        *overlapping_obstacles(model),
-    )
+    return asked, by_weight((*geometry.findings, *check_mesh(made), *early_findings(asked, job.procedure)))
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:
@@ -111,6 +101,7 @@ def run_job(
     threads: int | None = None,
     notify: Notify | None = None,
     progress: Progress | None = None,
+    found: Found | None = None,
 ) -> RunOutcome:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder of its own.
 
@@ -133,7 +124,9 @@ def run_job(
     notify : callable, optional
         ``notify(text)``, called with each activity.
     progress : callable, optional
-        Called by `solve` after every iteration and every accepted step.
+        Called by `solve` after every iteration and every attempted step.
+    found : callable, optional
+        ``found(finding)``, called before the solve with each error and warning that is known by then.
 
     Returns
     -------
@@ -151,8 +144,11 @@ def run_job(
         options = replace(options, threads=wanted)
     with claimed(Path(output) if output is not None else default_folder(job.name), force, resume) as folder:
         files = GrowingFiles(folder, replace(job, threads=options.threads), notify or _silent)
-        record = _record(files, replace(options, notify=files.say), resume)
-        solution, response, findings = _solved(files, record, replace(options, notify=files.say), progress)
+        options = replace(options, notify=files.say)
+        record = _record(files, options, resume)
+        for each in matter(record.question.findings, job.output.mesh_error):
+            (found or _unheard)(each)
+        solution, response, findings = _solved(files, record, options, progress)
         outcome = RunOutcome(
             job=files.job,
             solution=solution,
@@ -190,12 +186,13 @@ def _solved(
     question = replace(record.question, options=options)
     solution = follow_question(question, Listeners(progress), record, throw=False)
     if solution.status is Status.INTERRUPTED:
-        return solution, measure(solution, *_asked(job)), (*findings, *solution.findings)
+        told = by_weight((*findings, *not_told(solution.findings, findings)))
+        return solution, measure(solution, *_asked(job)), told
     solution, refined = _refined(job, solution, options)
     files.say("measuring")
     response, unknown = _measured(job, solution, options, bool(refined))
     before = (*mesh_error_findings(response, findings), *refined, *unknown)
-    return solution, response, (*before, *laws_beyond_their_tests(solution), *solution.findings)
+    return solution, response, by_weight((*before, *not_told(solution.findings, findings)))
 
 
 def _asked(job: Job) -> tuple[Measure, ...]:
@@ -235,6 +232,10 @@ def _measured(
             f"{estimate.seconds:.1f} s"
         )
     return with_mesh_error(response, estimate), () if estimate.finding is None else (estimate.finding,)
+
+
+def _unheard(_: Finding) -> None:
+    """Ignore a finding, where the caller gave no ``found``."""
 
 
 def _silent(_: str) -> None:

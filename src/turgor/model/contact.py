@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from turgor.errors import TurgorError
 from turgor.meshing.bodies.bodies import find_bodies
@@ -73,7 +74,12 @@ class Contact:
         """Return the self-contact of a mesh; None where there is none."""
         if not self.automatic or self.self_contact is None:
             return self.self_contact
-        if not mesh.cell_type.side.triangles:
-            return None
-        wanted = len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0 or faces_its_image(mesh)
-        return self.self_contact if wanted else None
+        return self.self_contact if _may_meet(mesh) else None
+
+
+@lru_cache(maxsize=4)  # asked by every check, and by the engine
+def _may_meet(mesh: Mesh) -> bool:
+    """Whether a mesh has several bodies, or walls that face each other or their image."""
+    if not mesh.cell_type.side.triangles:
+        return False
+    return len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0 or faces_its_image(mesh)

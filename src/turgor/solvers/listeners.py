@@ -1,10 +1,10 @@
 """Listeners: the callbacks of a solve, for progress and for stopping early."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from turgor.solvers.newton.newton import NewtonResult, Report
-from turgor.solvers.solution import Iteration, State
+from turgor.solvers.solution import Iteration, State, Step
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,7 +14,7 @@ class Listeners:
     Parameters
     ----------
     progress : callable or None
-        Called after every Newton update, and with the state after every accepted step.
+        Called after every Newton update, with the state after every accepted step, and after every rejected step.
     stop : callable or None
         Returns why the run ends early, None where it goes on.
     """
@@ -37,6 +37,12 @@ class Listeners:
             how = result.iterations, result.residual, 0.0, 1.0
             self.progress(_iteration(step, state.load_factor, how), state)
         return None if self.stop is None else self.stop(state)
+
+    def rejected(self, number: int, step: Step) -> None:
+        """Tell that an attempted step was rejected, and why; accepted ones are told with their state."""
+        if self.progress is not None and not step.accepted:
+            how = step.iterations, step.residual, 0.0, 1.0
+            self.progress(replace(_iteration(number, step.load_factor, how), rejected=step.why), None)
 
 
 def silent(iteration: int, residual: float, correction: float, length: float) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 
 from turgor.model.drive import drive_text, kinks, pressures_at
 from turgor.model.model import Model
+from turgor.solvers.checks.causes import balloon, cause_in, said, turned_law, wrinkled_film
 from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.checks.fibers import stiff_threads_text
 from turgor.solvers.continuation.branch_jump import first_branch_jump, move_ratio_to
@@ -98,26 +99,35 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
         not distorted
         and ((lost_stability and softens(states)) or ahead <= max(10 * steps[-1].increment, NEAR * last.load_factor))
     ):
-        estimate = ""
+        why, swollen, estimate = turned_law(last) or wrinkled_film(last), balloon(states), ""
         if top is not None and ahead <= SAID * last.load_factor:
             estimate = f" The path up to there points to a maximum of {_load(model, top, 5)}."
-        driven = any(pressures_of(last).values())
         return Outcome(
             Status.LIMIT_POINT,
-            f"The load could not rise past {_at(last)}: the tangent lost positive definiteness there, "
-            f"which is a limit point (ballooning, snap-through) or buckling.{estimate}{_lost_before(states)}",
-            "Ask for less than this load; the path up to it is complete. To go past it, "
-            f"{'let the volume of the cavities drive (VolumeControl), ' if driven else ''}"
-            "follow the path by its length (ArcLength), or choose the procedure auto.",
+            f"The load could not rise past {_at(last)}: the tangent lost positive definiteness there, which is a limit "
+            f"point (ballooning, snap-through) or buckling.{said(why or swollen)}{estimate}{_lost_before(states)}",
+            why.advice if why is not None else f"{_past_limit(last)}{'' if swollen is None else f' {swollen.advice}'}",
         )
+    why = cause_in(last) or (balloon(states) if softens(states) else None)
     stiff = stiff_threads_text(model)
-    if stiff:
+    if stiff and why is None:
         distorted += " Fibers are so stiff that it was not found which of them are slack."
+    advice = stiff or "Look at the last state for a badly distorted cell or walls that met; refine the mesh there."
     return Outcome(
         Status.STEP_TOO_SMALL,
         f"No equilibrium was found beyond {_at(last)}: {steps[-1].reason}, "
-        f"down to steps of {steps[-1].increment:.2g} of the load.{distorted}",
-        stiff or "Look at the last state for a badly distorted cell or walls that met; refine the mesh there.",
+        f"down to steps of {steps[-1].increment:.2g} of the load.{said(why) or distorted}",
+        advice if why is None else why.advice,
+    )
+
+
+def _past_limit(last: State) -> str:
+    """How to go past a limit point."""
+    driven = any(pressures_of(last).values())
+    return (
+        "Ask for less than this load; the path up to it is complete. To go past it, "
+        f"{'let the volume of the cavities drive (VolumeControl), ' if driven else ''}"
+        "follow the path by its length (ArcLength), or choose the procedure auto."
     )
 
 

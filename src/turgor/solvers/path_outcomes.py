@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from turgor.finding import Finding, Severity
+from turgor.solvers.checks.causes import cause_in, said, turned_law, wrinkled_film
 from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.continuation.path_points import Bifurcation, Run
 from turgor.solvers.outcomes import Outcome
@@ -56,27 +57,33 @@ def followed(run: Run, why: str) -> Outcome:
 def lost_path(run: Run) -> Outcome:
     """No arc is short enough to go on along the same path."""
     last, step = run.states[-1], run.steps[-1]
+    why = cause_in(last)
     return Outcome(
         Status.TURNED_BACK if step.cause is Cause.OTHER_BRANCH else Status.STEP_TOO_SMALL,
         f"The path could not be followed beyond {_where(last, run.states[0])}{_effort(run.states, run.steps)}: "
         f"{step.reason}, down to steps of {step.increment:.2g}."
-        f"{_turns(run.limits)}{_branches(run.bifurcations)}{distortion_text(last)}",
+        f"{_turns(run.limits)}{_branches(run.bifurcations)}{said(why) or distortion_text(last)}",
         "The path up to there stands. Look at the last state for a badly distorted cell or walls that met, and refine "
-        "the mesh there; or try a smaller min_step.",
+        "the mesh there; or try a smaller min_step."
+        if why is None
+        else f"The path up to there stands. {why.advice}",
     )
 
 
 def turned_back(run: Run) -> Outcome:
     """The load fell, and the body went back the way it came."""
     top = max(run.states, key=lambda state: state.load_factor)
+    why = turned_law(top) or wrinkled_film(top)
     return Outcome(
         Status.TURNED_BACK,
         f"The path turned at {_where(top, run.states[0])} and goes back the way it came, down to "
         f"{_where(run.states[-1], run.states[0])} so far"
         f"{_effort(run.states, run.steps)}: a few cells give way there, and the rest of the body is unloaded."
-        f"{_branches(run.bifurcations)}{distortion_text(run.states[-1])}",
+        f"{_branches(run.bifurcations)}{said(why) or distortion_text(run.states[-1])}",
         "Take the path up to the turn; what comes after it depends on the mesh. Refine the mesh where cells are "
-        "squeezed, and see up to which stretch the law is stable (first_instability).",
+        "squeezed, and see up to which stretch the law is stable (first_instability)."
+        if why is None
+        else f"Take the path up to the turn. {why.advice}",
     )
 
 

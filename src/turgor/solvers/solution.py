@@ -143,7 +143,19 @@ class LimitPoint:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Iteration:
-    """One Newton update: what a progress bar shows."""
+    """One Newton update, or the end of a step: what a progress bar shows.
+
+    Parameters
+    ----------
+    step, iteration : int
+        Number of the attempted step, and of the update in it.
+    load_factor : float [-]
+        That of the step.
+    residual, correction, step_length : float [-]
+        Relative residual, size of the update, and its share that the line search took.
+    rejected : Reason or None
+        Why the step was rejected, once it was: it is cut back then.
+    """
 
     step: int
     iteration: int
@@ -151,6 +163,7 @@ class Iteration:
     residual: float
     correction: float
     step_length: float
+    rejected: Reason | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

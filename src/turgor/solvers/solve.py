@@ -11,9 +11,12 @@ from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.contact.build import may_touch
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
+from turgor.finding import by_weight
 from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.checkpoints.record import Question, RunRecord
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
+from turgor.solvers.checks.early import early_findings
+from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
 from turgor.solvers.listeners import Listeners
@@ -52,7 +55,8 @@ def solve(
     procedure : Static, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
         How the path is followed; `Static` if it is not given. `Stages` follows several in turn.
     progress : callable
-        ``progress(iteration, state)``, called after every Newton update (state None) and after every accepted step.
+        ``progress(iteration, state)``, called after every Newton update (state None), after every accepted step (with
+        its state), and after every rejected one (``iteration.rejected`` says why).
     stop : callable
         ``stop(state)`` ends the run early by returning the reason, a few words.
     options : EngineOptions
@@ -134,11 +138,14 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     model, procedure = question.model, question.procedure
     solution = None if record is None else record.solution()
     if solution is None:
+        early = early_findings(model, procedure)
         one = partial(_solved, question.options, record)
         if isinstance(procedure, Stages):
             solution = solve_stages(model, procedure, listeners, one)
         else:
             solution, _ = one(model, procedure, listeners, None)
+        beyond = laws_beyond_their_tests(model, solution.states)
+        solution = replace(solution, findings=by_weight((*early, *beyond, *solution.findings)))
         if record is not None and solution.status is not Status.INTERRUPTED:
             record.finish(solution)
     if throw and not solution.complete:

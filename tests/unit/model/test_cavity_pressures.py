@@ -17,7 +17,6 @@ from turgor.geometry import Geometry
 from turgor.geometry.shapes.solids import box, cut, face_names, name_plane, name_rest
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
-from turgor.job.output.material_findings import laws_beyond_their_tests
 from turgor.job.read import read_job
 from turgor.job.text.problems import JobError
 from turgor.meshing.generate import mesh
@@ -37,6 +36,7 @@ from turgor.results.plots.response_plots import response_figure
 from turgor.results.report import describe
 from turgor.results.report.page import Report, write_report
 from turgor.solvers.checks.contact import meeting_walls
+from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.checks.supports import unloaded_cavities
 from turgor.solvers.continuation import load_control as static_run
 from turgor.solvers.continuation.predictor import predicted
@@ -301,9 +301,9 @@ def test_a_law_used_beyond_its_tests_on_the_way_is_told(twin: Mesh) -> None:
     there_and_back = Pressure("cavity_1", 20 * kPa, ((0, 0), (0.5, 1), (1, 0)))
     question = Model(twin, {"body": tested}, [Fixed("fixed")], [there_and_back])
     states = [cases.state(question, cases.stretched(s), f) for s, f in ((1.0, 0.0), (1.3, 0.5), (1.0, 1.0))]
-    (found,) = laws_beyond_their_tests(cases.solution(states))
+    (found,) = laws_beyond_their_tests(question, states)
     assert found.code == "M01"
-    assert laws_beyond_their_tests(cases.solution([states[0], states[2]])) == ()
+    assert laws_beyond_their_tests(question, [states[0], states[2]]) == ()
 
 
 # --- job files ---------------------------------------------------------------------------------------------------

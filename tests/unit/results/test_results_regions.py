@@ -4,14 +4,13 @@ import numpy as np
 import pytest
 import results_cases as cases
 
+from turgor.engine.percentiles import weighted_percentile
 from turgor.errors import TurgorError
-from turgor.job.output.material_findings import laws_beyond_their_tests
 from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.exchange.read import read_mesh
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
-from turgor.results.fields.percentiles import weighted_percentile
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.files.vtu import write_vtu
 from turgor.results.measures.field_measures import (
@@ -26,6 +25,7 @@ from turgor.results.measures.measures import check_measures, find_measure, measu
 from turgor.results.pictures.skin import visible_skin
 from turgor.results.pictures.state_picture import shared_view
 from turgor.results.plots.response_plots import response_figure
+from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.units import kPa
 
 STRETCH = 1.3
@@ -61,8 +61,8 @@ def test_one_spoiled_cell_does_not_put_a_law_beyond_its_tests():
     lonely = mesh.vertex_count + int(np.bincount(mesh.cells.ravel())[mesh.vertex_count :].argmin())  # of one cell
     spoiled = cases.state(model, lambda X: X + 1e-3 * (np.arange(len(X)) == lonely)[:, None])
     assert maximum_principal_stretch(spoiled) > 1.3
-    assert laws_beyond_their_tests(cases.solution([cases.state(model, None, 0.0), spoiled])) == ()
-    (found,) = laws_beyond_their_tests(cases.solution([spoiled, cases.state(model, cases.stretched(STRETCH))]))
+    assert laws_beyond_their_tests(model, [cases.state(model, None, 0.0), spoiled]) == ()
+    (found,) = laws_beyond_their_tests(model, [spoiled, cases.state(model, cases.stretched(STRETCH))])
     assert found.message.startswith("The law of 'narrow' is used up to stretch 1.3,")
 
 

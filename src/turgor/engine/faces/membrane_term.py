@@ -9,6 +9,7 @@ from turgor.engine.faces import membranes
 from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
 from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.materials.laws.laws import Hooke
+from turgor.model.model import Model
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -81,3 +82,31 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
             layers = [(sides, *membranes.surface_gradients(setting.points, sides))]
         terms += [MembraneTerm(*layer, moduli) for layer in layers]
     return terms
+
+
+def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, Array]:
+    """Compute the smaller principal force per width of a membrane.
+
+    Parameters
+    ----------
+    model : Model
+    name : str
+        Face of the membrane.
+    displacement : (n, 3) array [m]
+
+    Returns
+    -------
+    force : (f, q) array [N/m]
+        Per reference width, negative in compression.
+    area : (f, q) array [m²]
+        Area of each point.
+    """
+    sheet, points = model.membranes[name], model.mesh.points
+    law, sides = sheet.material.law, np.ascontiguousarray(model.mesh.face(name))
+    assert isinstance(law, Hooke)
+    gradients, areas = membranes.surface_gradients(points, sides)
+    moduli = membranes.plane_stress_moduli(law) * sheet.thickness
+    still = np.zeros_like(points)
+    stress = membranes.membrane_stress(points + displacement, still, sides, gradients, areas, moduli)
+    half = 0.5 * (stress[..., 0] - stress[..., 1])
+    return 0.5 * (stress[..., 0] + stress[..., 1]) - np.hypot(half, stress[..., 2]), areas

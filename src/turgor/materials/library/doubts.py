@@ -8,7 +8,8 @@ import re
 from collections.abc import Sequence
 
 from turgor.finding import Finding, Severity
-from turgor.materials.library.doubt_checks import LOOKS, Case, Doubt
+from turgor.materials.laws.laws import Hooke
+from turgor.materials.library.doubt_checks import LOOKS, Case, Doubt, unstable_law
 from turgor.materials.library.record import Record
 from turgor.materials.library.record_files import all_records
 from turgor.materials.material import Material
@@ -59,12 +60,12 @@ def find_doubts(record: Record, others: Sequence[Record] | None = None) -> tuple
 
 
 def doubts_of(material: Material) -> tuple[Finding, ...]:
-    """Return the doubts that travel with a material as findings.
+    """Return the doubts that travel with a material as findings, and whether its law is unstable (M06).
 
     Parameters
     ----------
     material : Material
-        As from `turgor.from_library`.
+        As from `turgor.from_library`, or with a law that was stated or fitted.
 
     Returns
     -------
@@ -76,8 +77,14 @@ def doubts_of(material: Material) -> tuple[Finding, ...]:
     >>> from turgor.materials.library.records import from_library
     >>> [finding.code for finding in doubts_of(from_library("fiberglass"))]
     ['M04']
+    >>> from turgor.materials.laws.laws import Yeoh
+    >>> [finding.code for finding in doubts_of(Material(name="typed", law=Yeoh(C10=0.11e6, C20=-0.02e6)))]
+    ['M06']
     """
-    return tuple(_finding(material, text) for text in material.source.doubts)
+    doubts = [_stated(text) for text in material.source.doubts]
+    if not isinstance(material.law, Hooke) and all(doubt.code != "M06" for doubt in doubts):
+        doubts += unstable_law(material.law)  # records of the library were checked when they were loaded
+    return tuple(_finding(material, doubt) for doubt in doubts)
 
 
 def _stated(text: str) -> Doubt:
@@ -88,8 +95,7 @@ def _stated(text: str) -> Doubt:
     return Doubt(code=match[1], kind=match[2], message=match[3])
 
 
-def _finding(material: Material, text: str) -> Finding:
-    doubt = _stated(text)
+def _finding(material: Material, doubt: Doubt) -> Finding:
     return Finding(
         code=doubt.code,
         severity=Severity.NOTE if doubt.kind in _NOTES else Severity.WARNING,

@@ -11,12 +11,12 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
+from turgor.engine.percentiles import volume_percentile
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.refining.region_nodes import RegionNodes
 from turgor.model.drive import common_pressure, rises
 from turgor.results.drive import stage_column
 from turgor.results.fields.contact import extents_of
-from turgor.results.fields.percentiles import volume_percentile
 from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.files.vtu_beside import obstacles_text, threads_text
 from turgor.results.files.vtu_xml import VtuArray, names_array, opening, section

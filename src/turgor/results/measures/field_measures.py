@@ -10,9 +10,9 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.percentiles import PERCENTILE, volume_percentile
 from turgor.errors import unknown
 from turgor.meshing.mesh import Mesh
-from turgor.results.fields.percentiles import PERCENTILE, volume_percentile
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.measures.reading import Measure
 

@@ -12,12 +12,12 @@ from matplotlib.lines import Line2D
 from matplotlib.transforms import IdentityTransform
 from numpy.typing import NDArray
 
+from turgor.engine.percentiles import PERCENTILE, volume_percentile, weighted_percentile
 from turgor.errors import TurgorError, unknown
 from turgor.response import Response
 from turgor.results.drive import face_of, pressures_in
 from turgor.results.fields.contact import extents_of
 from turgor.results.fields.fibers import drawn_threads
-from turgor.results.fields.percentiles import PERCENTILE, volume_percentile, weighted_percentile
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.pictures.colors import CONTACT_PRESSURE, FIELDS, VON_MISES, color_map, plain_rubber
 from turgor.results.pictures.contact_patches import pressed

@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 from jinja2 import Environment, StrictUndefined
 
+from turgor.engine.percentiles import PERCENTILE
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.quality.cell_quality import MeshQuality
 from turgor.response import Column, Response
 from turgor.results.drive import drive_of, pressures_in
-from turgor.results.fields.percentiles import PERCENTILE
 from turgor.results.measures.field_measures import BY_REGION
 from turgor.results.measures.headlines import headlines, in_regions, with_parts
 from turgor.results.measures.measures import MEASURES, find_measure

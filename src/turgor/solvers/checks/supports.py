@@ -1,13 +1,18 @@
-"""Checks before a solve: rigid motions left free, cavities without a pressure."""
+"""Checks before a solve: rigid motions left free, everything held, cavities without a pressure."""
+
+from collections.abc import Iterable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from turgor.engine.algebra.boundary import Held, held_components
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.bodies.bodies import Body, find_bodies
-from turgor.meshing.surface import outer_triangles
+from turgor.meshing.mesh import Mesh
+from turgor.meshing.surface import corner_keys, outer_triangles
 from turgor.model.model import Model
+from turgor.model.supports import Fixed
 
 
 def check_supports(model: Model, inertia: bool = False) -> None:
@@ -94,6 +99,31 @@ def _contact_does_not_hold(model: Model, bodies: int) -> str:
         f" Contact with {', '.join(obstacles + others)} does not count: it pushes only while it touches, "
         "and a body that it alone should hold has no equilibrium before that; Stabilized or Dynamic let it find one."
     )
+
+
+def everything_held(model: Model) -> tuple[Finding, ...]:
+    """Say where the whole surface outside the cavities is held, so that nothing can move (B09)."""
+    mesh = model.mesh
+    fixed = {name for name in mesh.faces for each in model.supports if each == Fixed(name, "xyz")}
+    inner = (*mesh.cavities, *mesh.symmetry_faces)
+    outside = corner_keys(outer_triangles(mesh), len(mesh.points))
+    left = outside[~np.isin(outside, _sides(mesh, (*inner, *fixed)))]
+    if not fixed or len(left):
+        return ()
+    return (
+        Finding(
+            code="B09",
+            severity=Severity.ERROR,
+            message=f"The supports hold the whole surface ({', '.join(sorted(fixed))}): the actuator cannot move.",
+            advice="Hold the face at which the actuator is clamped, for example fixed, and leave the others free.",
+        ),
+    )
+
+
+def _sides(mesh: Mesh, faces: Iterable[str]) -> NDArray[np.int64]:
+    """Keys of the sides of some faces."""
+    keys = [corner_keys(mesh.faces[name], len(mesh.points)) for name in faces if len(mesh.faces[name])]
+    return np.concatenate([np.zeros(0, dtype=np.int64), *keys])
 
 
 def unloaded_cavities(model: Model) -> tuple[Finding, ...]:

@@ -1,5 +1,26 @@
 """Thresholds of the checks: every number that was chosen, with its reason."""
 
+# --- causes
+
+#: A law turns over where its stress has an extreme at this many times the stretch that was reached, or before.
+TURNS_AHEAD = 1.05
+
+#: Share of the volume of a region beyond an extreme of its law, from which the law is named as the cause. A few cells
+#: suffice: where the stress falls, the strain concentrates in them, and they collapse.
+TURNED_VOLUME = 1e-3
+
+#: Rubber stretched less than this is not near any extreme of its law, and its wall is no balloon.
+STRETCHED = 1.15
+
+#: A cavity of this many times its volume at rest is a balloon.
+BALLOON = 1.3
+
+#: Stretch that elastomers bear (strains over 500 %, Xavier et al. 2021), where the tests of a law are not known.
+BREAKS = 6.0
+
+#: Share of the area of a film that is compressed enough to wrinkle, from which wrinkles are named as the cause.
+WRINKLED_AREA = 0.02
+
 # --- contact
 
 #: A tolerance that is just met is met.

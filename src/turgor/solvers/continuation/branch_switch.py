@@ -136,6 +136,7 @@ def continue_past(problem: Problem, procedure: Auto, watch: Watch) -> Outcome:
     if watch.reason is not None:
         problem.states.pop()
         problem.steps[-1] = replace(problem.steps[-1], accepted=False, why=watch.reason)
+        problem.listeners.rejected(len(problem.steps), problem.steps[-1])
     ends = bounds(Bounds(procedure.max_stretch))
     if watch.good is None:
         lengths = STEP_CUT * procedure.first_step, LONGEST_ARC * procedure.max_step

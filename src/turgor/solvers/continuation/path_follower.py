@@ -101,6 +101,7 @@ def noted(run: Run, result: NewtonResult, when: tuple[float, float], judgment: J
             why=judgment.reason,
         )
     )
+    run.task.problem.listeners.rejected(len(run.steps), run.steps[-1])
 
 
 def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:

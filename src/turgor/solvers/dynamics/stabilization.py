@@ -120,6 +120,7 @@ def _advance(run: _Run) -> Outcome | None:
         ending = _accept(run, result, load - now)
         run.control = _turned(run, run.control.accepted(load - now, result.iterations))
         return ending
+    run.problem.listeners.rejected(len(run.steps), run.steps[-1])
     shorter = run.control.failed(load - now)
     if shorter is None:
         if run.raised >= RAISES:
@@ -222,6 +223,7 @@ def _come_to_rest(run: _Run) -> Outcome | None:
     run.held += 1
     result = _attempt(run, 1.0, length)
     if not result.converged or _too_far(run, result):
+        run.problem.listeners.rejected(len(run.steps), run.steps[-1])
         run.hold = 0.25 * length
         return no_state(run.states[-1], run.steps[-1], RAISE**run.raised) if run.hold < run.procedure.min_step else None
     ended = _accept(run, result, length)

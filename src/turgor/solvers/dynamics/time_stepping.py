@@ -170,6 +170,7 @@ def _advance(run: _Run) -> Outcome | None:
             why=reason,
         )
     )
+    run.problem.listeners.rejected(len(run.problem.steps), run.problem.steps[-1])
     if following is None:
         return no_motion(run.time, run.problem.steps[-1])
     run.control = following

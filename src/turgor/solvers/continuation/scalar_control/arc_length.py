@@ -97,6 +97,7 @@ def from_rest(problem: Problem, procedure: StepOptions, lengths: tuple[float, fl
             reason = Reason(Cause.BRANCH_JUMP) if leaps else None
             reason = Reason(Cause.UNSTABLE) if (unstable or 0) > (modes or 0) else reason
         problem.steps.append(_first_step(load, first.iterations, first.residual, reason))
+        problem.listeners.rejected(len(problem.steps), problem.steps[-1])
         if first.converged and reason is None:
             break
         load *= STEP_CUT

@@ -1,0 +1,58 @@
+"""Early findings: everything that is known about a model before it is solved, in one call."""
+
+from turgor.finding import Finding, by_weight
+from turgor.model.model import Model
+from turgor.solvers.checks.contact import check_contact
+from turgor.solvers.checks.fibers import check_fibers
+from turgor.solvers.checks.materials import constants_in_doubt
+from turgor.solvers.checks.obstacles import overlapping_obstacles
+from turgor.solvers.checks.plausibility.check import implausible
+from turgor.solvers.checks.plausibility.question import Question
+from turgor.solvers.checks.supports import everything_held, unloaded_cavities
+from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.solution import Procedure
+from turgor.solvers.stage_sequence import questions
+
+
+def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
+    """Return what is known about a model and a procedure before the solve, the heaviest first.
+
+    Parameters
+    ----------
+    model : Model
+    procedure : Static, …, or Stages
+
+    Returns
+    -------
+    tuple of Finding
+        Doubtful constants, unstable laws (M04 to M07), magnitudes outside the range of the field (P01 to P06, L08),
+        supports that hold everything (B09), cavities without a pressure (B03), windings (B04, B05), walls and
+        obstacles that overlap (B07, B08).
+
+    Raises
+    ------
+    TurgorError
+        If a winding cannot lie on its face, or a stage changes what the model does not have.
+    """
+    asked = _questions(model, procedure)
+    return by_weight(
+        (
+            *constants_in_doubt(model),
+            *(found for question in asked for found in implausible(question)),
+            *everything_held(model),
+            *(() if isinstance(procedure, Stages) else unloaded_cavities(model)),
+            *check_fibers(model),
+            *check_contact(model),
+            *overlapping_obstacles(model),
+        )
+    )
+
+
+def _questions(model: Model, procedure: Procedure) -> tuple[Question, ...]:
+    """One question, or one for each stage."""
+    if not isinstance(procedure, Stages):
+        return (Question(model=model, procedure=procedure),)
+    models = questions(model, procedure)
+    return tuple(
+        Question(model=each, procedure=stage.procedure) for each, stage in zip(models, procedure.stages, strict=True)
+    )
