@@ -12,6 +12,7 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 from turgor._lazy import names_in, public
+from turgor.shown import Shown
 
 if TYPE_CHECKING:
     from turgor import actuators as actuators
@@ -81,6 +82,14 @@ _INSTEAD = {
 }
 
 __version__ = version("turgor")
+
+
+def _drawing(name: str) -> Any:
+    """Return a function that draws values for notebooks; the rooms of these values know nothing of it."""
+    return getattr(import_module("turgor.results.notebook.drawing"), name)
+
+
+Shown.drawing = _drawing
 
 
 def _moved(name: str) -> Any:

@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 from turgor.engine.cells.memory import Memory
 from turgor.finding import Finding
 from turgor.model.model import Model
+from turgor.shown import Shown, brief, listed
 from turgor.solvers.energies import Energies
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.reasons import Cause, Reason
+from turgor.units import kPa, mm
 
 Procedure = OneProcedure | Stages
 
@@ -58,9 +60,11 @@ class Touch:
     place: NDArray[np.float64]
     share: float = 0.0
 
+    __repr__ = brief
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class State:
+class State(Shown):
     """Equilibrium at one point of the path.
 
     Parameters
@@ -113,6 +117,17 @@ class State:
     energies: Energies | None = None
     stage: str = ""
     memory: Memory | None = None
+
+    def __repr__(self) -> str:
+        farthest = float(np.linalg.norm(self.displacement, axis=1).max(initial=0.0))
+        told = [f"{self.stage!r}"] if self.stage else []
+        told += [f"load factor {self.load_factor:.4g}"]
+        told += [] if self.time is None else [f"time {self.time:.4g} s"]
+        acting = [f"{face} {pressure / kPa:.4g} kPa" for face, pressure in self.pressures.items()]
+        told += [listed(acting)] if acting else []
+        told += [f"largest displacement {farthest / mm:.4g} mm", f"{len(self.displacement):,} nodes"]
+        told += ["unstable"] if self.unstable_modes else []
+        return f"State({', '.join(told)})"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -221,7 +236,7 @@ class Timing:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Solution:
+class Solution(Shown):
     """The path that a solve found, and how the solve ended.
 
     Parameters
@@ -254,6 +269,10 @@ class Solution:
     findings: tuple[Finding, ...] = ()
     timing: Timing = field(default_factory=Timing)
     limit_points: tuple[LimitPoint, ...] = ()
+
+    def __repr__(self) -> str:
+        last = f", the last one {self.states[-1]!r}" if self.states else ""
+        return f"Solution({self.status} of '{self.model.mesh.name}', {len(self.states)} states{last}: {self.message})"
 
     @property
     def converged(self) -> bool:

@@ -238,7 +238,8 @@ def test_files_without_contact_have_neither(tmp_path):
 
 def drawn(path):
     image = np.asarray(Image.open(path).convert("RGB")).astype(int)
-    return image[pictures.HEAD : -pictures.FOOT]
+    head, foot = pictures.bands(image.shape[1])
+    return image[head:-foot]
 
 
 def colorful(image):

@@ -7,6 +7,7 @@ from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.fit_laws import fit
 from turgor.materials.fitting.result import Fit
+from turgor.shown import brief
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -23,6 +24,8 @@ class Ranking:
 
     fits: tuple[Fit, ...]
     failed: tuple[str, ...] = ()
+
+    __repr__ = brief
 
     @property
     def best(self) -> Fit:

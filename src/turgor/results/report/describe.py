@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from math import isinf
 from typing import Any
 
+from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import describe_history
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
@@ -174,7 +175,7 @@ def materials(model: Model) -> list[MaterialText]:
             shared.append((used, [name]))
         else:
             names.append(name)
-    return [*(_material(names, used) for used, names in shared), *(_fibers(each) for each in model.reinforcements)]
+    return [*(material(names, used) for used, names in shared), *(_fibers(each) for each in model.reinforcements)]
 
 
 def _fibers(fibers: Fibers) -> MaterialText:
@@ -202,7 +203,19 @@ def _fibers(fibers: Fibers) -> MaterialText:
     )
 
 
-def _material(names: list[str], used: Material | Membrane) -> MaterialText:
+def material(names: list[str], used: Material | Membrane) -> MaterialText:
+    """Put a material into words.
+
+    Parameters
+    ----------
+    names : list of str
+        Where it is used.
+    used : Material or Membrane
+
+    Returns
+    -------
+    MaterialText
+    """
     held = used.material if isinstance(used, Membrane) else used
     where = ", ".join(name.replace("_", " ") for name in names)
     values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(held.law)))]
@@ -211,7 +224,8 @@ def _material(names: list[str], used: Material | Membrane) -> MaterialText:
         values.append(("thickness", f"{used.thickness / mm:g} mm"))
     else:
         kappa = "infinite: fully incompressible" if isinf(held.bulk_modulus) else _modulus(held.bulk_modulus)
-        values += [("shear modulus", _modulus(held.law.shear_modulus)), ("bulk modulus", kappa)]
+        stiff = isinstance(held.law, Hooke)
+        values += [] if stiff else [("shear modulus", _modulus(held.law.shear_modulus)), ("bulk modulus", kappa)]
     if held.density is not None:
         values.append(("density", f"{held.density:g} kg/m³"))
     if held.stretch_range is not None:
