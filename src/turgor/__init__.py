@@ -54,9 +54,12 @@ if TYPE_CHECKING:
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
     from turgor.response import Response as Response
+    from turgor.results.files.vtu import write_vtu as write_vtu
     from turgor.results.measures.measures import bending_angle as bending_angle
     from turgor.results.measures.measures import cavity_volume as cavity_volume
     from turgor.results.measures.measures import tip_displacement as tip_displacement
+    from turgor.results.pictures.picture import picture as picture
+    from turgor.results.report.solution_report import report as report
     from turgor.solvers.dynamics.modes import natural_frequencies as natural_frequencies
     from turgor.solvers.procedures.arc_length import ArcLength as ArcLength
     from turgor.solvers.procedures.auto import Auto as Auto
