@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from textwrap import shorten
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,9 @@ from turgor.solvers.reasons import Cause, Reason
 from turgor.units import kPa, mm
 
 Procedure = OneProcedure | Stages
+
+#: Letters of the message that the representation of a solution shows.
+LONGEST_MESSAGE = 160
 
 
 class Status(StrEnum):
@@ -271,8 +275,8 @@ class Solution(Shown):
     limit_points: tuple[LimitPoint, ...] = ()
 
     def __repr__(self) -> str:
-        last = f", the last one {self.states[-1]!r}" if self.states else ""
-        return f"Solution({self.status} of '{self.model.mesh.name}', {len(self.states)} states{last}: {self.message})"
+        said = shorten(self.message.rstrip("."), LONGEST_MESSAGE, placeholder=" …")
+        return f"Solution({self.status}, {len(self.states)} states of '{self.model.mesh.name}': {said})"
 
     @property
     def converged(self) -> bool:

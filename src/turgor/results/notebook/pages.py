@@ -29,6 +29,9 @@ from turgor.units import mL, mm
 #: Width of pictures [pixels] and resolution of plots [dots per inch].
 WIDTH, DPI = 560, 80
 
+#: Width of the picture of a geometry, which shows it from two sides [pixels].
+WIDE = 860
+
 #: What a finding of each severity begins with.
 _MARKS = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "error"}
 
@@ -53,7 +56,7 @@ def geometry(of: Geometry) -> str:
         ("faces", ", ".join(of.faces)),
         ("findings", "\n".join(map(str, of.findings))),
     ]
-    return card(of.name, image(picture(of, title="", width=WIDTH).png, of.name), facts(rows))
+    return card(of.name, image(picture(of, title="", width=WIDE).png, of.name), facts(rows))
 
 
 def mesh(of: Mesh) -> str:

@@ -22,7 +22,7 @@ COLORS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#0072b2", "#d55e00", "#f0
 FAINT, CLEAR = 0.08, 0.55
 
 #: Sides shorter than this share of the longest have ticks at their ends only.
-SHORT = 0.3
+SHORT = 0.5
 
 #: The two views: elevation above the horizon and azimuth around z [degrees].
 VIEWS = ((22, -60), (-22, 120))
