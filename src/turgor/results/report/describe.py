@@ -6,6 +6,8 @@ from dataclasses import dataclass, fields
 from math import isinf
 from typing import Any
 
+import numpy as np
+
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import describe_history
 from turgor.materials.material import Material
@@ -17,6 +19,7 @@ from turgor.model.loads import RAMP, BodyForce, Gravity, History, Load, Pressure
 from turgor.model.model import Membrane, Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
 from turgor.model.supports import Displacement, Fixed, Radial
+from turgor.setups.blocked_tip import HeldTip, Plate
 from turgor.units import GPa, MPa, deg, kPa, mm
 
 Rows = list[tuple[str, str]]
@@ -81,6 +84,8 @@ def supports(model: Model) -> list[str]:
     said = []
     for support in model.supports:
         match support:
+            case HeldTip(face, directions, push):
+                said.append(f"{face} held in {', '.join(directions)}; {_push(push)}.")
             case Fixed(face, directions):
                 said.append(f"{face} held in {', '.join(directions)}.")
             case Displacement(face, _, directions):
@@ -112,7 +117,17 @@ def _obstacle(obstacle: Obstacle) -> str:
         said.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
     if obstacle.spring is not None:
         said.append(f"held by a spring of {obstacle.spring:g} N/m")
+    if isinstance(obstacle, Plate) and isinstance(obstacle.shape, Plane):
+        x, y, z = obstacle.shape.normal
+        said.append(_push((-x, -y, -z)))
     return f"{obstacle.name}: {'; '.join(said)}."
+
+
+def _push(direction: Vector) -> str:
+    """The direction in which a tip is blocked, which is that of a positive blocked force."""
+    axis = int(np.abs(direction).argmax())
+    along = f"{'+' if direction[axis] > 0 else '-'}{'xyz'[axis]}" if max(map(abs, direction)) > 1 - 1e-9 else ""
+    return f"the blocked force is positive along {along or f'({_listed(direction)})'}"
 
 
 def _shape(shape: Shape) -> str:
