@@ -12,6 +12,7 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 from turgor._lazy import names_in, public
+from turgor.shown import Shown
 
 if TYPE_CHECKING:
     from turgor import actuators as actuators
@@ -53,9 +54,12 @@ if TYPE_CHECKING:
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
     from turgor.response import Response as Response
+    from turgor.results.files.vtu import write_vtu as write_vtu
     from turgor.results.measures.measures import bending_angle as bending_angle
     from turgor.results.measures.measures import cavity_volume as cavity_volume
     from turgor.results.measures.measures import tip_displacement as tip_displacement
+    from turgor.results.pictures.picture import picture as picture
+    from turgor.results.report.solution_report import report as report
     from turgor.solvers.dynamics.modes import natural_frequencies as natural_frequencies
     from turgor.solvers.procedures.arc_length import ArcLength as ArcLength
     from turgor.solvers.procedures.auto import Auto as Auto
@@ -83,6 +87,14 @@ _INSTEAD = {
 }
 
 __version__ = version("turgor")
+
+
+def _drawing(name: str) -> Any:
+    """Return a function that draws values for notebooks; the rooms of these values know nothing of it."""
+    return getattr(import_module("turgor.results.notebook.drawing"), name)
+
+
+Shown.drawing = _drawing
 
 
 def _moved(name: str) -> Any:

@@ -1,16 +1,19 @@
 """Response: measured columns against the drive, from finite elements, a formula or a laboratory alike."""
 
 import csv
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor import units
 from turgor.errors import TurgorError, near_match, unknown
+from turgor.shown import Shown, drawn_by
 from turgor.source import Source
 from turgor.store.saved import Saved
 
@@ -24,13 +27,22 @@ COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
     }
 )  # fmt: skip
 
+#: Units of one kind, the SI unit first; every other unit is the only one of its kind.
+_KINDS = (
+    ("m", "mm", "um"), ("rad", "deg"), ("Pa", "kPa", "MPa"), ("m2", "mm2"), ("m3", "L", "mL"), ("N", "mN"),
+    ("J", "mJ"), ("kg", "g"), ("s", "ms"),
+)  # fmt: skip
+
+#: Columns that the representation of a response names.
+MOST_TOLD = 6
+
 #: End of the name of the column that holds the estimated mesh error of another one.
 MESH_ERROR = "_mesh_error"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Column:
-    """One named quantity along the path.
+    """One named quantity along the path: `values` in SI, `in_unit` in the unit that it is shown in.
 
     Parameters
     ----------
@@ -43,8 +55,13 @@ class Column:
 
     Examples
     --------
-    >>> Column("pressure", "kPa", [0.0, 50e3]).header
-    'pressure_kPa'
+    >>> column = Column("pressure", "kPa", [0.0, 50e3])
+    >>> column
+    Column('pressure', 2 values, 0 to 50 kPa)
+    >>> column.header, column.si_unit
+    ('pressure_kPa', 'Pa')
+    >>> print(column.values, column.in_unit, column.to("MPa"))
+    [    0. 50000.] [ 0. 50.] [0.   0.05]
     """
 
     name: str
@@ -67,6 +84,9 @@ class Column:
         values.setflags(write=False)
         object.__setattr__(self, "values", values)
 
+    def __repr__(self) -> str:
+        return f"Column('{self.name}', {len(self.values)} values, {self.span})"
+
     @property
     def header(self) -> str:
         """Name and unit as they stand in the first line of a file."""
@@ -88,10 +108,47 @@ class Column:
         """The values in ``unit``, (n,)."""
         return self.values / COLUMN_UNITS[self.unit]
 
+    @property
+    def span(self) -> str:
+        """The range of the values with their unit, such as ``"0 to 50 kPa"``."""
+        known = self.in_unit[np.isfinite(self.values)]
+        return f"{known.min():.4g} to {known.max():.4g} {self.unit}".rstrip() if len(known) else "none known"
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """The units that it can be given in, the SI unit first."""
+        return next((kind for kind in _KINDS if self.unit in kind), (self.unit,))
+
+    @property
+    def si_unit(self) -> str:
+        """The unit of ``values``; empty for a pure number."""
+        return self.units[0]
+
+    def to(self, unit: str) -> NDArray[np.float64]:
+        """Return the values in another unit of the same kind, (n,).
+
+        Parameters
+        ----------
+        unit : str
+            One of `units`.
+
+        Raises
+        ------
+        TurgorError
+            If the unit measures something else.
+        """
+        if unit not in self.units:
+            known = ", ".join(self.units) if self.unit else "none, for it is a pure number"
+            raise TurgorError(f"column '{self.name}' cannot be given in '{unit}'; its units are {known}.")
+        return self.values / COLUMN_UNITS[unit]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Response(Saved):
+class Response(Saved, Shown):
     """Measured columns against the drive; the columns of the drive come first.
+
+    ``response["pressure"]`` is in SI, as every number in Python: Pa. A unit behind the name gives the values in this
+    unit: ``response["pressure_kPa"]``. Files, tables and plots always name the unit in which their numbers are.
 
     Parameters
     ----------
@@ -119,8 +176,10 @@ class Response(Saved):
     ... )
     >>> response.names
     ('pressure', 'bending_angle')
-    >>> print(response.column("bending_angle"))
-    [0.  1.5]
+    >>> response
+    Response(2 rows: pressure 0 to 50 kPa, bending_angle 0 to 85.94 deg; from a ruler)
+    >>> print(response["bending_angle"], response["bending_angle_deg"].round(1))
+    [0.  1.5] [ 0.  85.9]
     >>> response.column("bending_angel")
     Traceback (most recent call last):
     turgor.errors.TurgorError: unknown column 'bending_angel'; did you mean 'bending_angle'? ...
@@ -145,9 +204,44 @@ class Response(Saved):
         if self.stages and len(self.stages) != len(self):
             raise TurgorError(f"response: {len(self.stages)} stages are named for {len(self)} rows.")
 
+    def __repr__(self) -> str:
+        told = [f"{column.name} {column.span}" for column in self.quantities[:MOST_TOLD]]
+        told += [f"and {len(self.quantities) - MOST_TOLD} more"] if len(self.quantities) > MOST_TOLD else []
+        ended = f"{self.status}, " if self.status else ""
+        return f"Response({len(self)} rows: {', '.join(told)}; {ended}from {self.source.text})"
+
     def __len__(self) -> int:
         """Count the rows."""
         return len(self.columns[0].values)
+
+    def __iter__(self) -> Iterator[str]:
+        """Go through the names of the columns, as those of a data frame."""
+        return iter(self.names)
+
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a column of a name."""
+        return name in self.names
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        """Return the values of a column, (n,): in SI by its name alone, else in the unit that follows the name.
+
+        Raises
+        ------
+        TurgorError
+            If there is no such column, or the unit measures something else.
+
+        Examples
+        --------
+        >>> response = Response(columns=(Column("pressure", "kPa", [0.0, 50e3]),), source=Source(text="a gauge"))
+        >>> print(response["pressure"], response["pressure_kPa"])
+        [    0. 50000.] [ 0. 50.]
+        """
+        if not isinstance(name, str):
+            raise TurgorError(f"a column of a response is called by its name, not by {name!r}: {', '.join(self)}.")
+        plain, unit = _split_header(name)
+        if name in self.names or plain not in self.names:
+            return self.column(name)
+        return self.find(plain).to(unit)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -187,6 +281,67 @@ class Response(Saved):
     def column(self, name: str) -> NDArray[np.float64]:
         """Return the values of a column in SI units, (n,); an unknown name fails with the near match."""
         return self.find(name).values
+
+    def to_dataframe(self, *, si: bool = False) -> Any:
+        """Return the table as a pandas data frame whose columns say the unit of their numbers: ``pressure_kPa``.
+
+        Parameters
+        ----------
+        si : bool
+            Whether the numbers are in SI units, under names such as ``pressure_Pa``.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A row for each state. Where procedures follow each other, a last column has the name of the stage.
+
+        Raises
+        ------
+        TurgorError
+            If pandas is not installed.
+        """
+        try:
+            pandas = import_module("pandas")
+        except ImportError:
+            raise TurgorError(
+                "to_dataframe needs pandas, which is not installed; install it with: pip install pandas"
+            ) from None
+        shown = {}
+        for column in self.columns:
+            unit = column.si_unit if si else column.unit
+            shown[f"{column.name}_{unit}" if unit else column.name] = column.to(unit)
+        return pandas.DataFrame(shown | ({"stage_name": list(self.stages)} if self.stages else {}))
+
+    def plot(self, y: str | None = None, *, x: str | None = None, axes: Any = None) -> Any:
+        """Plot the response, in the units that its columns name.
+
+        Parameters
+        ----------
+        y : str, optional
+            Name of the column to plot; by default those that a reader looks for first, each in a panel of its own.
+        x : str, optional
+            Name of the column to plot it against; by default what drove the actuator, such as the pressure.
+        axes : matplotlib.axes.Axes, optional
+            Where to draw ``y``; by default a new figure. Several responses may share axes.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure, which notebooks show; ``figure.savefig("response.png")`` writes it.
+
+        Raises
+        ------
+        TurgorError
+            If there is no such column, or ``x`` or ``axes`` is given without ``y``.
+
+        Examples
+        --------
+        >>> columns = (Column("pressure", "kPa", [0.0, 50e3]), Column("bending_angle", "deg", [0.0, 1.5]))
+        >>> figure = Response(columns=columns, source=Source(text="a ruler")).plot("bending_angle")
+        >>> figure.axes[0].get_xlabel(), figure.axes[0].get_ylabel()
+        ('pressure [kPa]', 'bending angle [deg]')
+        """
+        return drawn_by("plot")(self, y, x, axes)
 
     def to_csv(self, path: str | Path) -> None:
         """Write the table as CSV: a header with units (``pressure_kPa``), then one line a row, in these units.

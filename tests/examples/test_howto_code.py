@@ -99,6 +99,19 @@ def test_motion():
     assert next(steps)["solution"].states[-1].displacement == pytest.approx(rest, abs=1e-4 * np.abs(rest).max())
 
 
+def test_plots_from_python(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    known = names(tg.Pressure("cavity", 2 * kPa))
+    known["solution"] = tg.solve(known["model"], tg.Static(max_step=0.5))
+    for _ in after_each_block("plot-from-python", known):
+        pass
+    assert "° at 2 kPa" in capsys.readouterr().out
+    written = {file.name for file in tmp_path.iterdir()}
+    assert {"response.png", "volume.png", "compared.png", "finger.png", "halfway.png", "mesh.png"} <= written
+    assert {"state_0.png", "report.html", "fields", "last.vtu"} <= written
+    assert (tmp_path / "fields" / "state.pvd").is_file()
+
+
 def test_relaxation_and_softening():
     found = next(after_each_block("viscoelasticity", {}))
     stress = found["test"].nominal_stress

@@ -23,6 +23,7 @@ from turgor.finding import Finding, Severity
 from turgor.meshing.refining.refinement import Refinement
 from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.measures.reading import Measure
+from turgor.shown import brief
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.solution import Solution, State
@@ -81,6 +82,8 @@ class MeshError:
     states: tuple[int, ...] = ()
     seconds: float = 0.0
     finding: Finding | None = None
+
+    __repr__ = brief
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -21,6 +21,7 @@ from turgor.meshing.sizing.sizes import check_target
 from turgor.model.model import Model
 from turgor.results.measures.reading import Measure
 from turgor.results.report.error_text import with_error
+from turgor.shown import brief
 from turgor.solvers.solution import Procedure, Solution, SolveError
 from turgor.solvers.solve import solve
 from turgor.units import mm
@@ -89,6 +90,8 @@ class Refined:
     rounds: tuple[Round, ...]
     reached: bool
     finding: Finding
+
+    __repr__ = brief
 
 
 def mesh_to(

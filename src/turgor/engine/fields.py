@@ -17,6 +17,7 @@ from turgor.engine.terms import Terms
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.refining.region_nodes import RegionNodes
 from turgor.model.model import Model
+from turgor.shown import brief
 
 Array = NDArray[np.float64]
 
@@ -47,6 +48,8 @@ class CellFields:
     stretch: Array
     volume_ratio: Array
     weight: Array
+
+    __repr__ = brief
 
 
 @lru_cache(maxsize=2)

@@ -9,13 +9,15 @@ from turgor.finding import Finding
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.packing import PackedShape, packed
 from turgor.geometry.sweep import Sweep
+from turgor.shown import Shown, listed
+from turgor.units import mL, mm
 
 #: Tolerance of CAD volumes: planar and cylindrical parts reach 1e-13, a face lost in a boolean changes far more.
 VOLUME_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Geometry:
+class Geometry(Shown):
     """The modeled part as a CAD shape with named regions and faces.
 
     The volumes are computed from the dimensions, not from the CAD shape, so that each can check the other. All of them
@@ -47,6 +49,9 @@ class Geometry:
     --------
     >>> import turgor.geometry as geometry
     >>> part = geometry.FastPneuNet(chambers=2, length=20e-3).build()
+    >>> part
+    Geometry('fast PneuNet, 2 chambers, half', 20 × 10 × 15 mm, thinnest wall 1 mm, cavity 1.049 mL, \
+regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symmetry_y, tip)
     >>> part.regions
     ('body', 'base')
     >>> round(part.cavity_volume * 1e9, 1)  # mm³, of the half with y >= 0
@@ -64,6 +69,14 @@ class Geometry:
     file: str = ""
     _shape: Any = field(repr=False)
     _sweep: Sweep | None = field(default=None, repr=False)
+
+    def __repr__(self) -> str:
+        size = " × ".join(f"{(b - a) / mm:.4g}" for a, b in zip(*self.bounds, strict=True))
+        cavities = "".join(f", {name} {volume / mL:.4g} mL" for name, volume in self.cavity_volumes.items())
+        return (
+            f"Geometry('{self.name}', {size} mm, thinnest wall {self.smallest_wall / mm:.4g} mm{cavities}, "
+            f"regions: {listed(self.regions)}, faces: {listed(self.faces)})"
+        )
 
     @property
     def cavity_volume(self) -> float:

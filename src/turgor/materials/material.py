@@ -7,13 +7,14 @@ from turgor.errors import TurgorError
 from turgor.materials.history.softening import Mullins
 from turgor.materials.history.viscoelastic import Prony
 from turgor.materials.laws.laws import Hooke, Law
+from turgor.shown import Shown
 from turgor.source import Source
 
 UNSTATED = Source(text="stated in the script")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Material:
+class Material(Shown):
     """A law, how it resists a change of volume, its density, the range it was fitted in, and where it came from.
 
     Parameters
@@ -40,6 +41,8 @@ class Material:
     >>> from turgor.materials.laws.laws import NeoHooke
     >>> Material(name="test rubber", law=NeoHooke(C10=0.12e6)).incompressible
     True
+    >>> Material(name="test rubber", law=NeoHooke(C10=0.12e6), density=1070.0)
+    Material('test rubber', NeoHooke(C10=120000.0) [SI], incompressible, 1070 kg/m³)
     """
 
     name: str
@@ -60,6 +63,17 @@ class Material:
             raise TurgorError(
                 f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
             )
+
+    def __repr__(self) -> str:
+        told = [f"'{self.name}'", f"{self.law!r} [SI]"]
+        if not isinstance(self.law, Hooke):
+            told.append("incompressible" if self.incompressible else f"bulk modulus {self.bulk_modulus:.4g} Pa")
+        told += [f"{self.density:g} kg/m³"] if self.density is not None else []
+        if self.stretch_range is not None:
+            told.append(f"fitted to stretches {self.stretch_range[0]:.4g} to {self.stretch_range[1]:.4g}")
+        told += ["relaxes"] if self.viscoelasticity else []
+        told += ["softens"] if self.stress_softening else []
+        return f"Material({', '.join(told)})"
 
     @property
     def incompressible(self) -> bool:

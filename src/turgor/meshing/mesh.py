@@ -9,6 +9,7 @@ from turgor.errors import TurgorError, unknown
 from turgor.finding import Finding
 from turgor.geometry.names import cavity_names
 from turgor.meshing.cells import TETRAHEDRON, TRIANGLE, CellType, cell_type
+from turgor.shown import Shown, listed
 
 #: Mid-side nodes 4..9 of a ten-node tetrahedron lie on these pairs of its vertices (VTK and Abaqus order).
 TETRAHEDRON_EDGES = TETRAHEDRON.edges
@@ -18,7 +19,7 @@ TRIANGLE_EDGES = TRIANGLE.edges
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Mesh:
+class Mesh(Shown):
     """Quadratic cells of one kind with the names of the geometry: tetrahedra, or hexahedra where a section was swept.
 
     Vertices come first among the points, mid-side nodes after them. Faces on the surface of the body point out of
@@ -80,6 +81,14 @@ class Mesh:
                 f"mesh '{self.name}': {int((owner != 1).sum())} cells do not belong to exactly one region."
             )
         object.__setattr__(self, "vertex_count", len(vertices))
+
+    def __repr__(self) -> str:
+        return f"Mesh('{self.name}', {self.counts}, regions: {listed(self.regions)}, faces: {listed(self.faces)})"
+
+    @property
+    def counts(self) -> str:
+        """Number of cells and nodes in words."""
+        return f"{len(self.cells):,} {self.cell_type.name.replace('hedron', 'hedra')}, {len(self.points):,} nodes"
 
     def face(self, name: str) -> NDArray[np.int64]:
         """Return the sides of a named face, a row each; unknown names fail with the list of known ones."""

@@ -15,7 +15,9 @@ from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Load, Pressure, Traction
 from turgor.model.supports import Displacement, Support, Symmetry
+from turgor.shown import Shown, listed
 from turgor.store.saved import Saved
+from turgor.units import kPa
 
 #: Formulations of the cells.
 MIXED, CONTINUOUS, DISPLACEMENT = "mixed", "continuous", "displacement"
@@ -52,7 +54,7 @@ class Membrane:
 
 
 @dataclass(frozen=True, slots=True, init=False)
-class Model(Saved):
+class Model(Saved, Shown):
     """A mesh with its materials, supports and loads; the question that `solve` answers.
 
     Parameters
@@ -112,6 +114,15 @@ class Model(Saved):
         self._check_materials()
         self._check_faces()
         self._check_formulation()
+
+    def __repr__(self) -> str:
+        made = [f"{name}: {used.name}" for name, used in self.region_materials.items()]
+        made += [f"{name}: membrane of {used.material.name}" for name, used in self.membranes.items()]
+        acting = [f"{type(each).__name__}({each.face})" for each in self.supports]
+        acting += [_named(load) for load in self.loads]
+        acting += [f"Fibers({each.name})" for each in self.reinforcements]
+        acting += [f"Obstacle({each.name})" for each in self.contact.obstacles]
+        return f"Model('{self.mesh.name}', {self.mesh.counts}; {listed(made)}; {listed(acting)})"
 
     def _check_materials(self) -> None:
         for name, material in self.materials.items():
@@ -180,3 +191,14 @@ class Model(Saved):
     def pressures(self) -> tuple[Pressure, ...]:
         """The follower pressures among the loads."""
         return tuple(load for load in self.loads if isinstance(load, Pressure))
+
+
+def _named(load: Load) -> str:
+    """A load in a few letters."""
+    match load:
+        case Pressure(face, pressure):
+            return f"Pressure({face}, {pressure / kPa:.4g} kPa)"
+        case Traction(face):
+            return f"Traction({face})"
+        case _:
+            return type(load).__name__

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.shown import brief
 
 Vector = tuple[float, float, float]
 
@@ -135,6 +136,8 @@ class RigidSurface:
     points: NDArray[np.float64]
     triangles: NDArray[np.int64]
     name: str = "triangles"
+
+    __repr__ = brief
 
     def __post_init__(self) -> None:
         points = np.ascontiguousarray(self.points, dtype=np.float64)

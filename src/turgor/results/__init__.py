@@ -1,7 +1,7 @@
 """Results: measures, files, pictures, plots and the report of a solution."""
 
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.files.vtu import write_series, write_vtu
+from turgor.results.files.vtu import write_series, write_state, write_vtu
 from turgor.results.measures.field_measures import (
     maximum_principal_stretch,
     maximum_von_mises,
@@ -68,5 +68,6 @@ __all__ = [
     "write_plot",
     "write_report",
     "write_series",
+    "write_state",
     "write_vtu",
 ]

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from textwrap import shorten
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,12 +11,17 @@ from numpy.typing import NDArray
 from turgor.engine.cells.memory import Memory
 from turgor.finding import Finding
 from turgor.model.model import Model
+from turgor.shown import Shown, brief, listed
 from turgor.solvers.energies import Energies
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.reasons import Cause, Reason
 from turgor.store.saved import Saved
+from turgor.units import kPa, mm
 
 Procedure = OneProcedure | Stages
+
+#: Letters of the message that the representation of a solution shows.
+LONGEST_MESSAGE = 160
 
 
 class Status(StrEnum):
@@ -59,9 +65,11 @@ class Touch:
     place: NDArray[np.float64]
     share: float = 0.0
 
+    __repr__ = brief
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class State:
+class State(Shown):
     """Equilibrium at one point of the path.
 
     Parameters
@@ -114,6 +122,17 @@ class State:
     energies: Energies | None = None
     stage: str = ""
     memory: Memory | None = None
+
+    def __repr__(self) -> str:
+        farthest = float(np.linalg.norm(self.displacement, axis=1).max(initial=0.0))
+        told = [f"{self.stage!r}"] if self.stage else []
+        told += [f"load factor {self.load_factor:.4g}"]
+        told += [] if self.time is None else [f"time {self.time:.4g} s"]
+        acting = [f"{face} {pressure / kPa:.4g} kPa" for face, pressure in self.pressures.items()]
+        told += [listed(acting)] if acting else []
+        told += [f"largest displacement {farthest / mm:.4g} mm", f"{len(self.displacement):,} nodes"]
+        told += ["unstable"] if self.unstable_modes else []
+        return f"State({', '.join(told)})"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -235,7 +254,7 @@ class Timing:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Solution(Saved):
+class Solution(Saved, Shown):
     """The path that a solve found, and how the solve ended.
 
     Parameters
@@ -268,6 +287,10 @@ class Solution(Saved):
     findings: tuple[Finding, ...] = ()
     timing: Timing = field(default_factory=Timing)
     limit_points: tuple[LimitPoint, ...] = ()
+
+    def __repr__(self) -> str:
+        said = shorten(self.message.rstrip("."), LONGEST_MESSAGE, placeholder=" …")
+        return f"Solution({self.status}, {len(self.states)} states of '{self.model.mesh.name}': {said})"
 
     @property
     def converged(self) -> bool:

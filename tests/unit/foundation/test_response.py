@@ -1,5 +1,7 @@
 """Response: a table of columns with units that survives a file, and says which name was meant."""
 
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -129,3 +131,59 @@ def test_files_of_others_are_read(tmp_path):
     assert read.column("pressure")[0] == 10e3
     assert read.column("bending_angle")[0] == pytest.approx(np.pi / 2)
     assert str(read.source) == "our laboratory"
+
+
+def test_a_name_alone_gives_si_and_a_unit_behind_it_gives_this_unit():
+    response = table(pressure=("kPa", [0, 50 * kPa]), bending_angle=("deg", [0, 90 * deg]), load_factor=("", [0, 1]))
+    assert response["pressure"].tolist() == [0, 50e3]
+    assert response["pressure_kPa"].tolist() == [0, 50]
+    assert response["pressure_MPa"].tolist() == [0, 0.05]
+    assert response["bending_angle_deg"] == pytest.approx([0, 90])
+    assert response["bending_angle_rad"] == pytest.approx([0, np.pi / 2])
+    assert response["load_factor"].tolist() == [0, 1]
+    assert list(response) == ["pressure", "bending_angle", "load_factor"]
+    assert "pressure" in response
+    assert "stress" not in response
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("presure", "unknown column 'presure'; did you mean 'pressure'"),
+        ("pressure_mm", "column 'pressure' cannot be given in 'mm'; its units are Pa, kPa, MPa."),
+        (
+            "load_factor_mm",
+            "column 'load_factor' cannot be given in 'mm'; its units are none, for it is a pure",
+        ),
+        (0, "a column of a response is called by its name, not by 0: pressure, load_factor."),
+    ],
+)
+def test_a_wrong_name_or_unit_is_refused(name, message):
+    with pytest.raises(TurgorError, match=message):
+        table(pressure=("kPa", [0]), load_factor=("", [0]))[name]
+
+
+def test_a_column_says_its_unit_and_the_range_in_this_unit():
+    column = Column("pressure", "kPa", [0, 50 * kPa])
+    assert repr(column) == "Column('pressure', 2 values, 0 to 50 kPa)"
+    assert column.si_unit == "Pa"
+    assert repr(Column("bending_angle_mesh_error", "deg", [np.nan])).endswith("none known)")
+    assert {unit for name in COLUMN_UNITS for unit in Column("a", name, []).units} == set(COLUMN_UNITS)
+
+
+def test_data_frame_names_the_unit_of_its_numbers():
+    pytest.importorskip("pandas")
+    response = Response(
+        columns=table(pressure=("kPa", [0, 50 * kPa]), load_factor=("", [0, 1])).columns, source=SOURCE,
+        stages=("fill", "fill"),
+    )  # fmt: skip
+    frame = response.to_dataframe()
+    assert list(frame) == ["pressure_kPa", "load_factor", "stage_name"]
+    assert frame["pressure_kPa"].tolist() == [0, 50]
+    assert response.to_dataframe(si=True)["pressure_Pa"].tolist() == [0, 50e3]
+
+
+def test_without_pandas_the_error_says_how_to_install_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(TurgorError, match="needs pandas, which is not installed; install it with: pip install pandas"):
+        table(pressure=("kPa", [0])).to_dataframe()

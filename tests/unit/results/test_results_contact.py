@@ -18,7 +18,7 @@ from turgor.response import Column, Response
 from turgor.results.drive import pressures_in
 from turgor.results.fields.contact import contact_results, drawn_obstacles, extents_of, place_of
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.files.vtu import write_series, write_vtu
+from turgor.results.files.vtu import write_series, write_state
 from turgor.results.measures.measures import measure
 from turgor.results.pictures import state_picture as pictures
 from turgor.results.pictures.contact_patches import laid_over
@@ -227,7 +227,7 @@ def test_files_hold_pressure_and_obstacles_at_their_place(path, tmp_path):
 
 def test_files_without_contact_have_neither(tmp_path):
     plain = cases.state(cases.model(cases.body()))
-    write_vtu(tmp_path / "plain.vtu", plain)
+    write_state(tmp_path / "plain.vtu", plain)
     assert "contact_pressure" not in (tmp_path / "plain.vtu").read_text(encoding="utf-8")
     write_series(tmp_path, cases.solution([plain]))
     assert not list(tmp_path.glob("*obstacles*"))
@@ -238,7 +238,8 @@ def test_files_without_contact_have_neither(tmp_path):
 
 def drawn(path):
     image = np.asarray(Image.open(path).convert("RGB")).astype(int)
-    return image[pictures.HEAD : -pictures.FOOT]
+    head, foot = pictures.bands(image.shape[1])
+    return image[head:-foot]
 
 
 def colorful(image):

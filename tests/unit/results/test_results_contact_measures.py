@@ -15,6 +15,7 @@ from turgor.model.supports import Fixed
 from turgor.response import read_response
 from turgor.results.measures import contact_measures as of
 from turgor.results.measures.measures import STANDARD_MEASURES, check_measures, find_measure, measure
+from turgor.results.report import describe
 from turgor.setups.added import with_setup
 from turgor.setups.blocked_tip import HeldTip, blocked_force
 from turgor.setups.values import BlockedForce, Grasp, Setup
@@ -104,6 +105,9 @@ def test_a_held_tip_takes_the_whole_of_a_load_on_it(half):
     assert response.column("blocked_force_x") == pytest.approx(force * response.column("load_factor"))
     assert response.column("blocked_force_z")[-1] == pytest.approx(0, abs=1e-9 * force)
     assert path.model.supports[-1] == HeldTip("tip", "xyz", (1.0, 0.0, 0.0))
+    against = measure(solve(blocked_force(model, hold="zyx", direction="-x")))
+    assert against.column("blocked_force")[-1] == pytest.approx(-force)  # it pulls away from where it is blocked
+    assert against.column("blocked_force_x")[-1] == pytest.approx(force)
     again = solve(path.model, path.procedure)  # as on a refined mesh: nothing is added twice
     assert again.model is path.model
     assert measure(again).column("blocked_force")[-1] == pytest.approx(force)
@@ -207,3 +211,15 @@ def test_areas_and_depths_are_written_and_read(tmp_path):
     assert again.names == response.names
     assert again.column("contact_area") == pytest.approx(3e-6)
     assert (again.find("contact_area").unit, again.find("deepest_penetration").unit) == ("mm2", "um")
+
+
+@pytest.mark.parametrize(
+    ("setup", "where", "along"),
+    [
+        (BlockedForce(direction="-z"), describe.contact, "-z"),
+        (BlockedForce(hold="xz", direction="+x"), describe.supports, "+x"),
+    ],
+)
+def test_the_report_names_the_direction_of_the_blocked_force(setup, where, along):
+    said = f"; the blocked force is positive along {along}."
+    assert any(line.endswith(said) for line in where(question(setup)))

@@ -10,7 +10,7 @@ from turgor.model.loads import Pressure
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.files.vtu import write_vtu
+from turgor.results.files.vtu import write_state
 from turgor.results.pictures.skin import visible_skin
 from turgor.solvers.solution import State
 from turgor.units import kPa, mm
@@ -44,7 +44,7 @@ def test_the_skin_is_the_whole_surface(stretched: State) -> None:
 
 def test_vtk_opens_the_cells(stretched: State, tmp_path) -> None:
     vtk_io = pytest.importorskip("vtkmodules.vtkIOXML")
-    write_vtu(tmp_path / "state.vtu", stretched)
+    write_state(tmp_path / "state.vtu", stretched)
     reader = vtk_io.vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(tmp_path / "state.vtu"))
     reader.Update()

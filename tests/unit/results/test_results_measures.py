@@ -6,14 +6,18 @@ import numpy as np
 import pytest
 import results_cases as cases
 
+import meshes
+from turgor.engine.faces import surfaces
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
+from turgor.model.loads import Traction
 from turgor.model.model import Model
-from turgor.model.supports import Fixed
+from turgor.model.supports import Fixed, Radial
 from turgor.results.fields import state_fields as fields
 from turgor.results.measures import field_measures, measures
 from turgor.results.measures.measures import Measure, check_measures, find_measure, measure
 from turgor.solvers.solution import Status
+from turgor.solvers.solve import solve
 from turgor.units import deg, kPa, mL, mm
 
 STRETCH = 1.3
@@ -213,3 +217,21 @@ def test_measure_refuses_an_unknown_unit_and_an_unknown_name():
         Measure(name="rise", unit="mmm", function=lambda at: 0.0, definition="")
     with pytest.raises(TurgorError, match=r"unknown measure 'bending_angel'; did you mean 'bending_angle'\?"):
         find_measure("bending_angel")
+
+
+def test_reaction_counts_radial_supports():
+    """Solved: a tube is pushed sideways from within; what holds its outside and one end takes the whole of the load."""
+
+    def place(parameters):
+        r, angle = 3 * mm + 2 * mm * parameters[:, 0], 2 * np.pi * parameters[:, 1]
+        return np.column_stack([r * np.cos(angle), r * np.sin(angle), 2 * mm * parameters[:, 2]])
+
+    names = {"x0": "inside", "x1": "outside", "z0": "fixed", "z1": "end"}
+    tube = meshes.glued([meshes.Block((1, 8, 1), place, names)])
+    push = Traction("inside", (2 * kPa, 1 * kPa, 0.5 * kPa))
+    held = [Fixed("fixed"), Radial("outside", axis=(0, 0, 1))]
+    found = solve(Model(tube, {"body": cases.RUBBER}, held, [push])).states[-1]
+    load = surfaces.area(tube.points, tube.face("inside")) * np.linalg.norm(push.vector)
+    assert measures.reaction(found) == pytest.approx(load, rel=1e-6)
+    free = replace(found.model, supports=held[:1])
+    assert measures.reaction(replace(found, model=free)) < 0.7 * load  # the rest is what the outside takes

@@ -225,7 +225,7 @@ def test_picture_is_true_to_scale_and_framed(tmp_path, rest):
     write_picture(tmp_path / "rest.png", rest, view)
     image = drawn(tmp_path / "rest.png")
     assert image.shape[1] == WIDTH
-    body = (image[pictures.HEAD : -pictures.FOOT] < 250).any(axis=2)
+    body = (within_bands(image) < 250).any(axis=2)
     columns = np.flatnonzero(body.any(axis=0))
     assert columns[0] == pytest.approx(MARGIN, abs=2)
     assert columns[-1] == pytest.approx(WIDTH - MARGIN, abs=2)
@@ -265,9 +265,15 @@ def test_ghost_is_drawn_behind(tmp_path, rest, bent):
     assert light_gray(b) > light_gray(a) + 200
 
 
+def within_bands(image):
+    """The image between title and color bar."""
+    head, foot = pictures.bands(image.shape[1])
+    return image[head:-foot]
+
+
 def light_gray(image):
     """How many pixels around the body are light gray, as the lines of the ghost are."""
-    picture = image[pictures.HEAD : -pictures.FOOT]
+    picture = within_bands(image)
     mean = picture.mean(axis=2)
     return ((np.ptp(picture, axis=2) < 20) & (mean > 160) & (mean < 235)).sum()
 

@@ -12,7 +12,7 @@ from turgor.meshing.exchange.read import read_mesh
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.files.vtu import write_vtu
+from turgor.results.files.vtu import write_state
 from turgor.results.measures.field_measures import (
     maximum_principal_stretch,
     maximum_von_mises,
@@ -116,7 +116,7 @@ def test_colors_end_at_the_headline():
 
 
 def test_doubled_points_are_joined_when_a_file_is_read(at, tmp_path):
-    write_vtu(tmp_path / "state.vtu", at)
+    write_state(tmp_path / "state.vtu", at)
     again = read_mesh(tmp_path / "state.vtu", unit="m", regions={"base": "region 0", "body": "region 1"})
     assert len(again.points) == len(at.mesh.points)
     np.testing.assert_array_equal(again.region("base"), at.mesh.region("base"))

@@ -9,7 +9,7 @@ import results_cases as cases
 
 from turgor.meshing.refining.region_nodes import region_nodes
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.files.vtu import SYMMETRIC, write_series, write_vtu
+from turgor.results.files.vtu import SYMMETRIC, write_series, write_state
 from turgor.results.measures.field_measures import von_mises_p99
 
 vtk_io = pytest.importorskip("vtkmodules.vtkIOXML")
@@ -25,7 +25,7 @@ def state():
 @pytest.fixture(scope="module")
 def grid(state, tmp_path_factory):
     path = tmp_path_factory.mktemp("vtu") / "state.vtu"
-    write_vtu(path, state)
+    write_state(path, state)
     return read(path)
 
 

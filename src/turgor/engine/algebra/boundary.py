@@ -78,7 +78,7 @@ def held_components(model: Model) -> Held:
         mask[nodes[:, None], axes] = True
         if isinstance(support, Displacement):
             moving.append((nodes, axes, support))
-    return _with_normals(mask, tuple(moving), *_radial_normals(model))
+    return _with_normals(mask, tuple(moving), *radial_normals(model))
 
 
 def _with_normals(
@@ -100,8 +100,17 @@ def _with_normals(
     return Held(local, moving, NodeFrames(nodes, axes), along, normals)
 
 
-def _radial_normals(model: Model) -> tuple[Ints, Array]:
-    """Nodes that are held radially, and the outward normals (k, 3) of their cylinders."""
+def radial_normals(model: Model) -> tuple[Ints, Array]:
+    """Find the nodes (k,) that are held radially, and the outward normals (k, 3) of their cylinders at rest.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    tuple of array
+    """
     found: dict[int, Array] = {}
     for support in model.supports:
         if not isinstance(support, Radial):

@@ -22,6 +22,7 @@ from turgor.materials.history.isochoric import scaled_stress
 from turgor.materials.history.softening import softened_derivatives, softening, softening_dissipation
 from turgor.materials.history.viscoelastic import memory_at_rest, next_memory, remembered_stress, step_factor
 from turgor.materials.material import Material
+from turgor.shown import brief
 
 Array = NDArray[np.float64]
 Pairs = Sequence[tuple[int, int]]
@@ -46,6 +47,8 @@ class Memory:
     stress: Mapping[str, Array]
     largest: Mapping[str, Array]
     friction: Friction = ()
+
+    __repr__ = brief
 
     @property
     def of_rubber(self) -> "Memory | None":

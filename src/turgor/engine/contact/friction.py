@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.contact.surface import Surface
+from turgor.shown import brief
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -63,6 +64,8 @@ class FrictionHistory:
     limit: Array
     slip: Array
     limits_kept: bool = False
+
+    __repr__ = brief
 
 
 #: Friction history of every part of the contact, None where nothing rubs; empty where none has touched yet.

@@ -13,6 +13,8 @@ import numpy as np
 from numba import njit, prange
 from numpy.typing import NDArray
 
+from turgor.shown import brief
+
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -49,6 +51,8 @@ class Pieces:
     pushed: Array
     middle: Array
     hand: Ints
+
+    __repr__ = brief
 
 
 @njit(cache=True, parallel=True)

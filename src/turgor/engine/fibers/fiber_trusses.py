@@ -19,6 +19,7 @@ from turgor.engine.fibers.surface_unrolling import UnrolledSurface, shape_values
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
 from turgor.model.fibers import DISCRETE, Fibers
+from turgor.shown import brief
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -54,6 +55,8 @@ class FiberTrusses:
     begin: Array
     end: Array
     thread: Ints
+
+    __repr__ = brief
 
     @property
     def count(self) -> int:

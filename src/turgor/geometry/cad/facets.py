@@ -84,6 +84,24 @@ def find_facets(shape: Any, faces: list[Any]) -> Facets:
     return Facets(points=points, triangles=triangles, face=face, outer=~shared[face])
 
 
+def named_facets(shape: Any) -> list[tuple[str, Array]]:
+    """Return the name and the triangles (t, 3, 3) [CAD units] of each face of a shape, for pictures.
+
+    Parameters
+    ----------
+    shape : CAD shape
+        Glued bodies with named faces.
+
+    Returns
+    -------
+    list of (str, array)
+    """
+    data = OCCGeometry(shape)._visualizationData()
+    corners = data["vertices"].reshape(-1, 3, 3).astype(np.float64)
+    number = data["indices"].astype(np.int64)
+    return [(str(face.name), corners[number == i]) for i, face in enumerate(_unique(OCCGeometry(shape).faces))]
+
+
 def mirrored(facets: Facets, mirrors: Sequence[Mirror], cuts: Sequence[int]) -> Facets:
     """Add the mirror images to a half or quarter, so that an inlet in a mirror plane is complete.
 

@@ -18,6 +18,7 @@ from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.walls import smallest_wall
 from turgor.geometry.child import in_child
 from turgor.geometry.directions import Vector
+from turgor.shown import brief
 from turgor.units import mm
 
 Array = NDArray[np.float64]
@@ -88,6 +89,8 @@ class Inspection:
     faces: tuple[FaceFacts, ...]
     cavities: tuple[CavityFacts, ...]
     findings: tuple[Finding, ...]
+
+    __repr__ = brief
 
 
 def inspect_cad(

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.materials.material import UNSTATED
+from turgor.shown import Shown, brief
 from turgor.source import Source
 
 Array = NDArray[np.float64]
@@ -39,9 +40,11 @@ class Edit:
     stretch: Array = field(default_factory=lambda: np.empty(0))
     nominal_stress: Array = field(default_factory=lambda: np.empty(0))
 
+    __repr__ = brief
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class MaterialTest:
+class MaterialTest(Shown):
     """One experiment on a rubber: mode, stretch and nominal stress, their source, and a record of every edit.
 
     Parameters

@@ -10,6 +10,7 @@ from turgor.materials.fitting.history_points import HistoryPart
 from turgor.materials.fitting.result import FitResidual
 from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
+from turgor.shown import brief
 
 #: Number of points of each test that are used.
 POINTS = 400
@@ -46,6 +47,8 @@ class HistoryFit:
     undetermined: tuple[str, ...]
     largest_softening: float
     quality: tuple[FitResidual, ...]
+
+    __repr__ = brief
 
     def predict(self, tests: MaterialTest | Sequence[MaterialTest]) -> tuple[FitResidual, ...]:
         """Compare the rubber with tests, such as tests that were not fitted.

@@ -15,6 +15,7 @@ _FAILS: Mapping[Criterion, str] = {
     "cauchy": "the Cauchy stress has an extreme",
     "drucker": "Drucker's postulate fails",
 }
+from turgor.shown import brief
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -31,6 +32,8 @@ class Ranking:
 
     fits: tuple[Fit, ...]
     failed: tuple[str, ...] = ()
+
+    __repr__ = brief
 
     @property
     def best(self) -> Fit:

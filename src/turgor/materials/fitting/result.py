@@ -12,6 +12,7 @@ from turgor.materials.experiments.material_test import Array, MaterialTest
 from turgor.materials.fitting.points import WEIGHT_FLOOR
 from turgor.materials.laws.law_spec import LawSpec
 from turgor.materials.material import Material
+from turgor.shown import Shown
 from turgor.source import Source
 
 #: Correlation beyond which two parameters count as tied together.
@@ -71,7 +72,7 @@ class FitResidual:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Fit:
+class Fit(Shown):
     """A fitted law with its errors, the uncertainty of its parameters, and its range of use.
 
     Parameters

@@ -14,6 +14,7 @@ from turgor.materials.laws.derivatives import energy_and_derivatives, stretch_de
 from turgor.materials.laws.homogeneous import DEFORMATIONS, cauchy_stress
 from turgor.materials.laws.laws import Law, StretchLaw
 from turgor.materials.material import Material
+from turgor.shown import brief
 
 Array = NDArray[np.float64]
 HistoryMode = Literal["uniaxial", "equibiaxial", "planar"]
@@ -46,6 +47,8 @@ class StressHistory:
     stretch: Array
     nominal_stress: Array
     softening: Array
+
+    __repr__ = brief
 
     @property
     def work(self) -> Array:

@@ -10,6 +10,7 @@ from turgor.errors import TurgorError, unknown
 from turgor.materials.laws.homogeneous import DEFORMATIONS, biaxial, cauchy_stress, nominal_stress
 from turgor.materials.laws.laws import Law
 from turgor.materials.laws.stability import first_instability
+from turgor.shown import brief
 
 Array = NDArray[np.float64]
 CurveMode = Literal["uniaxial", "equibiaxial", "planar", "simple_shear", "biaxial"]
@@ -49,6 +50,8 @@ class Curve:
     second_nominal_stress: Array
     second_cauchy_stress: Array
     instability: float | None
+
+    __repr__ = brief
 
     @property
     def shear_modulus(self) -> float:

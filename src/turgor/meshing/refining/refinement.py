@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.meshing.mesh import Mesh
+from turgor.shown import brief
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -28,3 +29,5 @@ class Refinement:
     mesh: Mesh
     parent: NDArray[np.int64]
     corners: NDArray[np.float64]
+
+    __repr__ = brief

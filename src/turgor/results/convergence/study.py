@@ -10,6 +10,7 @@ from turgor.errors import TurgorError
 from turgor.response import COLUMN_UNITS, Column, Response
 from turgor.results.convergence.extrapolation import Extrapolation, extrapolate
 from turgor.results.measures.measures import Measure
+from turgor.shown import brief
 from turgor.source import Source
 
 Array = NDArray[np.float64]
@@ -70,6 +71,8 @@ class Convergence:
     cells: NDArray[np.int64]
     unknowns: NDArray[np.int64]
     values: Array
+
+    __repr__ = brief
 
     def __post_init__(self) -> None:
         if len(self.sizes) < 3:

@@ -11,6 +11,7 @@ from turgor.model.model import Model
 from turgor.model.obstacles import Obstacle
 from turgor.results.fields.state_fields import StateFields
 from turgor.setups.grasped_object import BETWEEN
+from turgor.shown import brief
 from turgor.solvers.solution import State
 
 Array = NDArray[np.float64]
@@ -45,6 +46,8 @@ class ContactResult:
     pressure: float
     penetration: float
     share: float
+
+    __repr__ = brief
 
 
 def contact_results(state: State | StateFields) -> tuple[ContactResult, ...]:

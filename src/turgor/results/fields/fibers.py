@@ -12,6 +12,7 @@ from turgor.errors import TurgorError
 from turgor.meshing.cells import side_type
 from turgor.model.fibers import DISCRETE, Fibers
 from turgor.results.fields.state_fields import StateFields
+from turgor.shown import brief
 from turgor.solvers.solution import State
 
 Array = NDArray[np.float64]
@@ -44,6 +45,8 @@ class FiberResult:
     positions: Array
     weights: Array
     threads: FiberTrusses | None
+
+    __repr__ = brief
 
     @property
     def maximum_tension(self) -> float:

@@ -12,6 +12,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from turgor.engine.percentiles import volume_percentile
+from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.refining.region_nodes import RegionNodes
 from turgor.model.drive import common_pressure, rises
@@ -28,7 +29,7 @@ SYMMETRIC = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 SYMMETRIC_NAMES = ("XX", "YY", "ZZ", "XY", "YZ", "XZ")
 
 
-def write_vtu(path: str | Path, state: State | StateFields) -> None:
+def write_state(path: str | Path, state: State | StateFields) -> None:
     """Write one state as a VTU file with its quadratic cells intact.
 
     Point data: ``displacement`` [m], ``mean_stress`` [Pa], ``cauchy_stress`` [Pa] (XX, YY, ZZ, XY, YZ, XZ),
@@ -139,6 +140,54 @@ def _times(solution: Solution) -> tuple[list[float], str]:
     return factors, "load factor"
 
 
+def write_vtu(of: Solution | State, path: str | Path) -> Path:
+    """Write VTU files for ParaView: one file of a state, or a series of all states of a solution.
+
+    The fields are those that `write_state` lists, in SI units; `write_series` says what lies beside them.
+
+    Parameters
+    ----------
+    of : Solution or State
+        What to write; the modeled part, not mirrored.
+    path : str or Path
+        A file that ends in ``.vtu`` for a state. For a solution a folder, in which the series is called
+        ``state.pvd``, or a file that ends in ``.pvd``; the folder is made where it is not there.
+
+    Returns
+    -------
+    Path
+        The file to open: that of the state, or the PVD file.
+
+    Raises
+    ------
+    TurgorError
+        If the ending of the path does not fit.
+
+    Examples
+    --------
+    >>> write_vtu("finger.vtu", None)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: write_vtu takes a solution or a state first, then the path; the first is a str.
+    """
+    if not isinstance(of, Solution | State):
+        raise TurgorError(
+            f"write_vtu takes a solution or a state first, then the path; the first is a {type(of).__name__}."
+        )
+    path = Path(path)
+    if isinstance(of, Solution):
+        if path.suffix.lower() not in ("", ".pvd"):
+            raise TurgorError(
+                f"path '{path}' ends in '{path.suffix}'; a solution has {len(of.states)} states and needs a folder or "
+                "a .pvd file. One of them is written by write_vtu(solution.states[-1], ...)."
+            )
+        return write_series(path.parent, of, path.stem) if path.suffix else write_series(path, of)
+    if path.suffix.lower() != ".vtu":
+        raise TurgorError(f"path '{path}' ends in '{path.suffix}'; the file of a state ends in .vtu.")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_state(path, of)
+    return path
+
+
 def write_series(folder: str | Path, solution: Solution, name: str = "state") -> Path:
     """Write every state of a path as VTU, and a PVD file that lists them for ParaView.
 
@@ -175,7 +224,7 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
         for kind in [key for key, text in texts.items() if text or key == name]:
             file = f"{kind}_{number:04d}.vtu"
             if kind == name:
-                write_vtu(folder / file, at)
+                write_state(folder / file, at)
             else:
                 (folder / file).write_text(texts[kind], encoding="utf-8")
             time = f"{times[number]:.12g}"

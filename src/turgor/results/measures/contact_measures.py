@@ -136,7 +136,7 @@ def _component(axis: str) -> Measure:
     """Make the measure of the force of the tip along an axis."""
     return Measure(
         name=f"blocked_force_{axis}", unit="N", function=lambda at: float(_push(at)[0]["xyz".index(axis)]),
-        definition=f"force of the tip along {axis} on the plate or on what holds it, whole actuator",
+        definition=f"force of the tip on the plate or on what holds it, positive along +{axis}, whole actuator",
     )  # fmt: skip
 
 
@@ -163,8 +163,8 @@ def _largest(values: Sequence[float]) -> float:
 
 blocked_force = Measure(
     name="blocked_force", unit="N", function=_blocked_force,
-    definition="force with which the tip pushes on the plate or pulls at what holds it, in the direction in "
-    "which it is blocked, whole actuator",
+    definition="force of the tip on the plate or on what holds it, along the direction in which it is blocked: "
+    "positive where it pushes that way, negative where it pulls back, whole actuator",
 )  # fmt: skip
 blocked_force_x, blocked_force_y, blocked_force_z = map(_component, "xyz")
 contact_area = Measure(

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.boundary import radial_normals
 from turgor.engine.cells.element import element_of
 from turgor.engine.faces import surfaces
 from turgor.errors import TurgorError, unknown
@@ -274,16 +275,21 @@ def _cavity_volume(at: StateFields) -> float:
 
 
 def _reaction(at: StateFields) -> float:
+    """Sum the forces along the directions in which the supports Fixed and Radial hold each node."""
     held = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
         if isinstance(support, Fixed):
             nodes = at.mesh.face_nodes(support.face)
             for direction in support.directions:
                 held[nodes, "xyz".index(direction)] = True
-    if not held.any():
-        raise TurgorError("the model has no support Fixed whose force could be summed.")
-    force = np.where(held, at.state.nodal_force, 0.0).sum(axis=0)
-    return float(np.linalg.norm(at.facts.of_whole(at.mesh.symmetry_factor * force)))
+    nodes, normals = radial_normals(at.model)
+    if not held.any() and not len(nodes):
+        raise TurgorError("the model has no support Fixed or Radial whose force could be summed.")
+    force = np.where(held, at.state.nodal_force, 0.0)
+    across = np.where(held[nodes], 0.0, normals)  # what the normal adds to the directions that are fixed
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
+    force[nodes] += np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across
+    return float(np.linalg.norm(at.facts.of_whole(at.mesh.symmetry_factor * force.sum(axis=0))))
 
 
 bending_angle = Measure(
@@ -318,8 +324,8 @@ cavity_volume = Measure(
 )  # fmt: skip
 reaction = Measure(
     name="reaction", unit="N", function=_reaction,
-    definition="magnitude of the force at the supports Fixed, whole actuator; zero where only the pressure "
-    "of a closed cavity acts, since that pushes on itself",
+    definition="magnitude of the sum of all forces at the supports Fixed and Radial, whole actuator; zero where only "
+    "the pressure of a closed cavity acts, since that pushes on itself",
 )  # fmt: skip
 smallest_gap = Measure(
     name="smallest_gap", unit="mm",

@@ -4,7 +4,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
@@ -17,16 +16,16 @@ from turgor.meshing.quality.cell_quality import cell_shapes
 from turgor.meshing.surface import corner_keys
 from turgor.results.fields.state_fields import MeshFacts
 from turgor.results.pictures.colors import RUBBER
-from turgor.results.pictures.rendering import MARGIN, View, render
-from turgor.results.pictures.shading import INK
+from turgor.results.pictures.rendering import View, render
 from turgor.results.pictures.skin import Skin, drawn_triangles, visible_skin
-from turgor.results.pictures.state_picture import FOOT, HEAD, draw_axes
+from turgor.results.pictures.state_picture import framed
 
 Array = NDArray[np.float64]
 
 #: Colors of the cell shapes 0, 0.2, 0.4 and from 0.6: flat cells stand out, good ones have the color of rubber.
 SHAPES = ("#a8202a", "#e07b39", "#f3d78b", RUBBER)
 WORST_GOOD = 0.6
+NOTE = "shape of the cells: 1 is regular, 0 is flat"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,6 +59,21 @@ def write_mesh_picture(path: str | Path, mesh: Mesh, title: str = "", width: int
     """
     if Path(path).suffix.lower() != ".png":
         raise TurgorError(f"picture '{path}' ends in '{Path(path).suffix}'; allowed is .png.")
+    mesh_figure(mesh, title, width).savefig(path, metadata={"Software": None})
+
+
+def mesh_figure(mesh: Mesh, title: str = "", width: int = 1600) -> Figure:
+    """Draw the cells as `write_mesh_picture` does, and return the figure.
+
+    Parameters
+    ----------
+    mesh, title, width
+        See `write_mesh_picture`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
     if width < 400:
         raise TurgorError(f"picture width is {width} pixels; allowed is 400 or more.")
     skin = _cell_skin(mesh)
@@ -67,8 +81,8 @@ def write_mesh_picture(path: str | Path, mesh: Mesh, title: str = "", width: int
     across, upward, _ = plain.eye.project(skin.points).T
     left, right = float(across.min()), float(across.max())
     view = replace(plain, left=left, right=max(right, left + float(np.ptp(upward))), width=width)
-    figure = _page(render([skin], view, _colors()), view, title)
-    figure.savefig(path, metadata={"Software": None})
+    colors = ScalarMappable(Normalize(0, WORST_GOOD), _colors())
+    return framed(render([skin], view, _colors()), view, (title, NOTE), colors)
 
 
 def _cell_skin(mesh: Mesh) -> Skin:
@@ -96,22 +110,3 @@ def _shapes_behind(mesh: Mesh, triangles: NDArray[np.int64]) -> Array:
 
 def _colors() -> Colormap:
     return LinearSegmentedColormap.from_list("shape", SHAPES)
-
-
-def _page(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
-    """Figure with picture, title, color bar and axes."""
-    width, height = picture.shape[1], picture.shape[0] + HEAD + FOOT
-    figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
-    FigureCanvasAgg(figure)
-    figure.figimage(picture, 0, FOOT)
-    ink = "#{:02x}{:02x}{:02x}".format(*INK)
-    figure.text(MARGIN / width, 1 - 0.5 * HEAD / height, title, fontsize=24, va="center", color=ink)
-    bar = figure.add_axes((MARGIN / width, 62 / height, 0.42, 22 / height))
-    mappable = ScalarMappable(Normalize(0, WORST_GOOD), _colors())
-    colorbar = figure.colorbar(mappable, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
-    colorbar.outline.set_visible(False)
-    bar.tick_params(labelsize=16, colors=ink, length=5)
-    note = "shape of the cells: 1 is regular, 0 is flat"
-    figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=ink)
-    draw_axes(figure, view)
-    return figure

@@ -14,6 +14,7 @@ from turgor.results.pictures.obstacle_skin import draw_obstacles
 from turgor.results.pictures.raycast import Camera, Hits, Raster, Scene, camera
 from turgor.results.pictures.shading import DEPTH_JUMP, GHOST, INK, Look, draw_lines, find_lines, paint, reduced
 from turgor.results.pictures.skin import Skin
+from turgor.shown import brief
 from turgor.units import deg
 
 Array = NDArray[np.float64]
@@ -69,6 +70,8 @@ class View:
     width: int = 1600
     color_by: str = VON_MISES
     extents: Mapping[str, Array] = field(default_factory=dict, compare=False)
+
+    __repr__ = brief
 
     @property
     def eye(self) -> Camera:

@@ -30,8 +30,12 @@ from turgor.units import deg, kPa, mm
 
 Array = NDArray[np.float64]
 
-#: Pixels above the actuator for the title, and below it for the color bar.
+#: Pixels above the actuator for the title, and below it for the color bar, in a picture of full width [pixels].
 HEAD, FOOT = 90, 140
+FULL_WIDTH = 1600
+
+#: Smallest scale of letters in narrow pictures.
+SMALLEST_SCALE = 0.45
 
 
 def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_by: str = VON_MISES) -> View:
@@ -81,14 +85,32 @@ def write_picture(
     title: str = "",
     ghost: State | StateFields | None = None,
 ) -> None:
+    """Draw a state of the whole actuator as `state_figure` does, and write it.
+
+    Parameters
+    ----------
+    path : str or Path
+        PNG file to write.
+    state, view, title, ghost
+        See `state_figure`.
+    """
+    figure = state_figure(state, view, title=title, ghost=ghost)
+    figure.savefig(path, metadata={"Software": None})
+
+
+def state_figure(
+    state: State | StateFields,
+    view: View | None = None,
+    *,
+    title: str = "",
+    ghost: State | StateFields | None = None,
+) -> Figure:
     """Draw a state of the whole actuator at true scale, colored by von Mises stress or by contact pressure.
 
     Obstacles are drawn as translucent gray bodies.
 
     Parameters
     ----------
-    path : str or Path
-        PNG file to write.
     state : State or StateFields
         What to draw; a half or quarter model is mirrored.
     view : View
@@ -98,6 +120,10 @@ def write_picture(
         Line above the actuator, see `picture_title`.
     ghost : State or StateFields
         State whose outline is drawn behind the actuator, usually the undeformed one.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
     """
     at = _fields(state)
     shown = [at] if ghost is None else [at, _fields(ghost)]
@@ -111,8 +137,7 @@ def write_picture(
         patches=pressed(visible_skin(at, at.contact_pressure), view.limit, view.eye) if touching else (),
     )
     colors = plain_rubber() if touching else None
-    figure = _compose(render(skins, view, colors, beside), view, title)
-    figure.savefig(path, metadata={"Software": None})
+    return _compose(render(skins, view, colors, beside), view, title)
 
 
 def picture_title(response: Response, row: int = -1, name: str = "") -> str:
@@ -152,37 +177,73 @@ def _pressed(skin: Skin) -> float:
 
 def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
     """Figure with picture, title, color bar and axes, pixel by pixel."""
-    width, height = picture.shape[1], picture.shape[0] + HEAD + FOOT
+    colors = ScalarMappable(Normalize(0, view.limit / kPa), color_map(view.color_by))
+    note = FIELDS[view.color_by].format(share=f"{PERCENTILE} %")
+    return framed(picture, view, (title, note), colors)
+
+
+def framed(picture: NDArray[np.uint8], view: View, texts: tuple[str, str], colors: ScalarMappable) -> Figure:
+    """Put an image of the actuator between its title, its color bar and the axes.
+
+    Parameters
+    ----------
+    picture : (h, w, 3) array
+        The image.
+    view : View
+        The view of it; letters are smaller in narrow pictures.
+    texts : (str, str)
+        Title, and what the colors mean.
+    colors : ScalarMappable
+        The colors and their range.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    scale = scale_of(view.width)
+    head, foot = bands(view.width)
+    width, height = picture.shape[1], picture.shape[0] + head + foot
     figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
     FigureCanvasAgg(figure)
-    figure.figimage(picture, 0, FOOT)
-    figure.text(MARGIN / width, 1 - 0.5 * HEAD / height, title, fontsize=24, va="center", color=_hex(INK))
-    bar = figure.add_axes((MARGIN / width, 62 / height, 0.42, 22 / height))
-    colors = ScalarMappable(Normalize(0, view.limit / kPa), color_map(view.color_by))
+    figure.figimage(picture, 0, foot)
+    title, note = texts
+    figure.text(MARGIN / width, 1 - 0.5 * head / height, title, fontsize=24 * scale, va="center", color=_hex(INK))
+    bar = figure.add_axes((MARGIN / width, 62 * scale / height, 0.42, 22 * scale / height))
     colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
     colorbar.outline.set_visible(False)
-    bar.tick_params(labelsize=16, colors=_hex(INK), length=5)
-    note = FIELDS[view.color_by].format(share=f"{PERCENTILE} %")
-    figure.text(MARGIN / width, 92 / height, note, fontsize=16, va="bottom", color=_hex(INK))
+    bar.tick_params(labelsize=16 * scale, colors=_hex(INK), length=5 * scale)
+    figure.text(MARGIN / width, 92 * scale / height, note, fontsize=16 * scale, va="bottom", color=_hex(INK))
     draw_axes(figure, view)
     return figure
+
+
+def scale_of(width: int) -> float:
+    """Scale of the letters of a picture of some width [pixels]: 1 at full width, less in narrow pictures."""
+    return float(np.clip(width / FULL_WIDTH, SMALLEST_SCALE, 1.0))
+
+
+def bands(width: int) -> tuple[int, int]:
+    """Heights of the bands above and below the actuator in a picture of some width [pixels]."""
+    return round(HEAD * scale_of(width)), round(FOOT * scale_of(width))
 
 
 def draw_axes(figure: Figure, view: View) -> None:
     """Draw the axes x, y and z in the view, each with a round length at the scale of the picture."""
     width, height = figure.get_size_inches() * 100
-    length = _round_length(72 * view.pixel)
-    corner = np.array([width - MARGIN - 1.35 * length / view.pixel, 46.0])
+    scale = scale_of(view.width)
+    length = _round_length(72 * scale * view.pixel)
+    corner = np.array([width - MARGIN - 1.35 * length / view.pixel, 46.0 * scale])
     directions = view.eye.project(np.eye(3))[:, :2]
     for name, direction in zip("xyz", directions, strict=True):
         end = corner + direction * length / view.pixel
-        line = Line2D([corner[0], end[0]], [corner[1], end[1]], color=_hex(INK), lw=2, solid_capstyle="round")
+        line = Line2D([corner[0], end[0]], [corner[1], end[1]], color=_hex(INK), lw=2 * scale, solid_capstyle="round")
         line.set_transform(IdentityTransform())
         figure.add_artist(line)
-        x, y = (end + direction / np.linalg.norm(direction) * 14) / [width, height]
-        figure.text(x, y, name, fontsize=15, ha="center", va="center", color=_hex(INK))
+        x, y = (end + direction / np.linalg.norm(direction) * 14 * scale) / [width, height]
+        figure.text(x, y, name, fontsize=15 * scale, ha="center", va="center", color=_hex(INK))
     label = f"each axis {length / mm:g} mm"
-    figure.text(corner[0] / width, 12 / height, label, fontsize=14, va="center", ha="center", color=_hex(INK))
+    x, y = corner[0] / width, 12 * scale / height
+    figure.text(x, y, label, fontsize=14 * scale, va="center", ha="center", color=_hex(INK))
 
 
 def _round_length(about: float) -> float:

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import matplotlib
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
@@ -14,6 +13,7 @@ from turgor.model.contact import SELF
 from turgor.response import Column, Response
 from turgor.results.drive import drive_of, face_of, pressures_in
 from turgor.results.measures.headlines import HEADLINE, headlines, with_parts
+from turgor.results.plots.figures import PlotFigure
 
 BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
 
@@ -111,10 +111,7 @@ def response_figure(response: Response, title: str = "") -> Figure:
         panels.insert(0, pressures)
     columns = min(2, len(panels))
     rows = -(-len(panels) // columns)
-    figure = Figure(
-        figsize=(5.2 * columns, 3.3 * rows + (0.4 if title else 0)), layout="constrained", facecolor="white"
-    )
-    FigureCanvasAgg(figure)
+    figure = PlotFigure(figsize=(5.2 * columns, 3.3 * rows + (0.4 if title else 0)))
     for number, names in enumerate(panels):
         _plot_lines(figure.add_subplot(rows, columns, number + 1), response, drive, names)
     if title:
@@ -144,8 +141,7 @@ def contact_figure(response: Response) -> Figure | None:
         return None
     every = dict.fromkeys(name for names in panels.values() for name in names)
     colors = dict(zip(every, cycle(COLORS), strict=False))
-    figure = Figure(figsize=(5.2 * len(shown), 3.3), layout="constrained", facecolor="white")
-    FigureCanvasAgg(figure)
+    figure = PlotFigure(figsize=(5.2 * len(shown), 3.3))
     for number, (end, names) in enumerate(shown.items()):
         axes = figure.add_subplot(1, len(shown), number + 1)
         for name in names:

@@ -6,6 +6,9 @@ from dataclasses import dataclass, fields
 from math import isinf
 from typing import Any
 
+import numpy as np
+
+from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import describe_history
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
@@ -16,6 +19,7 @@ from turgor.model.loads import RAMP, BodyForce, Gravity, History, Load, Pressure
 from turgor.model.model import Membrane, Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
 from turgor.model.supports import Displacement, Fixed, Radial
+from turgor.setups.blocked_tip import HeldTip, Plate
 from turgor.units import GPa, MPa, deg, kPa, mm
 
 Rows = list[tuple[str, str]]
@@ -80,6 +84,8 @@ def supports(model: Model) -> list[str]:
     said = []
     for support in model.supports:
         match support:
+            case HeldTip(face, directions, push):
+                said.append(f"{face} held in {', '.join(directions)}; {_push(push)}.")
             case Fixed(face, directions):
                 said.append(f"{face} held in {', '.join(directions)}.")
             case Displacement(face, _, directions):
@@ -111,7 +117,17 @@ def _obstacle(obstacle: Obstacle) -> str:
         said.append("moved by " + ", ".join(f"{in_mm(to)} at load factor {factor:g}" for factor, to in way))
     if obstacle.spring is not None:
         said.append(f"held by a spring of {obstacle.spring:g} N/m")
+    if isinstance(obstacle, Plate) and isinstance(obstacle.shape, Plane):
+        x, y, z = obstacle.shape.normal
+        said.append(_push((-x, -y, -z)))
     return f"{obstacle.name}: {'; '.join(said)}."
+
+
+def _push(direction: Vector) -> str:
+    """The direction in which a tip is blocked, which is that of a positive blocked force."""
+    axis = int(np.abs(direction).argmax())
+    along = f"{'+' if direction[axis] > 0 else '-'}{'xyz'[axis]}" if max(map(abs, direction)) > 1 - 1e-9 else ""
+    return f"the blocked force is positive along {along or f'({_listed(direction)})'}"
 
 
 def _shape(shape: Shape) -> str:
@@ -174,7 +190,7 @@ def materials(model: Model) -> list[MaterialText]:
             shared.append((used, [name]))
         else:
             names.append(name)
-    return [*(_material(names, used) for used, names in shared), *(_fibers(each) for each in model.reinforcements)]
+    return [*(material(names, used) for used, names in shared), *(_fibers(each) for each in model.reinforcements)]
 
 
 def _fibers(fibers: Fibers) -> MaterialText:
@@ -202,7 +218,19 @@ def _fibers(fibers: Fibers) -> MaterialText:
     )
 
 
-def _material(names: list[str], used: Material | Membrane) -> MaterialText:
+def material(names: list[str], used: Material | Membrane) -> MaterialText:
+    """Put a material into words.
+
+    Parameters
+    ----------
+    names : list of str
+        Where it is used.
+    used : Material or Membrane
+
+    Returns
+    -------
+    MaterialText
+    """
     held = used.material if isinstance(used, Membrane) else used
     where = ", ".join(name.replace("_", " ") for name in names)
     values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(held.law)))]
@@ -211,7 +239,8 @@ def _material(names: list[str], used: Material | Membrane) -> MaterialText:
         values.append(("thickness", f"{used.thickness / mm:g} mm"))
     else:
         kappa = "infinite: fully incompressible" if isinf(held.bulk_modulus) else _modulus(held.bulk_modulus)
-        values += [("shear modulus", _modulus(held.law.shear_modulus)), ("bulk modulus", kappa)]
+        stiff = isinstance(held.law, Hooke)
+        values += [] if stiff else [("shear modulus", _modulus(held.law.shear_modulus)), ("bulk modulus", kappa)]
     if held.density is not None:
         values.append(("density", f"{held.density:g} kg/m³"))
     if held.stretch_range is not None:

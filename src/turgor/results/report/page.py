@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
 
-import numpy as np
 from jinja2 import Environment, StrictUndefined
 
 from turgor.engine.percentiles import PERCENTILE
@@ -19,27 +18,18 @@ from turgor.results.drive import drive_of, pressures_in
 from turgor.results.measures.field_measures import BY_REGION
 from turgor.results.measures.headlines import headlines, in_regions, with_parts
 from turgor.results.measures.measures import MEASURES, find_measure
+from turgor.results.pictures.picture import Picture as Picture
 from turgor.results.plots.response_plots import response_svg
 from turgor.results.report import describe, describe_procedure
 from turgor.results.report.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
-from turgor.results.report.error_text import last_with_error, with_error
+from turgor.results.report.error_text import last_with_error
+from turgor.results.report.response_table import response_table
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, Timing
 
 #: Largest width and height of a picture on the page, in its pixels.
 PAGE_WIDTH, PICTURE_HEIGHT = 984, 760
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
-
-#: Rows of the response that the page shows; the file has all.
-ROWS = 13
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Picture:
-    """A PNG picture and what it shows."""
-
-    caption: str
-    png: bytes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -118,7 +108,7 @@ def _context(report: Report) -> dict[str, object]:
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
         "picture_width": _picture_width(report.pictures),
         "plot": response_svg(response) if len(response) > 1 else "",
-        "response": _table(response),
+        "response": response_table(response),
         "errors_known": any(response.mesh_error(column.name) is not None for column in response.quantities),
         "definitions": _definitions(response, contact_columns(model)),
         "contact_heads": CONTACT_HEADS,
@@ -183,41 +173,6 @@ def _definitions(response: Response, contacts: set[str]) -> list[tuple[str, str]
 def _words(column: Column) -> str:
     """Name of a column without its unit."""
     return column.label.split(" [")[0]
-
-
-def _table(response: Response) -> dict[str, object]:
-    """Labels and rows of the response as text, thinned out evenly where there are many."""
-    count = len(response)
-    step = max(1, -(-(count - 1) // (ROWS - 1)))
-    rows = [*range(0, count - 1, step), count - 1]
-    columns = [
-        list(response.stages) if column.name == "stage" and response.stages else _written(response, column)
-        for column in response.quantities
-    ]
-    return {
-        "labels": [column.label for column in response.quantities],
-        "rows": [[column[row] for column in columns] for row in rows],
-        "left_out": count - len(rows),
-        "count": count,
-    }
-
-
-def _written(response: Response, column: Column) -> list[str]:
-    """Values of a column in its unit, with mesh errors where they are known.
-
-    A value without one has as many decimals as give the largest five digits, four at most.
-    """
-    largest = max((abs(v) for v in column.in_unit.tolist() if abs(v) < float("inf")), default=0.0)
-    before = len(str(int(largest)))
-    decimals = min(4, max(0, 5 - before))
-    errors = response.mesh_error(column.name)
-    known = errors if errors is not None else np.full(len(response), np.nan)
-    return [
-        with_error(value, error, column.unit).removesuffix(column.unit).rstrip()
-        if error > 0
-        else f"{shown:.{decimals}f}"
-        for value, shown, error in zip(column.values.tolist(), column.in_unit.tolist(), known.tolist(), strict=True)
-    ]
 
 
 def _path_summary(solution: Solution) -> str:

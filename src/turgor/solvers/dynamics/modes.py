@@ -14,6 +14,7 @@ from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.model.model import DISPLACEMENT, Model
+from turgor.shown import brief
 from turgor.solvers.dynamics.thresholds import (
     FIRST_SHIFT,
     LANCZOS_REFINEMENTS,
@@ -52,6 +53,8 @@ class Modes:
     eigenvalues: Array
     shapes: Array
     modal_mass: Array
+
+    __repr__ = brief
 
     @property
     def frequencies(self) -> Array:

@@ -10,7 +10,7 @@ from turgor.meshing.exchange.boundary import enclosed_volume, sides_of
 from turgor.meshing.exchange.frame import Frame
 from turgor.meshing.exchange.read import READERS, read_mesh
 from turgor.meshing.exchange.solids import read_solids
-from turgor.results.files.vtu import write_vtu
+from turgor.results.files.vtu import write_state
 
 MM3 = 1e-9
 
@@ -152,7 +152,7 @@ def test_vtu_in_all_its_encodings(tmp_path, form, compressed, header, order):
 def test_own_vtu_files_are_read_again(tmp_path):
     mesh = body()
     file = tmp_path / "state.vtu"
-    write_vtu(file, state(model(mesh)))
+    write_state(file, state(model(mesh)))
     again = read_mesh(file, unit="m")
     assert again.points[again.cells] == pytest.approx(mesh.points[mesh.cells], abs=1e-7)
     assert len(again.faces["cavity"]) == len(mesh.faces["cavity"])

@@ -1,0 +1,1 @@
+"""Notebook: values as tables and pictures, as HTML."""

@@ -1,0 +1,76 @@
+"""Drawing: what values call for notebooks, by names that ``turgor/__init__`` looks up here."""
+
+from typing import Any
+
+from matplotlib.axes import Axes
+
+from turgor.errors import TurgorError
+from turgor.geometry.geometry import Geometry
+from turgor.materials.experiments.material_test import MaterialTest
+from turgor.materials.fitting.result import Fit
+from turgor.materials.material import Material
+from turgor.meshing.mesh import Mesh
+from turgor.model.model import Model
+from turgor.response import Response
+from turgor.results.drive import drive_of
+from turgor.results.notebook import pages
+from turgor.results.plots.figures import PlotFigure
+from turgor.results.plots.response_plots import plot_response, response_figure
+from turgor.solvers.solution import Solution, State
+
+
+def html_of(value: Any) -> str:
+    """Return what a notebook shows of a value, as HTML.
+
+    Parameters
+    ----------
+    value : Material, Geometry, Mesh, Model, State, Solution, Response, MaterialTest or Fit
+
+    Returns
+    -------
+    str
+    """
+    match value:
+        case Material():
+            return pages.material(value)
+        case Geometry():
+            return pages.geometry(value)
+        case Mesh():
+            return pages.mesh(value)
+        case Model():
+            return pages.model(value)
+        case State():
+            return pages.state(value)
+        case Solution():
+            return pages.solution(value)
+        case Response():
+            return pages.response(value)
+        case MaterialTest():
+            return pages.test(value)
+        case Fit():
+            return pages.fit(value)
+        case _:
+            raise TurgorError(f"a {type(value).__name__} has no page for notebooks.")
+
+
+def plot(response: Response, y: str | None, x: str | None, axes: Axes | None) -> Any:
+    """Plot a response as `turgor.response.Response.plot` says.
+
+    Parameters
+    ----------
+    response : Response
+    y, x : str or None
+    axes : matplotlib.axes.Axes or None
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    if y is None:
+        if x is not None or axes is not None:
+            raise TurgorError("plot: x and axes belong to one column; name it as y, such as plot('bending_angle').")
+        return response_figure(response)
+    if axes is None:
+        axes = PlotFigure(figsize=(5.2, 3.4)).add_subplot()
+    plot_response(axes, response, x or drive_of(response), y)
+    return axes.get_figure()

@@ -1,0 +1,187 @@
+"""Picture: an image of an actuator, shown by notebooks and written as PNG."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+from turgor.errors import TurgorError
+from turgor.geometry.cad.facets import named_facets
+from turgor.geometry.geometry import Geometry
+from turgor.meshing.exchange.mesh_file import MeshedShape
+from turgor.meshing.mesh import Mesh
+from turgor.model.model import Model
+from turgor.results.fields.state_fields import MeshFacts, StateFields
+from turgor.results.pictures.cad_picture import named_faces_figure
+from turgor.results.pictures.colors import VON_MISES
+from turgor.results.pictures.mesh_picture import mesh_figure
+from turgor.results.pictures.state_picture import shared_view, state_figure
+from turgor.results.plots.figures import png_of
+from turgor.solvers.solution import Solution, State
+from turgor.units import kPa
+
+#: Width of a geometry's figure, which has two views [inch].
+_GEOMETRY_WIDTH = 12
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Picture:
+    """A PNG picture and what it shows.
+
+    Parameters
+    ----------
+    caption : str
+        What it shows.
+    png : bytes
+        The file.
+    """
+
+    caption: str
+    png: bytes = field(repr=False)
+
+    def _repr_png_(self) -> bytes:
+        """Return what a notebook shows."""
+        return self.png
+
+    def write(self, path: str | Path) -> Path:
+        """Write the picture as a PNG file.
+
+        Parameters
+        ----------
+        path : str or Path
+            Ends in ``.png``.
+
+        Returns
+        -------
+        Path
+        """
+        path = Path(path)
+        if path.suffix.lower() != ".png":
+            raise TurgorError(f"picture '{path}' ends in '{path.suffix}'; allowed is .png.")
+        path.write_bytes(self.png)
+        return path
+
+
+def picture(
+    of: Solution | State | Model | Mesh | Geometry,
+    path: str | Path | None = None,
+    *,
+    state: int = -1,
+    color_by: str = VON_MISES,
+    title: str | None = None,
+    width: int = 1200,
+) -> Picture:
+    """Draw the whole actuator at true scale: a state, the cells of a mesh, or the named faces of a geometry.
+
+    A notebook shows the picture that is returned.
+
+    Parameters
+    ----------
+    of : Solution, State, Model, Mesh or Geometry
+        What to draw. Behind a state of a solution stands the outline of the actuator at rest. Halves and quarters of
+        states and meshes are mirrored.
+    path : str or Path, optional
+        PNG file to write.
+    state : int
+        Which state of a solution; by default the last one.
+    color_by : str
+        Colors of a state: ``"von_mises"`` or ``"contact_pressure"``.
+    title : str, optional
+        Line above the actuator; by default its name and what acts.
+    width : int
+        Width in pixels, 400 or more.
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    TurgorError
+        If there is no such state, or the path does not end in ``.png``.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> picture(FastPneuNet(chambers=2, length=20e-3).build(), width=400)
+    Picture(caption='fast PneuNet, 2 chambers, half')
+    """
+    match of:
+        case Solution():
+            name, figure = _of_solution(of, state, (color_by, title, width))
+        case State():
+            name = caption(of) if title is None else title
+            figure = state_figure(of, shared_view([of], width, color_by), title=name)
+        case Mesh() | Model():
+            mesh = of if isinstance(of, Mesh) else of.mesh
+            name = mesh.name if title is None else title
+            figure = mesh_figure(mesh, name, width)
+        case Geometry():
+            name = of.name if title is None else title
+            figure = geometry_figure(of, name, width)
+        case _:
+            raise TurgorError(
+                f"there is no picture of a {type(of).__name__}; a solution, a state, a model, a mesh or a geometry "
+                "is needed."
+            )
+    made = Picture(caption=name, png=png_of(figure))
+    if path is not None:
+        made.write(path)
+    return made
+
+
+def caption(state: State) -> str:
+    """Return the name of the actuator, the stage, and what acts in a state, in one line.
+
+    Parameters
+    ----------
+    state : State
+
+    Returns
+    -------
+    str
+    """
+    acting = ", ".join(
+        f"{'' if len(state.pressures) == 1 else face + ' '}{pressure / kPa:.4g} kPa"
+        for face, pressure in state.pressures.items()
+    )
+    time = "" if state.time is None else f"{state.time:.4g} s"
+    parts = (state.model.mesh.name, state.stage, time, acting or f"load factor {state.load_factor:.4g}")
+    return " · ".join(part for part in parts if part)
+
+
+def geometry_figure(geometry: Geometry, title: str, width: int) -> Figure:
+    """Draw a geometry from two sides with its named faces; one that was read as a mesh is drawn as such.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    title : str
+    width : int
+        Width in pixels.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    shape = geometry._shape
+    if isinstance(shape, MeshedShape):
+        return mesh_figure(shape.mesh, title, width)
+    faces = [(name, corners * geometry.length_scale) for name, corners in named_facets(shape) if len(corners)]
+    figure = named_faces_figure(title, faces)
+    figure.set_dpi(width / _GEOMETRY_WIDTH)
+    return figure
+
+
+def _of_solution(path: Solution, number: int, how: tuple[str, str | None, int]) -> tuple[str, Figure]:
+    """Caption and figure of one state of a solution, with the outline of the state at rest behind it."""
+    count = len(path.states)
+    if not -count <= number < count:
+        raise TurgorError(f"state is {number}; the solution has {count} states, 0 to {count - 1} (or -1, the last).")
+    color_by, title, width = how
+    facts = MeshFacts(path.model.mesh)
+    first, chosen = (StateFields(path.states[i], facts) for i in (0, number))
+    name = caption(path.states[number]) if title is None else title
+    ghost = None if number % count == 0 else first
+    view = shared_view([first, chosen], width, color_by)
+    return name, state_figure(chosen, view, title=name, ghost=ghost)

@@ -1,0 +1,82 @@
+"""Report of a solution from Python, as that of a job but for what only a job file states."""
+
+from pathlib import Path
+
+from turgor.errors import TurgorError
+from turgor.meshing.quality.cell_quality import quality
+from turgor.response import Response
+from turgor.results.fields.state_fields import MeshFacts, StateFields
+from turgor.results.measures.measures import measure
+from turgor.results.pictures.colors import CONTACT_PRESSURE
+from turgor.results.pictures.picture import Picture
+from turgor.results.pictures.state_picture import picture_title, shared_view, state_figure
+from turgor.results.plots.figures import png_of
+from turgor.results.report.page import Report, write_report
+from turgor.solvers.solution import Solution
+
+
+def report(of: Solution, path: str | Path, *, response: Response | None = None, title: str | None = None) -> Path:
+    """Write a report about a solution: one HTML file with pictures, the response, materials, findings and the mesh.
+
+    Parameters
+    ----------
+    of : Solution
+        The path, complete or not.
+    path : str or Path
+        HTML file to write.
+    response : Response, optional
+        What was measured along the path; by default the standard measures, without their mesh errors. Give
+        ``tg.measure(solution)`` to have these.
+    title : str, optional
+        Headline; by default the name of the mesh.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    TurgorError
+        If the path does not end in ``.html``, or the response has other rows than the path has states.
+
+    Examples
+    --------
+    >>> report(None, "finger.pdf")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: report 'finger.pdf' ends in '.pdf'; allowed is .html.
+    """
+    path = Path(path)
+    if path.suffix.lower() != ".html":
+        raise TurgorError(f"report '{path}' ends in '{path.suffix}'; allowed is .html.")
+    shown = measure(of) if response is None else response
+    if len(shown) != len(of.states):
+        raise TurgorError(f"the response has {len(shown)} rows, but the solution {len(of.states)} states.")
+    name = of.model.mesh.name if title is None else title
+    content = Report(
+        title=name,
+        solution=of,
+        response=shown,
+        findings=of.findings,
+        quality=quality(of.model.mesh),
+        pictures=_pictures(of, shown, name),
+    )
+    write_report(path, content)
+    return path
+
+
+def _pictures(of: Solution, response: Response, name: str) -> tuple[Picture, ...]:
+    """The first and the last state in one view; a third one of the contact pressure where anything touches."""
+    facts = MeshFacts(of.model.mesh)
+    first, last = StateFields(of.states[0], facts), StateFields(of.states[-1], facts)
+    view = shared_view([first, last])
+    start, end = picture_title(response, 0, name), picture_title(response, -1, name)
+    drawn = [Picture(caption="Undeformed", png=png_of(state_figure(first, view, title=start)))]
+    if len(of.states) > 1:
+        figure = state_figure(last, view, title=end, ghost=first)
+        drawn.append(Picture(caption="At the last state", png=png_of(figure)))
+    if any(touch.area > 0 for touch in of.states[-1].touches.values()):
+        figure = state_figure(last, shared_view([first, last], color_by=CONTACT_PRESSURE), title=end)
+        seen = "What touches at the last state, seen through the actuator; colors are not dimmed by light or shadow"
+        drawn.append(Picture(caption=seen, png=png_of(figure)))
+    return tuple(drawn)
