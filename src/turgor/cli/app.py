@@ -12,16 +12,20 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor import __version__
+from turgor.cli.actuators import actuators_command
+from turgor.cli.check import check_command
 from turgor.cli.convergence import convergence_command
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences, warn
 from turgor.cli.export import export_command
-from turgor.cli.fit import fit_command
+from turgor.cli.fitting.fit import fit_command
 from turgor.cli.inspect import inspect_command
 from turgor.cli.materials import materials_app
 from turgor.cli.mesh import mesh_command
 from turgor.cli.modes import modes_command
+from turgor.cli.options import Changes, Debug, JobFile, asked_job
 
 if TYPE_CHECKING:
+    from turgor.job.job import Job
     from turgor.job.output.outcome import RunOutcome
 
 app = typer.Typer(
@@ -31,9 +35,6 @@ app = typer.Typer(
     help="Finite element modeling of soft fluidic actuators.",
     epilog="Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged.",
 )
-
-JobFile = Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)]
-Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -80,11 +81,12 @@ def _run(
     threads: Annotated[
         int | None, typer.Option(min=1, help="Number of threads; by default all processors.", show_default=False)
     ] = None,
+    changes: Changes = None,
     debug: Debug = False,
 ) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
     with errors_as_sentences(debug):
-        outcome = _solve(job, output, force, quiet, threads)
+        outcome = _solve(asked_job(job, changes), output, force, quiet, threads)
         if not quiet:
             _tell(outcome)
         warn(outcome.findings)
@@ -94,50 +96,9 @@ def _run(
         raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
 
 
-@app.command("check")
-def _check(job: JobFile, debug: Debug = False) -> None:
-    """Read, build, mesh and check a job without solving it."""
-    with errors_as_sentences(debug):
-        from turgor.adaptivity.findings import ONLY_WITH_ERROR
-        from turgor.finding import Severity
-        from turgor.job.read import read_job
-        from turgor.job.run import prepare
-        from turgor.results.report.describe import contact
-        from turgor.results.report.describe_procedure import procedure
-        from turgor.solvers.procedures.stages import Stages
-
-        asked = read_job(job)
-        model, findings = prepare(asked)
-        mesh = model.mesh
-        typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
-        for sentence in contact(model):
-            typer.echo(sentence)
-        if isinstance(asked.procedure, Stages):
-            for name, changes in procedure(asked.procedure):
-                typer.echo(f"Stage '{name}': {changes}.")
-        warn([found for found in findings if found.code != ONLY_WITH_ERROR])
-        raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
-
-
-@app.command("actuators")
-def _actuators() -> None:
-    """List the actuator families and their keys with defaults."""
-    from dataclasses import fields
-
-    from turgor.job.job import ACTUATORS
-    from turgor.job.output.lock import dimensions
-    from turgor.job.text.quantities import shown
-
-    for name, family in ACTUATORS.items():
-        typer.echo(f"{name}: {(family.__doc__ or '').splitlines()[0]}")
-        values = dimensions(family())
-        for item in fields(family):  # type: ignore[arg-type]
-            typer.echo(f"  {item.name} = {shown(values[item.name])}")
-    typer.echo("cad_file: An actuator from a CAD file; `turgor inspect` shows what it holds.")
-    typer.echo("  file, unit, faces, regions, split")
-
-
 app.add_typer(materials_app, name="materials")
+app.command("actuators")(actuators_command)
+app.command("check")(check_command)
 app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
 app.command("export")(export_command)
@@ -146,10 +107,7 @@ app.command("modes")(modes_command)
 app.command("convergence")(convergence_command)
 
 
-def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: int | None) -> "RunOutcome":
-    from turgor.job.read import read_job
-
-    question = read_job(job)
+def _solve(job: "Job", output: Path | None, force: bool, quiet: bool, threads: int | None) -> "RunOutcome":
     from rich.console import Console
 
     from turgor.cli.console import LiveDisplay, PlainDisplay
@@ -157,7 +115,7 @@ def _solve(job: Path, output: Path | None, force: bool, quiet: bool, threads: in
 
     console = Console(quiet=quiet)
     with LiveDisplay(console) if console.is_terminal else PlainDisplay(console) as display:
-        return run_job(question, output, force=force, threads=threads, notify=display.notify, progress=display.progress)
+        return run_job(job, output, force=force, threads=threads, notify=display.notify, progress=display.progress)
 
 
 def _tell(outcome: "RunOutcome") -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences, warn
+from turgor.cli.options import Debug
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ def inspect_command(
         str | None, typer.Option(help="Unit of the numbers in the file, such as mm.", show_default=False)
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw the part into this PNG.", show_default=False)] = None,
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+    debug: Debug = False,
 ) -> None:
     """List the bodies, faces and cavities of a CAD file, with the names that a job can use."""
     with errors_as_sentences(debug):

@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
+from turgor.cli.options import Debug
 
 materials_app = typer.Typer(
     rich_markup_mode=None,
@@ -14,7 +15,6 @@ materials_app = typer.Typer(
 
 Name = Annotated[str, typer.Argument(metavar="NAME", help="Material, or a TOML file of your own.", show_default=False)]
 RecordName = Annotated[str | None, typer.Option(help="One record; by default all.", show_default=False)]
-Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")]
 
 
 @materials_app.callback(invoke_without_command=True)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences, warn
+from turgor.cli.options import Changes, Debug, JobFile, asked_job
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def mesh_command(
-    job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
+    job: JobFile,
     size: Annotated[
         str | None, typer.Option(help="Another mesh size, such as '2 mm'.", metavar="LENGTH", show_default=False)
     ] = None,
@@ -22,7 +23,8 @@ def mesh_command(
         Path | None, typer.Option(help="Write the mesh to this file, .vtu for ParaView.", show_default=False)
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw the cells into this PNG.", show_default=False)] = None,
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+    changes: Changes = None,
+    debug: Debug = False,
 ) -> None:
     """Mesh a job: counts, sizes and shapes of the cells, findings, and a picture."""
     with errors_as_sentences(debug):
@@ -30,11 +32,10 @@ def mesh_command(
         _check_ending("--picture", picture, ".png")
         from turgor.finding import Severity
         from turgor.job.meshes import mesh_of
-        from turgor.job.read import read_job
         from turgor.meshing.quality.checks import check_mesh
         from turgor.results.report.mesh_text import describe_mesh
 
-        asked = _with_size(read_job(job), size)
+        asked = _with_size(asked_job(job, changes), size)
         geometry = asked.actuator.build()
         mesh = mesh_of(asked, geometry)
         findings = (*geometry.findings, *check_mesh(mesh))

@@ -13,7 +13,7 @@ from turgor.job.tables.loads import loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
 from turgor.job.tables.setups import refuse_setup
-from turgor.job.text.lines import Key
+from turgor.job.text.lines import Key, Place
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table, shown
 from turgor.materials.material import Material
@@ -62,8 +62,8 @@ class Around:
     moved: bool
 
 
-def with_names(lines: Mapping[Key, int], content: Mapping[str, Any]) -> dict[Key, int]:
-    """Return the lines of keys, with the name of a stage in the place of its number."""
+def with_names(lines: Mapping[Key, Place], content: Mapping[str, Any]) -> dict[Key, Place]:
+    """Return the places of keys, with the name of a stage in the place of its number."""
     named = {str(number): name for number, name in enumerate(_labels(content.get(STAGES)), start=1)}
     found = {}
     for key, line in lines.items():

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.fit_tables import show, show_each
-from turgor.cli.options import command_of
+from turgor.cli.fitting.fit_tables import show, show_each
+from turgor.cli.options import Debug, command_of
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ class FitOptions:
     ] = 0
     softening: Annotated[bool, typer.Option("--softening", help="Fit stress softening to cycles too.")] = False
     output: Annotated[Path | None, typer.Option(help="Folder for plots and constants.", show_default=False)] = None
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False
+    debug: Debug = False
 
 
 def fit_files(chosen: FitOptions) -> None:
@@ -111,7 +111,7 @@ def _ranked(
 
 def _fit_over_time(chosen: FitOptions, modes: Sequence[str | None], names: list[str]) -> None:
     """Fit relaxation and softening to tests with all their cycles; slack points are at rest."""
-    from turgor.cli.fit_history import fit_over_time, write_history_fit
+    from turgor.cli.fitting.fit_history import fit_over_time, write_history_fit
     from turgor.materials.experiments.handling import rest_below
 
     preload, tests = _preload(chosen.preload), []
