@@ -6,30 +6,34 @@ Heavy imports stand inside the commands, so that help and error messages appear 
 
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from turgor import __version__
-from turgor.cli.actuators import actuators_command
+from turgor.cli.answers.document import document
+from turgor.cli.answers.results import run_result
 from turgor.cli.check import check_command
 from turgor.cli.convergence import convergence_command
-from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences, warn
+from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.export import export_command
+from turgor.cli.families.actuators import actuators_command
+from turgor.cli.families.init import init_command
 from turgor.cli.fitting.fit import fit_command
 from turgor.cli.inspect import inspect_command
 from turgor.cli.materials import materials_app
 from turgor.cli.mesh import mesh_command
 from turgor.cli.modes import modes_command
-from turgor.cli.options import Changes, Debug, JobFile, asked_job
+from turgor.cli.options import JSON, Changes, Debug, JobFile, Json, asked_job
 
 if TYPE_CHECKING:
     from turgor.job.job import Job
     from turgor.job.output.outcome import RunOutcome
 
 app = typer.Typer(
-    add_completion=False,
+    add_completion=True,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     help="Finite element modeling of soft fluidic actuators.",
@@ -48,7 +52,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # mistakes in the arguments are exceptions of typer with a message
         if not hasattr(error, "format_message"):
             raise
-        typer.echo(f"turgor: {_sentence(error.format_message())} See 'turgor --help'.", err=True)
+        sentence = f"{_sentence(error.format_message())} See 'turgor --help'."
+        if JSON in given:
+            typer.echo(document(BAD_INPUT, None, (), sentence))
+        else:
+            typer.echo(f"turgor: {sentence}", err=True)
         return BAD_INPUT
     if not given:
         return BAD_INPUT
@@ -82,16 +90,19 @@ def _run(
         int | None, typer.Option(min=1, help="Number of threads; by default all processors.", show_default=False)
     ] = None,
     changes: Changes = None,
+    as_json: Json = False,
     debug: Debug = False,
 ) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
-    with errors_as_sentences(debug):
-        outcome = _solve(asked_job(job, changes), output, force, quiet, threads)
+    with errors_as_sentences(debug, as_json) as answer:
+        outcome = _solve(asked_job(job, changes), output, force, quiet or as_json, threads)
         if not quiet:
             _tell(outcome)
-        warn(outcome.findings)
-        if not outcome.solution.complete:
+        answer.give(partial(run_result, outcome))
+        answer.warn(outcome.findings)
+        if not outcome.solution.complete and not as_json:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
+        if not outcome.solution.complete:
             raise typer.Exit(NOT_CONVERGED)
         raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
 
@@ -99,6 +110,7 @@ def _run(
 app.add_typer(materials_app, name="materials")
 app.command("actuators")(actuators_command)
 app.command("check")(check_command)
+app.command("init")(init_command)
 app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
 app.command("export")(export_command)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, asked_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -25,10 +25,12 @@ def convergence_command(
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False,
     changes: Changes = None,
+    as_json: Json = False,
     debug: Debug = False,
 ) -> None:
     """Solve a job on finer and finer meshes; print values, observed order, extrapolated value and error."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import convergence_result
         from turgor.job.output.folder import claimed
         from turgor.results.measures.measures import find_measure
         from turgor.solvers.solution import SolveError
@@ -44,6 +46,7 @@ def convergence_command(
                 raise typer.Exit(NOT_CONVERGED) from None
             _write(folder, asked, study)
         _show(study)
+        answer.give(lambda: convergence_result(study, folder))
         typer.echo(f"Table and plot in {folder}.")
 
 

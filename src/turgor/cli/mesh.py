@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences, warn
-from turgor.cli.options import Changes, Debug, JobFile, asked_job
+from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -24,10 +24,13 @@ def mesh_command(
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw the cells into this PNG.", show_default=False)] = None,
     changes: Changes = None,
+    as_json: Json = False,
     debug: Debug = False,
 ) -> None:
     """Mesh a job: counts, sizes and shapes of the cells, findings, and a picture."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import mesh_result
+
         _check_ending("--output", output, ".vtu")
         _check_ending("--picture", picture, ".png")
         from turgor.finding import Severity
@@ -40,6 +43,7 @@ def mesh_command(
         mesh = mesh_of(asked, geometry)
         findings = (*geometry.findings, *check_mesh(mesh))
         typer.echo(describe_mesh(mesh))
+        answer.give(lambda: mesh_result(mesh))
         if not any(found.code == "G01" for found in findings):
             typer.echo("  walls: two cells or more through every wall")
         if output is not None:
@@ -49,7 +53,7 @@ def mesh_command(
             typer.echo(f"Mesh in {output}.")
         if picture is not None:
             _draw(picture, asked.name, mesh)
-        warn(findings)
+        answer.warn(findings)
         raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
 
 

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.exits import DONE, errors_as_sentences, warn
-from turgor.cli.options import Changes, Debug, JobFile, asked_job
+from turgor.cli.exits import DONE, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -21,10 +21,13 @@ def modes_command(
         Path | None, typer.Option(help="Write the mode shapes for ParaView into this new folder.", show_default=False)
     ] = None,
     changes: Changes = None,
+    as_json: Json = False,
     debug: Debug = False,
 ) -> None:
     """List natural frequencies; every material of the job needs a density."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import modes_result
+
         if output is not None and output.exists():
             raise TurgorError(f"--output is '{output}', which exists; name a new folder.")
         from turgor.job.run import prepare
@@ -39,12 +42,13 @@ def modes_command(
             model = state.model  # the model of the last stage
         modes = natural_frequencies(model, state, count)
         _show(modes)
+        answer.give(lambda: modes_result(modes))
         if output is not None:
             from turgor.results.files.modes_vtu import write_modes
 
             output.mkdir(parents=True)
             typer.echo(f"Mode shapes in {write_modes(output, modes)}.")
-        warn(findings)
+        answer.warn(findings)
         raise typer.Exit(DONE)
 
 

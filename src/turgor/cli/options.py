@@ -21,7 +21,10 @@ Changes = Annotated[
         show_default=False,
     ),
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON document, for programs.")]
+#: The option for one JSON document.
+JSON = "--json"
+
+Json = Annotated[bool, typer.Option(JSON, help="Print one JSON document, for programs.")]
 Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")]
 
 Options = TypeVar("Options")

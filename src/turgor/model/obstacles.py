@@ -48,6 +48,7 @@ class Sphere:
     Parameters
     ----------
     center : (3,) floats [m]
+        Its center.
     radius : float [m]
         More than 0.
     """
@@ -96,6 +97,7 @@ class Box:
     Parameters
     ----------
     center : (3,) floats [m]
+        Its center.
     size : (3,) floats [m]
         Its lengths, more than 0 each.
     rounding : float [m]
