@@ -30,7 +30,7 @@ def test_every_command_that_takes_a_job_has_the_option(name, capsys, tmp_path, m
 
 def test_a_changed_mesh_is_meshed(capsys):
     unknowns = []
-    for size in ("7 mm", "6 mm"):
+    for size in ("6 mm", "5 mm"):
         assert main(["check", FINGER, "--set", f"mesh.size={size}", "--set", "actuator.chambers=2"]) == DONE
         unknowns.append(int(capsys.readouterr().out.split(" cells, ")[1].split()[0]))
     assert unknowns[0] < unknowns[1]
