@@ -1,6 +1,7 @@
 """Command line: exit codes, one sentence for each mistake and no traceback, and one small job from end to end."""
 
 import csv
+import os
 import re
 import subprocess
 import sys
@@ -316,3 +317,10 @@ def test_doubtful_constants_and_a_law_beyond_its_tests_are_said(
     err = capsys.readouterr().err
     assert err.count("are those of Elastosil M4601") == 1
     assert re.search(r"M01 warning: The law of 'mine' is used up to stretch 1\.\d+, but its tests end at 1", err)
+
+
+def test_the_shell_completes_commands() -> None:
+    asked = {"_TURGOR_COMPLETE": "complete_bash", "COMP_WORDS": "turgor che", "COMP_CWORD": "1"}
+    command = [sys.executable, "-m", "turgor"]
+    run = subprocess.run(command, env={**os.environ, **asked}, capture_output=True, text=True, check=True)
+    assert run.stdout.split() == ["check"]

@@ -59,6 +59,13 @@ def test_starter_passes_the_check(name, tmp_path):
     assert [found for found in findings if found.severity == "error"] == []
 
 
+def test_a_family_without_an_example_gets_a_plain_job(tmp_path, monkeypatch):
+    monkeypatch.setattr("turgor.job.reference.starters.example_job", lambda name: tmp_path / f"{name}.nothing")
+    job = read_job(written("slow_pneunet", tmp_path))
+    assert set(job.materials) == {"body", "base"}
+    assert job.loads
+
+
 def test_an_unknown_family_is_answered_with_the_nearest_one():
     with pytest.raises(TurgorError, match="unknown actuator family 'slow_pneunt'; did you mean 'slow_pneunet'"):
         starter("slow_pneunt")

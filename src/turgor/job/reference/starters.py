@@ -8,6 +8,7 @@ from textwrap import wrap
 from typing import Any
 
 from turgor.errors import unknown
+from turgor.geometry import Geometry
 from turgor.job.job import ACTUATORS
 from turgor.job.read import DEFAULTS, SECTIONS
 from turgor.job.reference.kinds import Kind
@@ -28,7 +29,7 @@ _HEAD = """\
 
 
 def example_job(name: str) -> Path:
-    """Return the example job of an actuator family.
+    """Return the example job of an actuator family; one of your own need not have it.
 
     Parameters
     ----------
@@ -70,15 +71,23 @@ def starter(name: str) -> str:
     >>> print(starter("fast_pneunet").split("[actuator]")[1].splitlines()[1])
     type = "fast_pneunet"
     """
-    text = example_job(name).read_text(encoding="utf-8")
+    example, shape = example_job(name), ACTUATORS[name]().build()
+    text = example.read_text(encoding="utf-8") if example.exists() else _plain_job(name, shape)
     content = {**{key: dict(values) for key, values in DEFAULTS.items()}, **tomllib.loads(text)}
     content = {key: content[key] for key in SECTIONS if content.get(key) or key in ("contact", "output", "engine")}
     left_out = [f"[{key}]" for key in SECTIONS if key not in (*content, "name", "written_by")]
     intro = "".join(re.findall(r"\A(?:#.*\n)+", text))
-    tables = {table.header: table for table in section_tables(ACTUATORS[name]().build())}
+    tables = {table.header: table for table in section_tables(shape)}
     tables["[actuator]"] = family_table(name)
     lines = [line for section in content.items() for line in _section(*section, tables)]
     return f"{intro}#\n{_HEAD.format(left_out=', '.join(left_out))}" + "\n".join(lines) + "\n"
+
+
+def _plain_job(name: str, shape: Geometry) -> str:
+    """Write a job for a family without an example: one rubber, and a small pressure."""
+    rubber = '{ library = "ecoflex-00-30", record = "yeoh-steck-2019" }'
+    regions = "\n".join(f"{region} = {rubber}" for region in shape.regions)
+    return f'[actuator]\ntype = "{name}"\n\n[materials]\n{regions}\n\n[loads]\npressure = "1 kPa"\n'
 
 
 def _section(name: str, values: Mapping[str, Any], tables: Mapping[str, JobTable]) -> Iterator[str]:
