@@ -7,16 +7,14 @@ their defaults, and that job. A test compares the pages with the classes, so the
 import argparse
 import inspect
 import re
-from dataclasses import MISSING, Field, fields, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from turgor import Geometry, TurgorError
-from turgor.jobs import ACTUATORS
-from turgor.units import deg, mm
+from turgor.jobs import ACTUATORS, example_job, family_table
 
 DOCS = Path(__file__).parent
-EXAMPLES = DOCS.parent / "examples"
 PICTURES = DOCS / "images" / "actuators"
 WIDTH, COLORS = 1000, 128
 
@@ -27,23 +25,17 @@ def heading(name: str) -> str:
     return text[0].upper() + text[1:]
 
 
-def example_job(name: str) -> Path:
-    """Find the example job of a family."""
-    own = EXAMPLES / "actuators" / f"{name}.toml"
-    return own if own.exists() else EXAMPLES / f"{name}.toml"
-
-
 def page(name: str, family: Any) -> str:
     """Write the page on a family."""
-    words, meanings = _docstring(family)
     built = family().build()
+    keys = family_table(name).keys
     return "\n".join(
         [
             f"# {heading(name)}",
             "",
             f"![{heading(name)}, cut open](../images/actuators/{name}-cut.png)",
             "",
-            words,
+            _words(family),
             "",
             f"![{heading(name)} under pressure](../images/actuators/{name}.png)",
             "",
@@ -53,9 +45,11 @@ def page(name: str, family: Any) -> str:
             "",
             f'In a job file: `[actuator]` with `type = "{name}"`; in Python: `tg.actuators.{family.__name__}`.',
             "",
-            "| key | default | meaning |",
-            "|---|---|---|",
-            *(f"| `{item.name}` | {_default(item)} | {meanings[item.name]} |" for item in fields(family)),
+            "A range holds where the other dimensions have their defaults.",
+            "",
+            "| key | default | range | meaning |",
+            "|---|---|---|---|",
+            *(f"| `{key.name}` | `{key.default}` | {key.allowed or '–'} | {key.meaning} |" for key in keys),
             "",
             *_built(built),
             "",
@@ -88,20 +82,9 @@ def overview() -> str:
     return "\n".join([*lines, "", "```{toctree}", ":hidden:", "", names, "```", ""])
 
 
-def _docstring(family: Any) -> tuple[str, dict[str, str]]:
-    """What a class says before its parameters, and the meaning of each of these."""
-    text = _markdown(inspect.getdoc(family) or "")
-    words, rest = text.split("Parameters\n----------\n", 1)
-    table = rest.split("\nRaises\n", 1)[0]
-    meanings: dict[str, str] = {}
-    current: list[str] = []
-    for line in table.splitlines():
-        if line and not line.startswith(" "):
-            current = [name.strip() for name in line.split(":", 1)[0].split(",")]
-            meanings |= dict.fromkeys(current, "")
-        elif line.strip():
-            meanings |= {name: f"{meanings[name]} {line.strip()}".strip() for name in current}
-    return words.strip(), meanings
+def _words(family: Any) -> str:
+    """What a class says before its parameters."""
+    return _markdown(inspect.getdoc(family) or "").split("Parameters\n----------\n", 1)[0].strip()
 
 
 def _markdown(text: str) -> str:
@@ -111,16 +94,6 @@ def _markdown(text: str) -> str:
 
 def _summary(family: Any) -> str:
     return _markdown(inspect.getdoc(family) or "").split("\n\n", 1)[0].replace("\n", " ")
-
-
-def _default(item: Field[Any]) -> str:
-    value = item.default_factory() if item.default is MISSING else item.default  # type: ignore[misc]
-    if isinstance(value, bool) or not isinstance(value, float):
-        return f"`{str(value).lower() if isinstance(value, bool) else value}`"
-    dimension = item.metadata.get("dimension", "length")
-    if dimension == "length":
-        return f"{value / mm:.6g} mm"
-    return f"{value / deg:.6g}°" if dimension == "angle" else f"{value:.6g}"
 
 
 def _built(built: Geometry) -> list[str]:

@@ -63,6 +63,22 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     }
 )
 
+#: A quantity of each dimension as it is written in files.
+EXAMPLES: Mapping[str, str] = MappingProxyType(
+    {
+        "length": "1.5 mm",
+        "angle": "90 deg",
+        "pressure": "60 kPa",
+        "time": "2 s",
+        "rate": "1 1/s",
+        "acceleration": "9.81 m/s²",
+        "volume": "12 mL",
+        "density": "1130 kg/m³",
+        "spring stiffness": "50 N/m",
+        "contact stiffness": "10 MPa/mm",
+    }
+)
+
 #: Signs that look alike or are typed for convenience, and the one that is understood.
 _SAME_SIGN = str.maketrans({"\N{GREEK SMALL LETTER MU}": "µ", "\N{MINUS SIGN}": "-", "\N{NO-BREAK SPACE}": " "})
 _NUMBER_AND_UNIT = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
@@ -168,19 +184,7 @@ def _known(dimension: str) -> str:
 
 
 def _example(dimension: str) -> str:
-    examples = {
-        "length": "1.5 mm",
-        "angle": "90 deg",
-        "pressure": "60 kPa",
-        "time": "2 s",
-        "rate": "1 1/s",
-        "acceleration": "9.81 m/s²",
-        "volume": "12 mL",
-        "density": "1130 kg/m³",
-        "spring stiffness": "50 N/m",
-        "contact stiffness": "10 MPa/mm",
-    }
-    return f"for example '{examples[dimension]}'"
+    return f"for example '{EXAMPLES[dimension]}'"
 
 
 def _shown(value: object) -> str:

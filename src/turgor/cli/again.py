@@ -1,23 +1,26 @@
 """Commands on the folder of a run: measure it again, and report it again."""
 
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from turgor.cli.exits import DONE, errors_as_sentences, warn
+from turgor.cli.exits import DONE, errors_as_sentences
+from turgor.cli.options import Debug, Json
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run, finished or not.")]
-Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")]
 
 
-def report_command(folder: Folder, debug: Debug = False) -> None:
+def report_command(folder: Folder, as_json: Json = False, debug: Debug = False) -> None:
     """Write response, pictures and report of a run anew, as far as its path goes."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import run_result
         from turgor.job.again import report_folder
 
         outcome = report_folder(folder, lambda text: typer.echo(text, err=True))
-        warn(outcome.findings)
+        answer.warn(outcome.findings)
+        answer.give(partial(run_result, outcome))
         typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip())
         typer.echo(f"Written in {folder}: {', '.join(str(file.relative_to(folder)) for file in outcome.files)}.")
         raise typer.Exit(DONE)

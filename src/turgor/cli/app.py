@@ -6,6 +6,7 @@ Heavy imports stand inside the commands, so that help and error messages appear 
 
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,30 +14,34 @@ import typer
 
 from turgor import __version__
 from turgor.cli.again import measure_command, report_command
+from turgor.cli.answers.document import document
+from turgor.cli.answers.results import run_result
+from turgor.cli.check import check_command
 from turgor.cli.convergence import convergence_command
-from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences, warn
+from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.export import export_command
-from turgor.cli.fit import fit_command
+from turgor.cli.families.actuators import actuators_command
+from turgor.cli.families.init import init_command
+from turgor.cli.fitting.fit import fit_command
 from turgor.cli.inspect import inspect_command
 from turgor.cli.materials import materials_app
 from turgor.cli.mesh import mesh_command
 from turgor.cli.modes import modes_command
+from turgor.cli.options import JSON, Changes, Debug, JobFile, Json, asked_job
 from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.finding import Finding
+    from turgor.job.job import Job
     from turgor.job.output.outcome import RunOutcome
 
 app = typer.Typer(
-    add_completion=False,
+    add_completion=True,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     help="Finite element modeling of soft fluidic actuators.",
     epilog="Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged.",
 )
-
-JobFile = Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)]
-Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -50,7 +55,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # mistakes in the arguments are exceptions of typer with a message
         if not hasattr(error, "format_message"):
             raise
-        typer.echo(f"turgor: {_sentence(error.format_message())} See 'turgor --help'.", err=True)
+        sentence = f"{_sentence(error.format_message())} See 'turgor --help'."
+        if JSON in given:
+            typer.echo(document(BAD_INPUT, None, (), sentence))
+        else:
+            typer.echo(f"turgor: {sentence}", err=True)
         return BAD_INPUT
     if not given:
         return BAD_INPUT
@@ -86,68 +95,31 @@ def _run(
     threads: Annotated[
         int | None, typer.Option(min=1, help="Number of threads; by default all processors.", show_default=False)
     ] = None,
+    changes: Changes = None,
+    as_json: Json = False,
     debug: Debug = False,
 ) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
-    with errors_as_sentences(debug), ends_at_once():
+    with errors_as_sentences(debug, as_json) as answer, ends_at_once():
         from turgor.adaptivity.findings import matter
 
-        outcome, told = _solve(job, output, (force, resume), quiet, threads)
+        outcome, told = _solve(asked_job(job, changes), output, (force, resume), quiet or as_json, threads)
         if not quiet:
             _tell(outcome)
+        answer.give(partial(run_result, outcome))
         heavy = matter(outcome.findings, mesh_error=False)
-        warn([found for found in heavy if found not in told])
-        if not outcome.solution.complete:
+        answer.warn(outcome.findings, [found for found in heavy if found not in told])
+        if not outcome.solution.complete and not as_json:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
+        if not outcome.solution.complete:
             raise typer.Exit(NOT_CONVERGED)
         raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
 
 
-@app.command("check")
-def _check(job: JobFile, debug: Debug = False) -> None:
-    """Read, build, mesh and check a job without solving it."""
-    with errors_as_sentences(debug):
-        from turgor.adaptivity.findings import ONLY_WITH_ERROR
-        from turgor.finding import Severity
-        from turgor.job.read import read_job
-        from turgor.job.run import prepare
-        from turgor.results.report.describe import contact
-        from turgor.results.report.describe_procedure import procedure
-        from turgor.solvers.procedures.stages import Stages
-
-        asked = read_job(job)
-        model, findings = prepare(asked)
-        mesh = model.mesh
-        typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
-        for sentence in contact(model):
-            typer.echo(sentence)
-        if isinstance(asked.procedure, Stages):
-            for name, changes in procedure(asked.procedure):
-                typer.echo(f"Stage '{name}': {changes}.")
-        warn([found for found in findings if found.code != ONLY_WITH_ERROR])
-        raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
-
-
-@app.command("actuators")
-def _actuators() -> None:
-    """List the actuator families and their keys with defaults."""
-    with errors_as_sentences(debug=False):
-        from dataclasses import fields
-
-        from turgor.job.job import ACTUATORS
-        from turgor.job.output.lock import dimensions
-        from turgor.job.text.quantities import shown
-
-        for name, family in ACTUATORS.items():
-            typer.echo(f"{name}: {(family.__doc__ or '').splitlines()[0]}")
-            values = dimensions(family())
-            for item in fields(family):  # type: ignore[arg-type]
-                typer.echo(f"  {item.name} = {shown(values[item.name])}")
-        typer.echo("cad_file: An actuator from a CAD file; `turgor inspect` shows what it holds.")
-        typer.echo("  file, unit, faces, regions, split")
-
-
 app.add_typer(materials_app, name="materials")
+app.command("actuators")(actuators_command)
+app.command("check")(check_command)
+app.command("init")(init_command)
 app.command("report")(report_command)
 app.command("measure")(measure_command)
 app.command("inspect")(inspect_command)
@@ -159,22 +131,19 @@ app.command("convergence")(convergence_command)
 
 
 def _solve(
-    job: Path, output: Path | None, again: tuple[bool, bool], quiet: bool, threads: int | None
+    job: "Job", output: Path | None, again: tuple[bool, bool], quiet: bool, threads: int | None
 ) -> "tuple[RunOutcome, list[Finding]]":
     """Run a job; return the outcome, and the findings that were printed before the solve.
 
     ``again`` says whether to replace the results in the folder, and whether to go on with its run.
     """
-    from turgor.job.read import read_job
-
-    question = read_job(job)
     from turgor.cli.console import LiveDisplay, PatientConsole, PlainDisplay
     from turgor.job.run import run_job
 
     console, (force, resume) = PatientConsole(quiet=quiet), again
     with LiveDisplay(console) if console.is_terminal and not quiet else PlainDisplay(console) as show:
         outcome = run_job(
-            question,
+            job,
             output,
             force=force,
             resume=resume,

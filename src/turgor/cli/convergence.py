@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def convergence_command(
-    job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
+    job: JobFile,
     sizes: Annotated[
         str, typer.Option(help="Mesh sizes, such as '4 mm, 2.8 mm, 2 mm', or their number, around that of the job.")
     ] = "3",
@@ -23,18 +24,20 @@ def convergence_command(
         Path | None, typer.Option(help="Folder of table and plot; by default NAME-convergence.", show_default=False)
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False,
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+    changes: Changes = None,
+    as_json: Json = False,
+    debug: Debug = False,
 ) -> None:
     """Solve a job on finer and finer meshes; print values, observed order, extrapolated value and error."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import convergence_result
         from turgor.job.output.folder import claimed
-        from turgor.job.read import read_job
         from turgor.results.measures.measures import find_measure
         from turgor.solvers.solution import SolveError
 
         wanted = _sizes(sizes)
         find_measure(measure)
-        asked = read_job(job)
+        asked = asked_job(job, changes)
         with claimed(output if output is not None else Path(f"{asked.name}-convergence"), force) as folder:
             try:
                 study = _solve(asked, wanted, measure)
@@ -43,6 +46,7 @@ def convergence_command(
                 raise typer.Exit(NOT_CONVERGED) from None
             _write(folder, asked, study)
         _show(study)
+        answer.give(lambda: convergence_result(study, folder))
         typer.echo(f"Table and plot in {folder}.")
 
 

@@ -1,14 +1,17 @@
-"""Exit codes of the command line, and output of findings and errors on standard error."""
+"""Exit codes of the command line, and what a command answers: sentences for people, or one JSON document."""
 
 import os
 import sys
 import traceback
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext, redirect_stdout, suppress
+from dataclasses import dataclass, field
+from io import StringIO
 from typing import TYPE_CHECKING
 
 import typer
 
+from turgor.cli.answers.document import document
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -26,25 +29,66 @@ def warn(findings: "Sequence[Finding]") -> None:
         typer.echo(str(found), err=True)
 
 
+@dataclass(slots=True)
+class Answer:
+    """What a command answers besides what it prints.
+
+    Parameters
+    ----------
+    as_json : bool
+        Whether the answer is one JSON document; what the command prints is not shown then.
+    result : dataclass
+        What the document holds.
+    findings : list of Finding
+    """
+
+    as_json: bool = False
+    result: object = None
+    findings: "list[Finding]" = field(default_factory=list)
+
+    def give(self, make: Callable[[], object]) -> None:
+        """Take the result, which is made for a document only."""
+        if self.as_json:
+            self.result = make()
+
+    def warn(self, findings: "Sequence[Finding]", shown: "Sequence[Finding] | None" = None) -> None:
+        """Take findings, and print them, or those of them to be ``shown``, where there is no document."""
+        self.findings.extend(findings)
+        if not self.as_json:
+            warn(findings if shown is None else shown)
+
+
 @contextmanager
-def errors_as_sentences(debug: bool) -> Iterator[None]:
-    """Turn exceptions into sentences and exit codes; show the traceback only with --debug."""
+def errors_as_sentences(debug: bool, as_json: bool = False) -> Iterator[Answer]:
+    """Turn exceptions into sentences and exit codes; show the traceback only with --debug.
+
+    Parameters
+    ----------
+    debug : bool
+        Whether to show tracebacks.
+    as_json : bool
+        Whether standard output is one JSON document, errors included.
+    """
+    answer = Answer(as_json)
+    code, error = DONE, ""
     try:
-        yield
-    except typer.Exit:
-        raise
+        with redirect_stdout(StringIO()) if as_json else nullcontext():
+            yield answer
+    except typer.Exit as ended:
+        code = ended.exit_code
     except BrokenPipeError:
         write_nowhere()
         raise typer.Exit(BROKEN_PIPE) from None
-    except TurgorError as error:
-        _complain(str(error), debug)
-    except OSError as error:
-        _complain(f"'{error.filename or 'a file'}' cannot be read or written: {error.strerror}.", debug)
-    except KeyboardInterrupt:
-        _complain("interrupted; with --resume, a run goes on from its last state.", debug, NOT_CONVERGED)
-    except Exception as error:
-        what = f"{type(error).__name__}: {error}"
-        _complain(f"turgor failed unexpectedly, {what}. Please report it with the output of --debug.", debug)
+    except BaseException as raised:
+        code, error = _said(raised)
+        if debug:
+            traceback.print_exc()
+    if as_json:
+        typer.echo(document(code, answer.result, answer.findings, error))
+    elif error:
+        typer.echo(error, err=True)
+    if code or error:
+        raise typer.Exit(code)
 
 
 def write_nowhere() -> None:
@@ -55,8 +99,15 @@ def write_nowhere() -> None:
         os.close(nowhere)
 
 
-def _complain(sentence: str, debug: bool, code: int = BAD_INPUT) -> None:
-    if debug:
-        traceback.print_exc()
-    typer.echo(sentence, err=True)
-    raise typer.Exit(code)
+def _said(raised: BaseException) -> tuple[int, str]:
+    """Exit code and sentence for an exception."""
+    if isinstance(raised, TurgorError):
+        return BAD_INPUT, str(raised)
+    if isinstance(raised, OSError):
+        return BAD_INPUT, f"'{raised.filename or 'a file'}' cannot be read or written: {raised.strerror}."
+    if isinstance(raised, KeyboardInterrupt):
+        return NOT_CONVERGED, "interrupted; with --resume, a run goes on from its last state."
+    if not isinstance(raised, Exception):
+        raise raised
+    what = f"{type(raised).__name__}: {raised}"
+    return BAD_INPUT, f"turgor failed unexpectedly, {what}. Please report it with the output of --debug."

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import command_of
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
 from turgor.errors import TurgorError
 
 
@@ -15,7 +15,7 @@ from turgor.errors import TurgorError
 class ExportOptions:
     """Arguments and options of ``turgor export``."""
 
-    job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)]
+    job: JobFile
     inp: Annotated[bool, typer.Option("--inp", help="The model for CalculiX or Abaqus.")] = False
     step: Annotated[bool, typer.Option("--step", help="The geometry as STEP.")] = False
     stl: Annotated[bool, typer.Option("--stl", help="The whole body and each cavity as STL.")] = False
@@ -27,22 +27,26 @@ class ExportOptions:
         typer.Option(help="Poisson's ratio of incompressible materials; CalculiX needs one.", show_default=False),
     ] = None
     force: Annotated[bool, typer.Option("--force", help="Replace files that are there already.")] = False
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False
+    changes: Changes = None
+    as_json: Json = False
+    debug: Debug = False
 
 
 def export_files(chosen: ExportOptions) -> None:
     """Export the actuator of a job: model (.inp), geometry (.step, .stl), casting mold."""
-    with errors_as_sentences(chosen.debug):
+    with errors_as_sentences(chosen.debug, chosen.as_json) as answer:
         kinds = [kind for kind in ("inp", "step", "stl", "mold") if getattr(chosen, kind)]
         if not kinds:
             raise TurgorError("nothing is to be exported; name at least one of --inp, --step, --stl, --mold.")
+        from turgor.cli.answers.results import ExportResult
         from turgor.job.export import InpOptions, export_job
-        from turgor.job.read import read_job
 
-        question = read_job(chosen.job)
+        question = asked_job(chosen.job, chosen.changes)
         folder = chosen.output if chosen.output is not None else Path(f"{question.name}-export")
         options = InpOptions(program=chosen.program, poisson=chosen.poisson)
-        for file in export_job(question, folder, kinds, inp=options, force=chosen.force):
+        files = export_job(question, folder, kinds, inp=options, force=chosen.force)
+        answer.give(lambda: ExportResult(files=files))
+        for file in files:
             typer.echo(f"{file} ({file.stat().st_size:,} bytes)")
 
 

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.exits import DONE, errors_as_sentences, warn
+from turgor.cli.exits import DONE, errors_as_sentences
+from turgor.cli.options import Debug, Json
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -21,22 +22,25 @@ def inspect_command(
         str | None, typer.Option(help="Unit of the numbers in the file, such as mm.", show_default=False)
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw the part into this PNG.", show_default=False)] = None,
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+    as_json: Json = False,
+    debug: Debug = False,
 ) -> None:
     """List the bodies, faces and cavities of a CAD file, with the names that a job can use."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
         if picture is not None and picture.suffix.lower() != ".png":
             raise TurgorError(f"--picture is '{picture}'; the name must end in .png.")
+        from turgor.cli.answers.results import inspect_result
         from turgor.geometry.cad.inspection import inspect_cad
 
         found = inspect_cad(part, unit=unit)
         _show(found)
+        answer.give(lambda: inspect_result(found))
         if picture is not None:
             from turgor.results.pictures.cad_picture import write_cad_picture
 
             write_cad_picture(picture, found)
             typer.echo(f"Picture in {picture}.")
-        warn(found.findings)
+        answer.warn(found.findings)
         raise typer.Exit(DONE)
 
 

@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
+from turgor.cli.options import Debug, Json
 
 materials_app = typer.Typer(
     rich_markup_mode=None,
@@ -14,7 +15,6 @@ materials_app = typer.Typer(
 
 Name = Annotated[str, typer.Argument(metavar="NAME", help="Material, or a TOML file of your own.", show_default=False)]
 RecordName = Annotated[str | None, typer.Option(help="One record; by default all.", show_default=False)]
-Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")]
 
 
 @materials_app.callback(invoke_without_command=True)
@@ -25,9 +25,10 @@ def _materials(context: typer.Context) -> None:
 
 
 @materials_app.command("list")
-def _list(debug: Debug = False) -> None:
+def _list(as_json: Json = False, debug: Debug = False) -> None:
     """List the library materials and their records, with the codes of their warnings."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import materials_result
         from turgor.finding import Severity
         from turgor.materials.library.doubts import find_doubts
         from turgor.materials.library.record_files import library, records
@@ -40,15 +41,18 @@ def _list(debug: Debug = False) -> None:
                 marks = f" [{', '.join(codes)}]" if codes else ""
                 lines.append(f"  {record.name}: {record.law}, {record.printed}; {record.source}{marks}")
         typer.echo("\n".join(lines))
+        answer.give(lambda: materials_result(library()))
 
 
 @materials_app.command("show")
-def _show(name: Name, record: RecordName = None, debug: Debug = False) -> None:
+def _show(name: Name, record: RecordName = None, as_json: Json = False, debug: Debug = False) -> None:
     """Show a material: printed constants, converted constants, sources and doubts."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import materials_result
         from turgor.materials.library.record_text import describe_material
 
         typer.echo(describe_material(name, record))
+        answer.give(lambda: materials_result([name], record))
 
 
 @materials_app.command("plot")

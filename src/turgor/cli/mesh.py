@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences, warn
+from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def mesh_command(
-    job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
+    job: JobFile,
     size: Annotated[
         str | None, typer.Option(help="Another mesh size, such as '2 mm'.", metavar="LENGTH", show_default=False)
     ] = None,
@@ -22,23 +23,27 @@ def mesh_command(
         Path | None, typer.Option(help="Write the mesh to this file, .vtu for ParaView.", show_default=False)
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw the cells into this PNG.", show_default=False)] = None,
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+    changes: Changes = None,
+    as_json: Json = False,
+    debug: Debug = False,
 ) -> None:
     """Mesh a job: counts, sizes and shapes of the cells, findings, and a picture."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import mesh_result
+
         _check_ending("--output", output, ".vtu")
         _check_ending("--picture", picture, ".png")
         from turgor.finding import Severity
         from turgor.job.meshes import mesh_of
-        from turgor.job.read import read_job
         from turgor.meshing.quality.checks import check_mesh
         from turgor.results.report.mesh_text import describe_mesh
 
-        asked = _with_size(read_job(job), size)
+        asked = _with_size(asked_job(job, changes), size)
         geometry = asked.actuator.build()
         mesh = mesh_of(asked, geometry)
         findings = (*geometry.findings, *check_mesh(mesh))
         typer.echo(describe_mesh(mesh))
+        answer.give(lambda: mesh_result(mesh))
         if not any(found.code == "G01" for found in findings):
             typer.echo("  walls: two cells or more through every wall")
         if output is not None:
@@ -48,7 +53,7 @@ def mesh_command(
             typer.echo(f"Mesh in {output}.")
         if picture is not None:
             _draw(picture, asked.name, mesh)
-        warn(findings)
+        answer.warn(findings)
         raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)
 
 

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.exits import DONE, errors_as_sentences, warn
+from turgor.cli.exits import DONE, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -13,37 +14,41 @@ if TYPE_CHECKING:
 
 
 def modes_command(
-    job: Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)],
+    job: JobFile,
     count: Annotated[int, typer.Option(help="Number of modes, from the lowest.")] = 6,
     loaded: Annotated[bool, typer.Option("--loaded", help="About the state under full load, not at rest.")] = False,
     output: Annotated[
         Path | None, typer.Option(help="Write the mode shapes for ParaView into this new folder.", show_default=False)
     ] = None,
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False,
+    changes: Changes = None,
+    as_json: Json = False,
+    debug: Debug = False,
 ) -> None:
     """List natural frequencies; every material of the job needs a density."""
-    with errors_as_sentences(debug):
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import modes_result
+
         if output is not None and output.exists():
             raise TurgorError(f"--output is '{output}', which exists; name a new folder.")
-        from turgor.job.read import read_job
         from turgor.job.run import prepare
         from turgor.solvers.dynamics.modes import natural_frequencies
         from turgor.solvers.procedures.stages import Stages
         from turgor.solvers.solve import solve
 
-        asked = read_job(job)
+        asked = asked_job(job, changes)
         model, findings = prepare(asked)
         state = solve(model, asked.procedure).states[-1] if loaded else None
         if state is not None and isinstance(asked.procedure, Stages):
             model = state.model  # the model of the last stage
         modes = natural_frequencies(model, state, count)
         _show(modes)
+        answer.give(lambda: modes_result(modes))
         if output is not None:
             from turgor.results.files.modes_vtu import write_modes
 
             output.mkdir(parents=True)
             typer.echo(f"Mode shapes in {write_modes(output, modes)}.")
-        warn(findings)
+        answer.warn(findings)
         raise typer.Exit(DONE)
 
 

@@ -1,11 +1,53 @@
-"""Commands whose options are the fields of a dataclass."""
+"""Arguments and options that several commands have, and commands whose options are the fields of a dataclass."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import MISSING, fields
 from inspect import Parameter, Signature
-from typing import Any, TypeVar
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+
+import typer
+
+if TYPE_CHECKING:
+    from turgor.job.job import Job
+
+JobFile = Annotated[Path, typer.Argument(metavar="JOB", help="Job file in TOML.", show_default=False)]
+Changes = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="KEY=VALUE",
+        help="Change a value of the job, such as loads.pressure='30 kPa'; as often as needed.",
+        show_default=False,
+    ),
+]
+#: The option for one JSON document.
+JSON = "--json"
+
+Json = Annotated[bool, typer.Option(JSON, help="Print one JSON document, for programs.")]
+Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")]
 
 Options = TypeVar("Options")
+
+
+def asked_job(job: Path, changes: Sequence[str] | None) -> "Job":
+    """Read a job file with the changes that ``--set`` states.
+
+    Parameters
+    ----------
+    job : Path
+        The file.
+    changes : sequence of str or None
+        Keys and values, such as ``loads.pressure=30 kPa``.
+
+    Returns
+    -------
+    Job
+    """
+    from turgor.job.read import read_job
+    from turgor.job.text.changes import parse_changes
+
+    return read_job(job, parse_changes(changes or ()))
 
 
 def command_of(options: Callable[..., Options], run: Callable[[Options], None]) -> Callable[..., None]:

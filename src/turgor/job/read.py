@@ -4,6 +4,7 @@ import re
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from turgor.errors import TurgorError, near_match
@@ -19,6 +20,7 @@ from turgor.job.tables.sections import read_actuator, read_engine, read_mesh, re
 from turgor.job.tables.setups import SETUPS, read_setup, setup_type
 from turgor.job.tables.stages import STAGES, Around, first_duration, read_stages, with_names
 from turgor.job.tables.supports import read_supports
+from turgor.job.text.changes import changed, changed_places
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import shown
@@ -59,13 +61,16 @@ DEFAULTS: Mapping[str, Mapping[str, Any]] = {
 _NAME = re.compile(r"[\w.-]+")
 
 
-def read_job(path: str | Path) -> Job:
+def read_job(path: str | Path, changes: Mapping[str, Any] = MappingProxyType({})) -> Job:
     """Read a job file: TOML, in which every quantity carries its unit.
 
     Parameters
     ----------
     path : str or Path
         The file; a lock file that a run wrote is a job file too.
+    changes : mapping of str to value
+        Values that replace or join those of the file, by dotted key as in TOML: ``{"loads.pressure": "30 kPa"}``. A
+        stage is named by its name or its number.
 
     Returns
     -------
@@ -84,7 +89,8 @@ def read_job(path: str | Path) -> Job:
         content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _not_toml(path, error) from error
-    problems = Problems(str(path), with_names(key_lines(text), content))
+    content = changed(content, DEFAULTS, changes)
+    problems = Problems(str(path), with_names(changed_places(key_lines(text), changes), content))
     job = _read(content, name_of_file(path), problems)
     problems.raise_any()
     assert job is not None

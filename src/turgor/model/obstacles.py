@@ -49,6 +49,7 @@ class Sphere:
     Parameters
     ----------
     center : (3,) floats [m]
+        Its center.
     radius : float [m]
         More than 0.
     """
@@ -97,6 +98,7 @@ class Box:
     Parameters
     ----------
     center : (3,) floats [m]
+        Its center.
     size : (3,) floats [m]
         Its lengths, more than 0 each.
     rounding : float [m]

@@ -1,6 +1,7 @@
 """Command line: exit codes, one sentence for each mistake and no traceback, and one small job from end to end."""
 
 import csv
+import os
 import re
 import subprocess
 import sys
@@ -163,11 +164,10 @@ def test_a_full_disk_is_a_sentence(
 def test_version_actuators_and_materials(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--version"]) == DONE
     assert re.match(r"turgor \d+\.\d+", capsys.readouterr().out)
-    assert main(["actuators"]) == DONE
+    assert main(["actuators", "fast_pneunet"]) == DONE
     out = capsys.readouterr().out
-    assert "fast_pneunet: " in out
-    assert "  wall = '1 mm'\n" in out
-    assert "  symmetric = true\n" in out
+    assert '\nwall = "1 mm"\n' in out
+    assert "\nsymmetric = true\n" in out
     assert main(["materials"]) == DONE
     out = capsys.readouterr().out
     assert "  yeoh-mosadegh-2014: yeoh, C1 = 0.11 MPa, C2 = 0.02 MPa; B. Mosadegh" in out
@@ -317,3 +317,10 @@ def test_doubtful_constants_and_a_law_beyond_its_tests_are_said(
     err = capsys.readouterr().err
     assert err.count("are those of Elastosil M4601") == 1
     assert re.search(r"M01 warning: The law of 'mine' is used up to stretch 1\.\d+, but its tests end at 1", err)
+
+
+def test_the_shell_completes_commands() -> None:
+    asked = {"_TURGOR_COMPLETE": "complete_bash", "COMP_WORDS": "turgor che", "COMP_CWORD": "1"}
+    command = [sys.executable, "-m", "turgor"]
+    run = subprocess.run(command, env={**os.environ, **asked}, capture_output=True, text=True, check=True)
+    assert run.stdout.split() == ["check"]

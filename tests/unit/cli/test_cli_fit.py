@@ -7,7 +7,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from turgor.cli.fit import fit_command
+from turgor.cli.fitting.fit import fit_command
 from turgor.materials.laws.laws import Yeoh
 from turgor.materials.library.record_files import read_records
 

@@ -6,7 +6,7 @@ import typer
 from matplotlib.colors import to_hex
 from typer.testing import CliRunner
 
-from turgor.cli.fit import fit_command
+from turgor.cli.fitting.fit import fit_command
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.history.softening import Mullins

@@ -2,10 +2,16 @@
 
 import ast
 import re
+from dataclasses import is_dataclass
 from importlib import import_module
 from pathlib import Path
 
+import typer.main
+
 import turgor as tg
+from turgor.cli.answers import results
+from turgor.cli.app import app
+from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
 from turgor.job.tables.contact import ContactTable
 from turgor.job.tables.fibers import FibersTable
 from turgor.job.tables.obstacles import SHAPES, STL, ObstacleTable, obstacle_table
@@ -92,6 +98,15 @@ def test_job_of_the_guide_on_contact_is_read(tmp_path):
         (row,) = re.findall(rf'(?m)^\| `"{shape}"` \| (.*) \|$', read(page))
         own = set(obstacle_table(shape).model_fields) - set(ObstacleTable.model_fields) - {"sha256"}
         assert set(re.findall(r"`(\w+)`", row)) == own
+
+
+def test_page_on_the_command_line_names_every_command_result_and_exit_code():
+    page = read("docs/reference/command-line.md")
+    assert set(re.findall(r"`turgor (\w+) ", page)) >= set(typer.main.get_command(app).commands) - {"materials"}
+    kinds = {name for name, kind in vars(results).items() if is_dataclass(kind)}
+    members = page.partition(":members:")[2].partition(":no-index:")[0]
+    assert set(re.findall(r"\w+", members)) == kinds
+    assert re.findall(r"(?m)^\| (\d) \|", page) == [str(code) for code in (DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED)]
 
 
 def test_pictures_of_the_architecture_show_what_exists(monkeypatch):

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tomllib
 import zipfile
+from email import message_from_bytes
 from importlib import import_module
 from pathlib import Path
 from types import FunctionType, ModuleType
@@ -157,6 +158,10 @@ def test_wheel_holds_data_and_command(tmp_path):
         held = {name for name in wheel.namelist() if "__pycache__" not in name}
         entry = next(name for name in held if name.endswith("entry_points.txt"))
         assert "turgor = turgor.cli:main" in wheel.read(entry).decode()
+        metadata = message_from_bytes(wheel.read(entry.replace("entry_points.txt", "METADATA")))
+    assert metadata["Description-Content-Type"] == "text/markdown"
+    assert metadata.get_payload().startswith("# turgor\n")
+    assert re.findall(r"\]\((?!https?://|#)([^)]*)\)", metadata.get_payload()) == []
     folder = ROOT / "src"
     wanted = {
         path.relative_to(folder).as_posix()
@@ -165,3 +170,26 @@ def test_wheel_holds_data_and_command(tmp_path):
     }
     assert wanted <= held
     assert {"turgor/py.typed", "turgor/materials/library/data/paper.toml"} <= held
+    examples = "turgor/job/reference/examples/"
+    jobs = {name.rpartition("/")[2].removesuffix(".toml") for name in held if name.startswith(examples)}
+    assert jobs == set(ACTUATORS)
+
+
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
+        (None, "the Guide and [a paper](https://doi.org/1)\n\nand [below](#more)"),
+        (
+            "https://example.org/turgor/",
+            "the [Guide](https://example.org/turgor/blob/main/docs/guide.md#top) and [a paper](https://doi.org/1)\n\n"
+            "![Finger](https://example.org/turgor/raw/main/docs/finger.png)\n\nand [below](#more)",
+        ),
+    ],
+)
+def test_readme_for_the_package_index_has_no_links_to_files(monkeypatch, source, expected):
+    monkeypatch.syspath_prepend(str(ROOT / "release"))
+    text = (
+        "the [Guide](docs/guide.md#top) and [a paper](https://doi.org/1)\n\n"
+        "![Finger](docs/finger.png)\n\nand [below](#more)"
+    )
+    assert import_module("readme").for_index(text, source) == expected

@@ -7,7 +7,7 @@ import typer
 from fit_data import DATA, SILICONES, silicone
 from typer.testing import CliRunner
 
-from turgor.cli.fit import fit_command
+from turgor.cli.fitting.fit import fit_command
 from turgor.materials.fitting.fit_laws import fit
 
 #: Root mean square relative error in % from stretch 1 to 4; derived from the data, so it stays under their license.

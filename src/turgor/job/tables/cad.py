@@ -21,13 +21,27 @@ CAD_FILE = "cad_file"
 
 
 class SelectorTable(Table):
-    """Selector of faces or bodies, in braces: ``{near = [0, 0, "5 mm"]}``."""
+    """Selector of faces or bodies: exactly one of the keys, such as ``{near = [0, 0, "5 mm"]}``.
 
-    name: str | None = None
-    color: str | None = None
-    near: list[Coordinate] | None = None
-    box: list[list[Coordinate]] | None = None
-    normal: str | list[float] | None = None
+    Keys
+    ----
+    name : str
+        Name in the file.
+    color : str
+        Color in the file, such as ``"#ff0000"``.
+    near : (3,) lengths
+        The face or body nearest to this point.
+    box : two points
+        Those that lie inside the box between two corners.
+    normal : str or (3,) floats
+        Plane faces with this outward normal, such as ``"+z"``.
+    """
+
+    name: str | None = Field(default=None, examples=['"grip"'])
+    color: str | None = Field(default=None, examples=['"#ff0000"'])
+    near: list[Coordinate] | None = Field(default=None, examples=['[0, 0, "5 mm"]'])
+    box: list[list[Coordinate]] | None = Field(default=None, examples=['[[0, 0, 0], ["10 mm", "10 mm", "2 mm"]]'])
+    normal: str | list[float] | None = Field(default=None, examples=['"+z"'])
 
     @model_validator(mode="after")
     def _one(self) -> "SelectorTable":
@@ -55,7 +69,13 @@ class SelectorTable(Table):
 
 
 class SplitTable(Table):
-    """``[actuator.split]``."""
+    """``[actuator.split]``: a plane that cuts a CAD part into two regions; it needs a position or a thickness.
+
+    Keys
+    ----
+    normal : str or (3,) floats
+        Upward normal of the plane: ``"+z"`` cuts off the bottom, ``"-z"`` the top.
+    """
 
     normal: str | list[float] = "+z"
     position: Length | None = None
@@ -65,15 +85,21 @@ class SplitTable(Table):
 
 
 class CadFileTable(Table):
-    """``[actuator]`` with the type `CAD_FILE`."""
+    """``[actuator]``: an actuator from a CAD file.
+
+    Keys
+    ----
+    file : str
+        STEP, BREP or closed STL file; its path counts from the folder of the job file.
+    """
 
     type: str
-    file: str
-    unit: str | None = None
+    file: str = Field(examples=['"finger.step"'])
+    unit: str | None = Field(default=None, examples=['"mm"'])
     sha256: str = ""
-    faces: dict[str, SelectorTable] = Field(default_factory=dict)
-    regions: dict[str, SelectorTable] = Field(default_factory=dict)
-    split: SplitTable | None = None
+    faces: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ fixed = { normal = "-x" } }'])
+    regions: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ body = { near = [0, 0, "5 mm"] } }'])
+    split: SplitTable | None = Field(default=None, examples=['{ thickness = "1 mm" }'])
 
 
 def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | None:

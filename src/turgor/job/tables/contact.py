@@ -9,7 +9,7 @@ from turgor.errors import TurgorError
 from turgor.geometry import Geometry
 from turgor.job.tables.obstacles import ContactStiffness, read_obstacles
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Table, read_table, shown
+from turgor.job.text.quantities import Says, Table, read_table, shown
 from turgor.model.contact import Contact
 from turgor.model.obstacles import SelfContact
 from turgor.model.rigid import RigidFile
@@ -28,9 +28,20 @@ def _switch(value: object) -> bool | None:
 
 
 class ContactTable(Table):
-    """``[contact]``."""
+    """``[contact]``: what may touch what. Obstacles stand in tables of their own.
 
-    self_contact: Annotated[Any, BeforeValidator(_switch)] = None
+    Keys
+    ----
+    self_contact : bool
+        Whether walls of the actuator have contact with each other; ``"automatic"``: where walls face each other
+        across a gap, between bodies, and in cavities that are pressed together.
+    friction : float [-]
+        Coulomb's coefficient of self-contact; 0 by default.
+    stiffness : float [Pa/m]
+        Pressure per depth of penetration of self-contact; chosen from the material by default.
+    """
+
+    self_contact: Annotated[Any, BeforeValidator(_switch), Says(f'true, false or "{_AUTOMATIC}"', "true")] = None
     friction: float | None = None
     tolerance: float = Contact().tolerance
     stiffness: ContactStiffness | None = None

@@ -5,7 +5,7 @@ from functools import partial
 from math import inf, isfinite, pi
 from typing import Annotated, Any
 
-from pydantic import AfterValidator
+from pydantic import AfterValidator, Field
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
@@ -53,7 +53,15 @@ def _axis(name: str) -> str:
 
 
 class BoxTable(Table):
-    """``within``: planes that threads do not cross, as many as are stated."""
+    """``[fibers.NAME.within]``: planes that threads do not cross, as many as are stated.
+
+    Keys
+    ----
+    x_from, y_from, z_from : float [m]
+        Lowest coordinate of the threads; no limit by default.
+    x_to, y_to, z_to : float [m]
+        Highest coordinate of the threads; no limit by default.
+    """
 
     x_from: Coordinate = -inf
     x_to: Coordinate = inf
@@ -64,18 +72,44 @@ class BoxTable(Table):
 
 
 class FibersTable(Table):
-    """``[fibers.NAME]``: threads and how they are wound."""
+    """``[fibers.NAME]``: threads and how they are wound.
+
+    Keys
+    ----
+    face : str or list of str
+        Face that the threads are wound on; several that go around together.
+    library : str
+        Material of the threads from the library; or state ``E``.
+    record : str, optional
+        Record of the material; needed where it has several.
+    name : str
+        Name of the material in reports.
+    law : str
+        Law of the threads.
+    nu : float [-]
+        Poisson's ratio, which has no effect on threads.
+    density : float [kg/m³]
+        Density of the threads.
+    source : table
+        Where the constants come from, as for a material.
+    diameter : float [m]
+        Diameter of a thread; that of the record by default.
+    axis : str
+        Axis around which the threads are wound.
+    within : table
+        Planes that threads do not cross.
+    """
 
     face: str | list[str]
-    library: str | None = None
-    record: str | None = None
-    name: str | None = None
+    library: str | None = Field(default=None, examples=['"kevlar-fiber"'])
+    record: str | None = Field(default=None, examples=['"hooke-connolly-2015"'])
+    name: str | None = Field(default=None, examples=['"thread"'])
     law: str = "hooke"
-    E: Pressure | None = None
+    E: Pressure | None = Field(default=None, examples=['"30 GPa"'])
     nu: float = _NU
     density: Density | None = None
-    source: SourceTable | None = None
-    diameter: Length | None = None
+    source: SourceTable | None = Field(default=None, examples=['{ text = "data sheet" }'])
+    diameter: Length | None = Field(default=None, examples=['"0.2 mm"'])
     angle_from_axis: Angle | None = None
     angle_from_circumference: Angle | None = None
     turns: float | None = None
@@ -87,7 +121,7 @@ class FibersTable(Table):
     form: str = "smeared"
     compression: float = 0.0
     bending: bool = False
-    within: BoxTable | None = None
+    within: BoxTable | None = Field(default=None, examples=['{ x_from = "5 mm", x_to = "95 mm" }'])
 
 
 def read_fibers(values: Any, geometry: Geometry | None, problems: Problems) -> dict[str, Fibers]:

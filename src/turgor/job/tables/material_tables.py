@@ -1,28 +1,69 @@
 """Tables of materials in a job: from the library, or stated by a law whose fields are the keys."""
 
-from dataclasses import Field, fields
+from dataclasses import Field as DataclassField
+from dataclasses import fields
 from functools import cache
 from math import inf
 from typing import Annotated, Any, get_args, get_origin
 
-import pydantic
-from pydantic import AllowInfNan, BeforeValidator, create_model
+from pydantic import AllowInfNan, BeforeValidator, Field, create_model
 
-from turgor.job.text.quantities import Density, Length, Pressure, Table, default_of
+from turgor.job.text.quantities import Density, Length, Pressure, Says, Table, default_of
 from turgor.materials.laws.law_spec import is_dimensionless
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
 from turgor.units import parse_quantity
 
-Viscoelasticity = Annotated[Any, BeforeValidator(read_viscoelasticity)]
-Softening = Annotated[Any, BeforeValidator(read_stress_softening)]
+#: Text for a bulk modulus without bound.
+INCOMPRESSIBLE = "incompressible"
+
+Viscoelasticity = Annotated[
+    Any,
+    BeforeValidator(read_viscoelasticity),
+    Says("table of a Prony series", '{ g = [0.2, 0.1], tau = ["1 s", "10 s"], moduli = "long_term" }'),
+]
+Softening = Annotated[
+    Any, BeforeValidator(read_stress_softening), Says("table of constants", '{ r = 1.5, m = "20 kPa" }')
+]
+
+
+def _bulk_modulus(text: object) -> float:
+    return inf if text == INCOMPRESSIBLE else parse_quantity(text, "pressure")
+
+
+BulkModulus = Annotated[
+    float,
+    AllowInfNan(True),
+    BeforeValidator(_bulk_modulus),
+    Says(f'pressure or "{INCOMPRESSIBLE}"', f'"{INCOMPRESSIBLE}"', "pressure"),
+]
 
 
 class LibraryTable(Table):
-    """A material of the library."""
+    """``[materials.NAME]`` from the library, for the region or face NAME.
 
-    library: str
-    record: str | None = None
+    Keys
+    ----
+    library : str
+        Material of the library, or a TOML file of records beside the job.
+    record : str, optional
+        Record of the material; needed where it has several.
+    thickness : float [m]
+        Thickness of the sheet; for faces only, which need it.
+    form : str
+        How a strain-limiting layer is modeled: ``"membrane"`` (the default), ``"shell"``, ``"solid"`` or
+        ``"combined"``.
+    density : float [kg/m³]
+        Density, for weight and dynamics; that of the record by default.
+    viscoelasticity : table
+        Prony series: shares ``g``, times ``tau``, and whether the constants are the ``"long_term"`` or
+        ``"instantaneous"`` ones; that of the record by default.
+    stress_softening : table
+        Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``; that of the record by default.
+    """
+
+    library: str = Field(examples=['"ecoflex-00-30"'])
+    record: str | None = Field(default=None, examples=['"yeoh-steck-2019"'])
     thickness: Length | None = None
     form: str | None = None
     density: Density | None = None
@@ -31,23 +72,59 @@ class LibraryTable(Table):
 
 
 class SourceTable(Table):
-    """Source of the constants of a material."""
+    """``[materials.NAME.source]``: where the constants of a material come from.
 
-    text: str
+    Keys
+    ----
+    text : str
+        The source.
+    detail : str
+        Table, figure or page.
+    doubts : list of str
+        What is doubtful about them.
+    """
+
+    text: str = Field(examples=['"own tests of 2026"'])
     detail: str = ""
-    doubts: list[str] = pydantic.Field(default_factory=list)
+    doubts: list[str] = Field(default_factory=list)
 
 
 class StatedTable(Table):
-    """A material stated by its law; the coefficients of the law are added by `law_table`."""
+    """``[materials.NAME]`` stated by its law, whose coefficients are keys too.
 
-    law: str
-    name: str | None = None
+    Keys
+    ----
+    law : str
+        Law; its coefficients are further keys.
+    name : str
+        Name in reports; that of the region by default.
+    thickness : float [m]
+        Thickness of the sheet; for faces only, which need it.
+    form : str
+        How a strain-limiting layer is modeled: ``"membrane"`` (the default), ``"shell"``, ``"solid"`` or
+        ``"combined"``.
+    density : float [kg/m³]
+        Density, for weight and dynamics.
+    stretch_range : list of two floats
+        Smallest and largest stretch for which the constants hold; beyond it the report warns.
+    source : table
+        Where the constants come from.
+    bulk_modulus : float [Pa]
+        Bulk modulus, or ``"incompressible"``.
+    viscoelasticity : table
+        Prony series: shares ``g``, times ``tau``, and whether the constants are the ``"long_term"`` or
+        ``"instantaneous"`` ones.
+    stress_softening : table
+        Mullins effect after Ogden and Roxburgh: ``r``, ``m`` and ``beta``.
+    """
+
+    law: str = Field(examples=['"yeoh"'])
+    name: str | None = Field(default=None, examples=['"my silicone"'])
     thickness: Length | None = None
     form: str | None = None
     density: Density | None = None
-    stretch_range: list[float] | None = None
-    source: SourceTable | None = None
+    stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
+    source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])
 
 
 @cache
@@ -55,19 +132,15 @@ def law_table(law: type) -> type[Table]:
     """Make the table of a material stated by its law: the coefficients are the fields of the law."""
     keys: dict[str, Any] = {item.name: (_constant_type(item), default_of(item)) for item in fields(law)}
     if law is not Hooke:
-        keys["bulk_modulus"] = (Annotated[float, AllowInfNan(True), BeforeValidator(_bulk_modulus)], inf)
+        keys["bulk_modulus"] = (BulkModulus, inf)
         keys |= {"viscoelasticity": (Viscoelasticity | None, None), "stress_softening": (Softening | None, None)}
     return create_model(f"{law.__name__}Table", __base__=StatedTable, **keys)
 
 
-def _constant_type(item: Field[Any]) -> Any:
+def _constant_type(item: DataclassField[Any]) -> Any:
     """One constant, a list with one for each term, or a table of coefficients by name."""
     one = float if is_dimensionless(item) else Pressure
     if item.type is float:
         return one
     of_terms = get_origin(get_args(item.type)[0]) is tuple  # (i, j, coefficient): stated by names
     return dict[str, one] if of_terms else list[one]  # type: ignore[valid-type]
-
-
-def _bulk_modulus(text: object) -> float:
-    return inf if text == "incompressible" else parse_quantity(text, "pressure")

@@ -25,15 +25,27 @@ SUFFIXES = (*READERS, ".stl")
 
 
 class MeshFileTable(Table):
-    """``[actuator]`` with the type `MESH_FILE`."""
+    """``[actuator]``: an actuator that is meshed already.
+
+    A table ``[mesh]`` with ``file`` and the same keys stands for ``[actuator]`` too.
+
+    Keys
+    ----
+    file : str
+        Mesh of gmsh, Abaqus, CalculiX or VTK, or a closed STL; its path counts from the folder of the job file.
+    """
 
     type: str
-    file: str
+    file: str = Field(examples=['"finger.msh"'])
     unit: str = "mm"
     axes: list[str] = Field(default_factory=lambda: ["x", "y", "z"])
-    regions: dict[str, SelectorTable | list[SelectorTable]] = Field(default_factory=dict)
-    faces: dict[str, SelectorTable | list[SelectorTable]] = Field(default_factory=dict)
-    cavities: dict[str, str] = Field(default_factory=dict)
+    regions: dict[str, SelectorTable | list[SelectorTable]] = Field(
+        default_factory=dict, examples=['{ body = { name = "RUBBER" } }']
+    )
+    faces: dict[str, SelectorTable | list[SelectorTable]] = Field(
+        default_factory=dict, examples=['{ fixed = { normal = "-x" } }']
+    )
+    cavities: dict[str, str] = Field(default_factory=dict, examples=['{ cavity = "air.stl" }'])
     sha256: str = ""
 
 

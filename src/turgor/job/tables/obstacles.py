@@ -1,19 +1,20 @@
 """Obstacles in a job: one table ``[obstacles.NAME]`` for each rigid body, both ways."""
 
 from collections.abc import Mapping
-from dataclasses import MISSING, Field, fields
+from dataclasses import MISSING, fields
+from dataclasses import Field as DataclassField
 from functools import cache, partial
 from pathlib import Path
 from typing import Annotated, Any, get_args
 
-from pydantic import BeforeValidator, create_model
+from pydantic import BeforeValidator, Field, create_model
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Coordinate, Length, Table, coordinate, read_table, shown
+from turgor.job.text.quantities import Coordinate, Length, Says, Table, coordinate, read_table, shown
 from turgor.model.contact import SELF, Contact
 from turgor.model.obstacles import Obstacle, RigidSurface, Shape, Vector
 from turgor.model.rigid import RigidFile
@@ -59,27 +60,44 @@ def _way(value: object) -> tuple[tuple[float, Vector], ...]:
     return tuple((float(factor), _lengths(place)) for factor, place in points)
 
 
-Lengths = Annotated[Any, BeforeValidator(_lengths)]
-Direction = Annotated[Any, BeforeValidator(_direction)]
+Lengths = Annotated[Any, BeforeValidator(_lengths), Says("three lengths", '[0, 0, "-2 mm"]', "length")]
+Direction = Annotated[Any, BeforeValidator(_direction), Says("direction or three numbers", '"+z"')]
+Way = Annotated[
+    Any,
+    BeforeValidator(_way),
+    Says("list of points [load factor, three lengths]", '[[0, [0, 0, 0]], [1, [0, 0, "5 mm"]]]', "length"),
+]
 SpringStiffness = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="spring stiffness"))]
 ContactStiffness = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="contact stiffness"))]
 
 
 class ObstacleTable(Table):
-    """``[obstacles.NAME]``: the keys that all shapes have."""
+    """``[obstacles.NAME]``: the keys that all rigid bodies have.
+
+    Keys
+    ----
+    shape : str
+        Shape; its dimensions are further keys.
+    """
 
     shape: str
     friction: float = 0.0
-    path: Annotated[Any, BeforeValidator(_way)] = ()
+    path: Way = ()
     spring: SpringStiffness | None = None
     face: str | None = None
     stiffness: ContactStiffness | None = None
 
 
 class StlTable(ObstacleTable):
-    """Keys of a body from an STL file."""
+    """``[obstacles.NAME]`` from an STL file.
 
-    file: str
+    Keys
+    ----
+    file : str
+        STL file; its path counts from the folder of the job file.
+    """
+
+    file: str = Field(examples=['"cup.stl"'])
     unit: str = "mm"
     sha256: str = ""
 
@@ -103,13 +121,13 @@ def obstacle_table(shape: str) -> type[ObstacleTable]:
     return create_model(f"{shape.title()}Table", __base__=ObstacleTable, **keys)
 
 
-def _type_of(item: Field[Any]) -> Any:
+def _type_of(item: DataclassField[Any]) -> Any:
     if item.type == Vector:
         return Direction if item.name in _DIRECTIONS else Lengths
     return Coordinate if item.type is float else Length | None
 
 
-def _default_of(item: Field[Any]) -> Any:
+def _default_of(item: DataclassField[Any]) -> Any:
     return ... if item.default is MISSING else item.default
 
 

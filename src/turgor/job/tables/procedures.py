@@ -10,7 +10,16 @@ from pydantic import BeforeValidator
 from turgor.errors import TurgorError, unknown
 from turgor.job.tables.loads import only_pressure, requested_factors
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Table, chosen_kind, default_of, fields_of_table, made_table, read_table, shown
+from turgor.job.text.quantities import (
+    Says,
+    Table,
+    chosen_kind,
+    default_of,
+    fields_of_table,
+    made_table,
+    read_table,
+    shown,
+)
 from turgor.model.loads import Gravity, Load, Pressure
 from turgor.registry import Registry, class_of_file, name_in
 from turgor.solvers.procedures.stages import OneProcedure
@@ -84,7 +93,7 @@ def field_keys(items: Iterable[Field[Any]]) -> dict[str, Any]:
     """Return the keys of a table for fields: type and default of each."""
     keys: dict[str, Any] = {item.name: (_step_type(item), default_of(item)) for item in items}
     if "at" in keys:
-        keys["at"] = (list[Annotated[Any, BeforeValidator(_load_factor_or_pressure)]], [])
+        keys["at"] = (list[_STATE], [])
     return keys
 
 
@@ -157,6 +166,9 @@ def _load_factor_or_pressure(value: object) -> object:
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value)
     return (parse_quantity(value, "pressure"),)
+
+
+_STATE = Annotated[Any, BeforeValidator(_load_factor_or_pressure), Says("load factor or pressure", "0.5", "pressure")]
 
 
 def _requested(factor: float, top: float | None) -> str | float:

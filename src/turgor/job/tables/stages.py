@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -13,9 +13,9 @@ from turgor.job.tables.loads import loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
 from turgor.job.tables.setups import refuse_setup
-from turgor.job.text.lines import Key
+from turgor.job.text.lines import Key, Place
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Table, read_table, shown
+from turgor.job.text.quantities import Says, Table, read_table, shown
 from turgor.materials.material import Material
 from turgor.model.contact import Contact
 from turgor.model.loads import Gravity, Pressure
@@ -29,13 +29,29 @@ STAGES = "stages"
 
 
 class StageTable(Table):
-    """``[[stages]]``; other functions read the tables in it."""
+    """``[[stages]]``: procedures one after another; each begins where the last one ended.
 
-    name: str
-    procedure: Any = None
-    loads: Any = None
-    displacements: dict[str, Lengths] = Field(default_factory=dict)
-    moves: dict[str, Lengths] = Field(default_factory=dict)
+    What a stage does not state stays as it was.
+
+    Keys
+    ----
+    name : str
+        Name of the stage.
+    procedure : table
+        Procedure of the stage, as ``[procedure]``; static by default.
+    loads : table
+        Loads at the end of the stage, as ``[loads]``; the others keep their values.
+    displacements : table
+        Displacement of faces that ``[supports]`` holds, by the name of the face.
+    moves : table
+        Displacement of obstacles at the end of the stage, by the name of the obstacle.
+    """
+
+    name: str = Field(examples=['"fill"'])
+    procedure: Annotated[Any, Says("table", '{ type = "static" }')] = None
+    loads: Annotated[Any, Says("table", '{ pressure = "60 kPa" }')] = None
+    displacements: dict[str, Lengths] = Field(default_factory=dict, examples=['{ tip = [0, 0, "-5 mm"] }'])
+    moves: dict[str, Lengths] = Field(default_factory=dict, examples=['{ plate = [0, 0, "5 mm"] }'])
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,8 +78,8 @@ class Around:
     moved: bool
 
 
-def with_names(lines: Mapping[Key, int], content: Mapping[str, Any]) -> dict[Key, int]:
-    """Return the lines of keys, with the name of a stage in the place of its number."""
+def with_names(lines: Mapping[Key, Place], content: Mapping[str, Any]) -> dict[Key, Place]:
+    """Return the places of keys, with the name of a stage in the place of its number."""
     named = {str(number): name for number, name in enumerate(_labels(content.get(STAGES)), start=1)}
     found = {}
     for key, line in lines.items():

@@ -5,6 +5,9 @@ from collections.abc import Iterator
 
 Key = tuple[str, ...]
 
+#: Where a key stands: the number of its line, or the option of the command line that states it.
+Place = int | str
+
 _TOKEN = re.compile(
     r"""(?P<skip>[ \t\r]+|\#[^\n]*)
       | (?P<newline>\n)
@@ -73,6 +76,26 @@ def key_lines(text: str) -> dict[Key, int]:
         else:
             _pair(tokens, table, lines)
     return lines
+
+
+def dotted_key(text: str) -> Key | None:
+    """Read a dotted key as TOML has it; None where the text is none.
+
+    Examples
+    --------
+    >>> dotted_key("loads.pressure"), dotted_key("loads..pressure")
+    (('loads', 'pressure'), None)
+    """
+    tokens, parts = _Tokens(text), list[str]()
+    while tokens.kind in ("bare", "string"):
+        parts.append(tokens.text.strip("\"'"))
+        tokens.advance()
+        if tokens.kind == "end":
+            return tuple(parts)
+        if tokens.text != ".":
+            return None
+        tokens.advance()
+    return None
 
 
 def _brackets(tokens: _Tokens) -> int:

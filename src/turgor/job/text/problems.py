@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
 from turgor.errors import TurgorError
-from turgor.job.text.lines import Key
+from turgor.job.text.lines import Key, Place
 
 Made = TypeVar("Made")
 
@@ -36,8 +36,8 @@ class Problems:
     ----------
     file : str
         Name of the file as the user gave it.
-    lines : mapping of key to int
-        Line of each key, from `key_lines`.
+    lines : mapping of key to int or str
+        Line of each key, from `key_lines`, or the option that states it.
     found : list of (int, str)
         Line and sentence of each problem noted so far.
     within : tuple of str
@@ -45,7 +45,7 @@ class Problems:
     """
 
     file: str
-    lines: Mapping[Key, int]
+    lines: Mapping[Key, Place]
     found: list[tuple[int, str]] = field(default_factory=list)
     within: Key = ()
 
@@ -65,10 +65,10 @@ class Problems:
     def add(self, key: Key, sentence: str) -> None:
         """Note a problem at a key; if the key is absent from the file, at the line of its table."""
         key = (*self.within, *key)
-        known = next((key[:n] for n in range(len(key), 0, -1) if key[:n] in self.lines), None)
-        line = self.lines[known] if known is not None else _NOWHERE
-        place = f"{self.file}:{line}" if known is not None else self.file
-        self.found.append((line, f"{place}: {'.'.join(key)}: {sentence}"))
+        place = next((self.lines[key[:n]] for n in range(len(key), 0, -1) if key[:n] in self.lines), None)
+        line = place if isinstance(place, int) else _NOWHERE
+        where = f"{self.file}:{place}" if isinstance(place, int) else place or self.file
+        self.found.append((line, f"{where}: {'.'.join(key)}: {sentence}"))
 
     def attempt(self, key: Key, make: Callable[[], Made], fields: Iterable[str] = ()) -> Made | None:
         """Make a value; note a `TurgorError` at the key, or at the field that its message begins with.

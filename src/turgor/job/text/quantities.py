@@ -4,11 +4,12 @@ The keys of an actuator are the fields of its dataclass, so a new family needs n
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import MISSING, Field, fields
+from dataclasses import MISSING, dataclass, fields
+from dataclasses import Field as DataclassField
 from functools import cache, partial
 from typing import Annotated, Any, get_args
 
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, ValidationError, create_model
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, create_model
 
 from turgor.errors import TurgorError, near_match, unknown
 from turgor.geometry.directions import DIRECTIONS
@@ -20,6 +21,25 @@ from turgor.model.loads import STANDARD_GRAVITY
 from turgor.units import parse_quantity
 
 CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Says:
+    """What a value is, beside a type that does not say it.
+
+    Parameters
+    ----------
+    words : str
+        In words, such as ``"three lengths"``.
+    example : str
+        A value in TOML.
+    dimension : str
+        Key of `turgor.units.UNITS`, where the value has a unit.
+    """
+
+    words: str
+    example: str
+    dimension: str = ""
 
 
 Length = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="length"))]
@@ -71,7 +91,7 @@ def _share(value: object) -> float:
     return share
 
 
-Share = Annotated[float, BeforeValidator(_share)]
+Share = Annotated[float, BeforeValidator(_share), Says("share in percent", '"2 %"')]
 
 
 class Table(BaseModel):
@@ -84,13 +104,27 @@ _MESH = MeshSettings()
 
 
 class MeshTable(Table):
-    """``[mesh]``."""
+    """``[mesh]``: how the actuator is meshed.
 
-    size: Length | None = None
+    Keys
+    ----
+    size : float [m]
+        Largest edge length aimed at; chosen for the actuator by default.
+    cells : str
+        Kind of the cells; what suits the actuator by default.
+    target : float, optional
+        Largest mesh error of a measure at the last state, as a share; the mesh is refined until it is met.
+    target_measure : str, optional
+        Measure that the target is for; the first one of ``[output]`` by default.
+    most_unknowns : int
+        Largest number of unknowns of a refined mesh.
+    """
+
+    size: Length | None = Field(default=None, examples=['"3 mm"'])
     grading: float = _MESH.grading
-    face_sizes: dict[str, Length] = {}
+    face_sizes: dict[str, Length] = Field(default_factory=dict, examples=['{ cavity = "1 mm" }'])
     wall_cells: int = _MESH.wall_cells
-    cells: str | None = _MESH.cells
+    cells: str | None = Field(default=_MESH.cells, examples=['"hexahedra"'])
     target: Share | None = None
     target_measure: Annotated[str, AfterValidator(_measure)] | None = None
     most_unknowns: int = 200_000
@@ -114,13 +148,31 @@ def _history(value: object) -> object:
     return value
 
 
-class GravityTable(Table):
-    """``[loads.gravity]``: direction, acceleration and history."""
+Points = Annotated[
+    Any, BeforeValidator(_history), Says("list of points or expression in quotes", "[[0, 0], [0.5, 1], [1, 0]]")
+]
 
-    direction: Annotated[str, AfterValidator(_direction)]
+
+class GravityTable(Table):
+    """``[loads.gravity]``: weight, where more than its direction is stated.
+
+    Keys
+    ----
+    direction : str
+        Direction in which things fall: ``"-z"``, ``"+x"`` and the like.
+    acceleration : float [m/s²]
+        Acceleration of gravity.
+    history : list or str, optional
+        Share of the weight over the load factor: points [load factor, share] with straight lines between them,
+        or an expression in t. By default it rises with the load factor.
+    history_over_time : list or str, optional
+        The same over time in seconds, where the procedure has a duration.
+    """
+
+    direction: Annotated[str, AfterValidator(_direction), Says("direction", '"-z"')]
     acceleration: Acceleration = STANDARD_GRAVITY
-    history: Annotated[Any, BeforeValidator(_history)] = None
-    history_over_time: Annotated[Any, BeforeValidator(_history)] = None
+    history: Points = None
+    history_over_time: Points = None
 
 
 def _gravity(value: object) -> object:
@@ -133,30 +185,63 @@ def _gravity(value: object) -> object:
 
 
 class LoadsTable(Table):
-    """``[loads]``."""
+    """``[loads]``: what drives the actuator.
+
+    Keys
+    ----
+    pressure : float [Pa], gauge
+        Gauge pressure in every cavity that has no table of its own.
+    gravity : str or table
+        Direction of the weight, such as ``"-z"``, or a table with more. Every material needs a density.
+    """
 
     pressure: Pressure | None = None
-    gravity: Annotated[GravityTable, BeforeValidator(_gravity)] | None = None
+    gravity: Annotated[GravityTable, BeforeValidator(_gravity), Says("direction or table", '"-z"')] | None = None
 
 
 class CavityTable(Table):
-    """``[loads.cavity_1]``: pressure in one cavity, and its history."""
+    """``[loads.cavity_1]``: pressure in one cavity, and its history. The name is that of the cavity.
+
+    Keys
+    ----
+    pressure : float [Pa], gauge
+        Gauge pressure that the history is a share of.
+    history : list or str, optional
+        Share of the pressure over the load factor: points [load factor, share] with straight lines between
+        them, or an expression in t. By default it rises with the load factor.
+    history_over_time : list or str, optional
+        The same over time in seconds, where the procedure has a duration.
+    """
 
     pressure: Pressure
-    history: Annotated[Any, BeforeValidator(_history)] = None
-    history_over_time: Annotated[Any, BeforeValidator(_history)] = None
+    history: Points = None
+    history_over_time: Points = None
 
 
 class EngineTable(Table):
-    """``[engine]``."""
+    """``[engine]``: how the computer works; only the last digits of results depend on it.
+
+    Keys
+    ----
+    threads : int, optional
+        Number of threads; all processors by default.
+    """
 
     threads: int | None = None
 
 
 class OutputTable(Table):
-    """``[output]``."""
+    """``[output]``: what is measured and written.
 
-    measures: list[Annotated[str, AfterValidator(_measure)]] = []
+    Keys
+    ----
+    measures : list of str
+        Names of the measures in ``response.csv``, in this order; empty for the standard ones.
+    """
+
+    measures: list[Annotated[str, AfterValidator(_measure)]] = Field(
+        default=[], examples=['["bending_angle", "cavity_volume"]']
+    )
     fields: bool = True
     pictures: bool = True
     report: bool = True
@@ -268,11 +353,11 @@ def _kinds(annotation: Any) -> list[Any]:
     return [kind for one in inner for kind in _kinds(one)] if inner else [annotation]
 
 
-def _type_of(item: Field[Any]) -> Any:
+def _type_of(item: DataclassField[Any]) -> Any:
     return item.type if item.type is not float else QUANTITIES[item.metadata.get("dimension", "length")]
 
 
-def default_of(item: Field[Any]) -> Any:
+def default_of(item: DataclassField[Any]) -> Any:
     """Return the default of a field of a dataclass in the form of pydantic."""
     if item.default is not MISSING:
         return item.default

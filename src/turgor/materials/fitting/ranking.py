@@ -8,6 +8,7 @@ from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.fit_laws import fit
 from turgor.materials.fitting.result import Fit
 from turgor.materials.laws.stability import Criterion, instabilities
+from turgor.shown import brief
 
 #: What happens where each criterion of stability fails.
 _FAILS: Mapping[Criterion, str] = {
@@ -15,7 +16,6 @@ _FAILS: Mapping[Criterion, str] = {
     "cauchy": "the Cauchy stress has an extreme",
     "drucker": "Drucker's postulate fails",
 }
-from turgor.shown import brief
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.fit_tables import show, show_each
-from turgor.cli.options import command_of
+from turgor.cli.fitting.fit_tables import show, show_each
+from turgor.cli.options import Debug, Json, command_of
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
     from turgor.materials.experiments.material_test import MaterialTest
     from turgor.materials.experiments.specimen import Specimen
+    from turgor.materials.fitting.history_fit import HistoryFit
     from turgor.materials.fitting.ranking import Ranking
 
 #: Points of a mean where curves are not thinned.
@@ -58,19 +59,23 @@ class FitOptions:
     ] = 0
     softening: Annotated[bool, typer.Option("--softening", help="Fit stress softening to cycles too.")] = False
     output: Annotated[Path | None, typer.Option(help="Folder for plots and constants.", show_default=False)] = None
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error was raised.")] = False
+    as_json: Json = False
+    debug: Debug = False
 
 
 def fit_files(chosen: FitOptions) -> None:
     """Fit laws to material tests, all files together, and rank them."""
-    with errors_as_sentences(chosen.debug):
+    with errors_as_sentences(chosen.debug, chosen.as_json) as answer:
+        from turgor.cli.answers.results import fit_result
+
         names = [law.strip() for law in chosen.laws.split(",") if law.strip()]
         modes = _modes(chosen.mode, len(chosen.files))
         _range(chosen.range_)  # checked before files are read
         if chosen.average and (chosen.each or chosen.relaxation or chosen.softening):
             raise TurgorError("--average goes with neither --each nor --relaxation nor --softening.")
         if chosen.relaxation or chosen.softening:
-            _fit_over_time(chosen, modes, names)
+            tests, found = _fit_over_time(chosen, modes, names)
+            answer.give(lambda: fit_result(tests, (), found, chosen.output))
             return
         if chosen.average:
             tests = _means(chosen, modes)
@@ -82,6 +87,8 @@ def fit_files(chosen: FitOptions) -> None:
             show_each(rankings, names)
         if chosen.output is not None:
             _write(chosen.output, rankings)
+        answer.give(lambda: fit_result(tests, rankings, folder=chosen.output))
+        answer.findings.extend(dict.fromkeys(found for _, ranking in rankings for found in ranking.best.findings))
 
 
 #: The command.
@@ -150,9 +157,11 @@ def _ranked(
     return rankings
 
 
-def _fit_over_time(chosen: FitOptions, modes: Sequence[str | None], names: list[str]) -> None:
+def _fit_over_time(
+    chosen: FitOptions, modes: Sequence[str | None], names: list[str]
+) -> "tuple[list[MaterialTest], HistoryFit]":
     """Fit relaxation and softening to tests with all their cycles; slack points are at rest."""
-    from turgor.cli.fit_history import fit_over_time, write_history_fit
+    from turgor.cli.fitting.fit_history import fit_over_time, write_history_fit
     from turgor.materials.experiments.handling import rest_below
 
     preload, tests = _preload(chosen.preload), []
@@ -165,6 +174,7 @@ def _fit_over_time(chosen: FitOptions, modes: Sequence[str | None], names: list[
     found = fit_over_time(tests, names, terms=chosen.relaxation, softening=chosen.softening, name=name)
     if chosen.output is not None:
         write_history_fit(chosen.output, found, tests)
+    return tests, found
 
 
 def _read(chosen: FitOptions, file: Path, mode: str | None, cyclic: bool) -> "MaterialTest":

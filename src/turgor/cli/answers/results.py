@@ -1,0 +1,391 @@
+"""Results of commands for programs: the contents of ``result`` in the JSON document, and how each is made."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from turgor.geometry.cad.inspection import Inspection
+    from turgor.job.output.outcome import RunOutcome
+    from turgor.materials.experiments.material_test import MaterialTest
+    from turgor.materials.fitting.history_fit import HistoryFit
+    from turgor.materials.fitting.ranking import Ranking
+    from turgor.materials.fitting.result import Fit
+    from turgor.meshing.mesh import Mesh
+    from turgor.response import Response
+    from turgor.results.convergence.study import Convergence
+    from turgor.solvers.dynamics.modes import Modes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunResult:
+    """``turgor run``: how the solve ended, and the response.
+
+    Parameters
+    ----------
+    name : str
+        Name of the job.
+    status : str
+        ``"converged"``, or why the path ended early.
+    message, advice : str
+        What happened, and what to do.
+    columns : list of tables
+        The response: ``name``, ``unit`` and ``values`` in this unit, one for each state; the drive comes first.
+    folder : str
+        Folder of the results.
+    files : list of str
+        Files in it, the most important first.
+    """
+
+    name: str
+    status: str
+    message: str
+    advice: str
+    columns: list[dict[str, Any]]
+    folder: Path
+    files: Sequence[Path]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CheckResult:
+    """``turgor check``: what the job is.
+
+    Parameters
+    ----------
+    name : str
+        Name of the job.
+    mesh : str
+        What is meshed.
+    cells, unknowns : int
+        Their numbers.
+    contact : list of str
+        What touches what, in sentences.
+    stages : table
+        What each stage changes, by its name; empty without stages.
+    """
+
+    name: str
+    mesh: str
+    cells: int
+    unknowns: int
+    contact: Sequence[str]
+    stages: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeshResult:
+    """``turgor mesh``: counts, sizes and shapes.
+
+    Parameters
+    ----------
+    name : str
+        What is meshed.
+    cell_type : str
+        Kind of the cells.
+    cells, points, unknowns : int
+        Their numbers.
+    min_edge_m, mean_edge_m, max_edge_m : float
+        Lengths of edges [m].
+    min_shape, mean_shape : float
+        Shape of the cells: 1 is regular, 0 is flat.
+    min_jacobian_ratio : float
+        Jacobian ratio of the worst curved cell: 1 is straight.
+    regions, faces : table
+        Number of cells, and of sides of cells, by name.
+    """
+
+    name: str
+    cell_type: str
+    cells: int
+    points: int
+    unknowns: int
+    min_edge_m: float
+    mean_edge_m: float
+    max_edge_m: float
+    min_shape: float
+    mean_shape: float
+    min_jacobian_ratio: float
+    regions: Mapping[str, int]
+    faces: Mapping[str, int]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ModesResult:
+    """``turgor modes``: natural frequencies.
+
+    Parameters
+    ----------
+    load_factor : float
+        Load factor of the state about which the actuator vibrates; 0 is at rest.
+    frequencies_Hz, modal_masses_kg : list of float
+        Frequency and modal mass of each mode, from the lowest.
+    message : str
+        What is to be known about them.
+    """
+
+    load_factor: float
+    frequencies_Hz: Any
+    modal_masses_kg: Any
+    message: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConvergenceResult:
+    """``turgor convergence``: a measure on finer and finer meshes.
+
+    Parameters
+    ----------
+    measure : str
+        Name of the measure.
+    columns : list of tables
+        ``name``, ``unit`` and ``values`` in this unit, one for each mesh, the coarsest first.
+    summary : str
+        Extrapolated value, error and observed order.
+    folder : str
+        Folder of table and plot.
+    """
+
+    measure: str
+    columns: list[dict[str, Any]]
+    summary: str
+    folder: Path
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExportResult:
+    """``turgor export``: what was written.
+
+    Parameters
+    ----------
+    files : list of str
+        The files.
+    """
+
+    files: Sequence[Path]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InspectResult:
+    """``turgor inspect``: bodies, faces and cavities of a CAD file, in SI units.
+
+    Parameters
+    ----------
+    name, unit : str
+        File, and unit of its numbers.
+    size_m : list of three floats
+        Sides of the box around the part [m].
+    smallest_wall_m : float
+        Thinnest wall [m].
+    bodies : list of tables
+        ``region``, ``color``, ``volume`` [m³], and the corners ``low`` and ``high`` [m].
+    faces : list of tables
+        ``name``, ``name_in_file``, ``color``, ``area`` [m²], ``center`` [m], and ``normal`` of a plane face.
+    cavities : list of tables
+        ``name``, ``closed``, ``volume`` [m³], and ``openings``: area [m²] and center [m] of each.
+    """
+
+    name: str
+    unit: str
+    size_m: Sequence[float]
+    smallest_wall_m: float
+    bodies: Sequence[Any]
+    faces: Sequence[Any]
+    cavities: Sequence[Any]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FitResult:
+    """``turgor fit``: laws fitted to tests.
+
+    Parameters
+    ----------
+    tests : list of tables
+        ``name``, ``mode``, ``points``, ``stretch`` (smallest and largest) and ``edits`` of each file.
+    materials : list of tables
+        ``name``, ``fits`` from the best to the worst, ``words`` about them, and laws that ``failed``. Each fit has
+        ``law``, ``parameters`` and their standard ``errors`` in SI units, ``aic``, ``relative_error`` and
+        ``stretch_range``.
+    history : table or null
+        Relaxation and softening, where they were asked for: ``parameters`` and ``errors``.
+    folder : str or null
+        Folder of plots and constants.
+    """
+
+    tests: Sequence[dict[str, Any]]
+    materials: Sequence[dict[str, Any]]
+    history: dict[str, Any] | None
+    folder: Path | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MaterialsResult:
+    """``turgor materials list`` and ``turgor materials show``.
+
+    Parameters
+    ----------
+    materials : table
+        Records of each material: ``record``, ``law``, constants as ``printed``, ``source``, and ``doubts``, each with
+        ``code``, ``severity``, ``message`` and ``advice``.
+    """
+
+    materials: Mapping[str, Sequence[dict[str, Any]]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FamiliesResult:
+    """``turgor actuators``: the families, or the keys of one.
+
+    Parameters
+    ----------
+    families : table
+        What each family is, by its name.
+    keys : list of tables
+        Keys of the family that was named: ``name``, ``kind``, ``units``, ``default`` in TOML, ``allowed`` and
+        ``meaning``; empty without a name.
+    """
+
+    families: Mapping[str, str]
+    keys: Sequence[Any] = ()
+
+
+def run_result(outcome: "RunOutcome") -> RunResult:
+    """Make the result of a run."""
+    return RunResult(
+        name=outcome.job.name,
+        status=str(outcome.solution.status),
+        message=outcome.solution.message,
+        advice=outcome.solution.advice,
+        columns=columns_of(outcome.response),
+        folder=outcome.folder,
+        files=[file.relative_to(outcome.folder) for file in outcome.files],
+    )
+
+
+def columns_of(response: "Response") -> list[dict[str, Any]]:
+    """List the columns of a response."""
+    return [{"name": each.name, "unit": each.unit, "values": each.in_unit} for each in response.columns]
+
+
+def mesh_result(mesh: "Mesh") -> MeshResult:
+    """Make the result on a mesh."""
+    from turgor.meshing.quality.cell_quality import quality
+
+    found = quality(mesh)
+    return MeshResult(
+        name=mesh.name,
+        cell_type=mesh.cell_type.name,
+        cells=found.cells,
+        points=found.points,
+        unknowns=found.unknowns,
+        min_edge_m=found.min_edge,
+        mean_edge_m=found.mean_edge,
+        max_edge_m=found.max_edge,
+        min_shape=found.min_shape,
+        mean_shape=found.mean_shape,
+        min_jacobian_ratio=found.min_jacobian_ratio,
+        regions={name: len(cells) for name, cells in mesh.regions.items()},
+        faces={name: len(sides) for name, sides in mesh.faces.items()},
+    )
+
+
+def modes_result(modes: "Modes") -> ModesResult:
+    """Make the result on natural frequencies."""
+    return ModesResult(
+        load_factor=modes.load_factor,
+        frequencies_Hz=modes.frequencies,
+        modal_masses_kg=modes.modal_mass,
+        message=modes.message,
+    )
+
+
+def convergence_result(study: "Convergence", folder: Path) -> ConvergenceResult:
+    """Make the result of a convergence study."""
+    columns = columns_of(study.response)
+    return ConvergenceResult(measure=study.measure.name, columns=columns, summary=study.summary, folder=folder)
+
+
+def inspect_result(found: "Inspection") -> InspectResult:
+    """Make the result on a CAD file, without the triangles of its pictures."""
+    faces = [
+        {name: getattr(face, name) for name in ("name", "name_in_file", "color", "area", "center", "normal")}
+        for face in found.faces
+    ]
+    return InspectResult(
+        name=found.name,
+        unit=found.unit,
+        size_m=found.size,
+        smallest_wall_m=found.smallest_wall,
+        bodies=found.bodies,
+        faces=faces,
+        cavities=found.cavities,
+    )
+
+
+def fit_result(
+    tests: "Iterable[MaterialTest]",
+    rankings: "Iterable[tuple[str, Ranking]]",
+    history: "HistoryFit | None" = None,
+    folder: Path | None = None,
+) -> FitResult:
+    """Make the result of a fit."""
+    return FitResult(
+        tests=[
+            {
+                "name": test.name,
+                "mode": test.mode,
+                "points": len(test.stretch),
+                "stretch": test.range,
+                "edits": [edit.text for edit in test.edits],
+            }
+            for test in tests
+        ],
+        materials=[
+            {"name": name, "fits": list(map(_fit, each.fits)), "words": each.words, "failed": each.failed}
+            for name, each in rankings
+        ],
+        history=None if history is None else {"parameters": history.values, "errors": history.errors},
+        folder=folder,
+    )
+
+
+def _fit(fit: "Fit") -> dict[str, Any]:
+    return {
+        "law": fit.spec.name,
+        "parameters": fit.values,
+        "errors": fit.errors,
+        "aic": fit.aic,
+        "relative_error": fit.relative,
+        "stretch_range": fit.stretch_range,
+    }
+
+
+def materials_result(names: Iterable[str], record: str | None = None) -> MaterialsResult:
+    """Make the result on library materials, or on one record of them."""
+    from turgor.materials.library.doubts import find_doubts
+    from turgor.materials.library.record_files import records
+    from turgor.materials.library.records import find_record
+
+    def listed(name: str) -> list[dict[str, Any]]:
+        chosen = records(name) if record is None else (find_record(name, record),)
+        return [
+            {
+                "record": each.name,
+                "law": each.law,
+                "printed": each.printed,
+                "source": str(each.source),
+                "doubts": list(find_doubts(each)),
+            }
+            for each in chosen
+        ]
+
+    return MaterialsResult(materials={name: listed(name) for name in names})
+
+
+def families_result(name: str | None = None) -> FamiliesResult:
+    """Make the result on the actuator families, with the keys of one of them."""
+    from turgor.job.job import ACTUATORS
+    from turgor.job.reference.tables import family_table
+
+    families = {each: family_table(each).words for each in ACTUATORS}
+    return FamiliesResult(families=families, keys=() if name is None else family_table(name).keys)

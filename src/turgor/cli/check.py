@@ -1,0 +1,40 @@
+"""Command ``turgor check``: read, build, mesh and check a job without solving it."""
+
+import typer
+
+from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
+
+
+def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, debug: Debug = False) -> None:
+    """Read, build, mesh and check a job without solving it."""
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.adaptivity.findings import ONLY_WITH_ERROR
+        from turgor.cli.answers.results import CheckResult
+        from turgor.finding import Severity
+        from turgor.job.run import prepare
+        from turgor.results.report.describe import contact
+        from turgor.results.report.describe_procedure import procedure
+        from turgor.solvers.procedures.stages import Stages
+
+        asked = asked_job(job, changes)
+        model, findings = prepare(asked)
+        mesh = model.mesh
+        typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
+        for sentence in contact(model):
+            typer.echo(sentence)
+        stages = dict(procedure(asked.procedure)) if isinstance(asked.procedure, Stages) else {}
+        for name, acts in stages.items():
+            typer.echo(f"Stage '{name}': {acts}.")
+        answer.give(
+            lambda: CheckResult(
+                name=asked.name,
+                mesh=mesh.name,
+                cells=len(mesh.cells),
+                unknowns=mesh.unknown_count,
+                contact=contact(model),
+                stages=stages,
+            )
+        )
+        answer.warn([found for found in findings if found.code != ONLY_WITH_ERROR])
+        raise typer.Exit(FOUND_ERROR if any(found.severity is Severity.ERROR for found in findings) else DONE)

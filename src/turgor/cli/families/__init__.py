@@ -1,0 +1,1 @@
+"""Commands ``turgor actuators`` and ``turgor init``."""

@@ -1,0 +1,1 @@
+"""Command ``turgor fit``, and what it prints."""

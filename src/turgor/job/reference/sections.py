@@ -1,0 +1,237 @@
+"""Sections of a job file: all tables but those of the actuator families."""
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from inspect import getdoc
+from typing import Any
+
+from turgor.geometry import FastPneuNet, Geometry
+from turgor.geometry.cad.cad_file import CadFile
+from turgor.geometry.cad.split import SplitPlane
+from turgor.job.job import Output
+from turgor.job.read import DEFAULTS
+from turgor.job.reference.kinds import Kind
+from turgor.job.reference.ranges import Reader
+from turgor.job.reference.tables import JobKey, JobTable, Source, toml
+from turgor.job.tables.cad import CAD_FILE, CadFileTable, SelectorTable, SplitTable
+from turgor.job.tables.contact import ContactTable, read_contact
+from turgor.job.tables.fibers import BoxTable, FibersTable, read_fibers
+from turgor.job.tables.loads import read_loads
+from turgor.job.tables.material_tables import LibraryTable, SourceTable, StatedTable, law_table
+from turgor.job.tables.materials import read_materials
+from turgor.job.tables.mesh_files import MESH_FILE, MeshFileTable
+from turgor.job.tables.obstacles import SHAPES, STL, ObstacleTable, obstacle_table, read_obstacles
+from turgor.job.tables.procedures import PROCEDURES, procedure_table, read_procedure
+from turgor.job.tables.sections import read_engine, read_mesh, read_output
+from turgor.job.tables.setups import SETUPS, read_setup, setup_table
+from turgor.job.tables.stages import StageTable
+from turgor.job.tables.supports import RADIAL
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import CavityTable, EngineTable, GravityTable, LoadsTable, MeshTable, OutputTable
+from turgor.materials.laws.laws import LAWS, Hooke
+from turgor.meshing.exchange.mesh_file import MeshFile
+from turgor.meshing.settings import MeshSettings
+from turgor.model.contact import Contact
+from turgor.model.fibers import Fibers, Winding
+from turgor.model.obstacles import Obstacle, SelfContact
+from turgor.model.rigid import RigidFile
+from turgor.setups.blocked_tip import blocked_force
+from turgor.setups.grasped_object import grasp
+from turgor.solvers.procedures.static import Static
+from turgor.solvers.procedures.step_options import StepOptions
+from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.units import format_quantity
+
+#: Functions that say what the keys of a setup mean.
+_EXPLAINED: Mapping[str, Any] = {"blocked_force": blocked_force, "grasp": grasp}
+
+#: Keys that a kind cannot do without, in the notation of a job file.
+_NEEDED: Mapping[str, Mapping[str, Any]] = {
+    "plane": {"point": [0, 0, "-5 mm"], "normal": "+z"},
+    "sphere": {"center": [0, 0, "-20 mm"], "radius": "10 mm"},
+    "cylinder": {"center": [0, 0, "-20 mm"], "axis": "+y", "radius": "5 mm"},
+    "box": {"center": [0, 0, "-20 mm"], "size": ["10 mm", "10 mm", "10 mm"]},
+    "dynamic": {"duration": "2 s"},
+    "volume_control": {"volume": "5 mL"},
+    "arruda_boyce": {"mu": "60 kPa", "locking_stretch": 3.0},
+    "generalized_rivlin": {"coefficients": {"C10": "50 kPa"}},
+    "gent": {"mu": "60 kPa", "Jm": 50.0},
+    "hooke": {"E": "2 GPa", "nu": 0.3, "thickness": "0.1 mm"},
+    "mooney_rivlin": {"C10": "40 kPa", "C01": "10 kPa"},
+    "neo_hooke": {"C10": "50 kPa"},
+    "ogden": {"mu": ["60 kPa"], "alpha": [2.0]},
+    "yeoh": {"C10": "50 kPa", "C20": "2 kPa"},
+    "yeoh_n": {"coefficients": ["50 kPa", "2 kPa"]},
+    "grasp": {"pull_distance": "8 mm"},
+}
+
+
+def section_tables(shape: Geometry | None = None) -> Iterator[JobTable]:
+    """Yield the tables of a job file in its order, without those of the actuator families.
+
+    Parameters
+    ----------
+    shape : Geometry, optional
+        Actuator to which ranges refer; the default fast PneuNet if it is not given.
+
+    Examples
+    --------
+    >>> next(table.header for table in section_tables())
+    'top of the file'
+    """
+    built = shape or FastPneuNet().build()
+    yield _top()
+    yield from _files()
+    yield _mesh(built)
+    yield from _materials(built)
+    yield from _fibers(built)
+    yield _supports()
+    yield from _loads(built)
+    yield from _contact(built)
+    yield from _procedures()
+    yield _of(StageTable, "[[stages]]")
+    yield _output(built)
+    yield _of(EngineTable, "[engine]", read=read_engine)
+
+
+def _of(model: Any, header: str, *described: Any, read: Reader | None = None, **more: Any) -> JobTable:
+    words = " ".join((getdoc(model) or "").partition("\n\nKeys")[0].split()).rpartition("``: ")[2]
+    return Source(model=model, described=described, read=read, **more).table(header, words[:1].upper() + words[1:])
+
+
+def _output(shape: Geometry) -> JobTable:
+    def read(values: Mapping[str, Any], problems: Problems) -> None:
+        read_output(values, shape, problems)
+
+    return _of(OutputTable, "[output]", Output, read=read)
+
+
+def _top() -> JobTable:
+    """Key that stands in no table."""
+    name = JobKey(
+        name="name",
+        kind="text",
+        default="",
+        allowed="letters, digits, '-', '_' and '.'",
+        meaning="Name of the run and of its folder of results; that of the file by default.",
+        example='"finger"',
+    )
+    return JobTable(header="top of the file", words="What stands before the first table.", keys=(name,))
+
+
+def _supports() -> JobTable:
+    """Supports: the faces are the keys."""
+    held = JobKey(
+        name="FACE",
+        kind="text",
+        default=toml(DEFAULTS["supports"]["fixed"], Kind(words="text")),
+        allowed=f"some of x, y and z; or {', '.join(RADIAL)}",
+        meaning="Directions in which the face is held, or that its radius is. The default is that of the face `fixed`.",
+        example='"xyz"',
+    )
+    return JobTable(
+        header="[supports]", words="How faces are held; mirror planes are held by themselves.", keys=(held,)
+    )
+
+
+def _mesh(shape: Geometry) -> JobTable:
+    def read(values: Mapping[str, Any], problems: Problems) -> None:
+        read_mesh(values, shape, problems)
+
+    # a size and a kind of cells, because it takes a second to choose them
+    base = {"size": format_quantity(2 * shape.smallest_wall, "mm"), "cells": "tetrahedra"}
+    return _of(MeshTable, "[mesh]", MeshSettings, read=read, base=base)
+
+
+def _files() -> Iterator[JobTable]:
+    yield _of(CadFileTable, f'[actuator], type = "{CAD_FILE}"', CadFile)
+    yield _of(SplitTable, "[actuator.split]", SplitPlane)
+    yield _of(MeshFileTable, f'[actuator], type = "{MESH_FILE}"', MeshFile)
+    yield _of(SelectorTable, "{ ... } of a face or region")
+
+
+def _materials(shape: Geometry) -> Iterator[JobTable]:
+    def read(name: str, values: Mapping[str, Any], problems: Problems) -> None:
+        read_materials({name: values}, shape, problems)
+
+    body, layer = partial(read, "body"), partial(read, "strain_limiting_layer")
+    base = {"library": "paper", "record": "hooke-polygerinos-2020", "thickness": "0.1 mm"}
+    yield _of(LibraryTable, "[materials.NAME], from the library", read=layer, base=base, unasked=("record",))
+    base = {"law": "hooke", **_NEEDED["hooke"]}
+    yield _of(StatedTable, "[materials.NAME], stated by its law", read=layer, base=base)
+    law: Any
+    for name, law in LAWS.items():
+        model, reader = law_table(law), layer if law is Hooke else body
+        header, words = f'[materials.NAME], law = "{name}"', (getdoc(law) or "").splitlines()[0]
+        base = {"law": name, **_NEEDED.get(name, {})}
+        source = Source(model=model, described=(law,), read=reader, base=base, without=StatedTable.model_fields)
+        yield source.table(header, words)
+    yield _of(SourceTable, "[materials.NAME.source]")
+
+
+def _fibers(shape: Geometry) -> Iterator[JobTable]:
+    def read(values: Mapping[str, Any], problems: Problems) -> None:
+        read_fibers({"hoops": values}, shape, problems)
+
+    base = {"face": "outside", "library": "kevlar-fiber", "angle_from_circumference": "0 deg", "spacing": "3 mm"}
+    yield _of(FibersTable, "[fibers.NAME]", Fibers, Winding, Hooke, read=read, base=base, unasked=("record",))
+    yield _of(BoxTable, "[fibers.NAME.within]")
+
+
+def _loads(shape: Geometry) -> Iterator[JobTable]:
+    def read(values: Mapping[str, Any], problems: Problems) -> None:
+        read_loads(values, shape, {}, problems)
+
+    yield _of(LoadsTable, "[loads]", read=read)
+    yield _of(CavityTable, "[loads.CAVITY]", read=lambda values, problems: read({"cavity": values}, problems))
+    yield _of(GravityTable, "[loads.gravity]", read=lambda values, problems: read({"gravity": values}, problems),
+              base={"direction": "-z"})  # fmt: skip
+
+
+def _contact(shape: Geometry) -> Iterator[JobTable]:
+    def read(values: Mapping[str, Any], problems: Problems) -> None:
+        read_contact(values, {}, shape, problems)
+
+    def obstacle(values: Mapping[str, Any], problems: Problems) -> None:
+        read_obstacles({"plate": values}, shape, problems)
+
+    yield _of(ContactTable, "[contact]", Contact, SelfContact, read=read)
+    base: Mapping[str, Any] = {"shape": "plane", **_NEEDED["plane"]}
+    yield _of(ObstacleTable, "[obstacles.NAME]", Obstacle, read=obstacle, base=base)
+    for name in (*SHAPES, STL):
+        described = SHAPES.get(name, RigidFile)
+        words = (getdoc(described) or "").splitlines()[0]
+        model, base = obstacle_table(name), {"shape": name, **_NEEDED.get(name, {})}
+        reader = None if name == STL else obstacle
+        source = Source(model=model, described=(described,), read=reader, base=base, without=ObstacleTable.model_fields)
+        yield source.table(f'[obstacles.NAME], shape = "{name}"', words)
+
+
+def _procedures() -> Iterator[JobTable]:
+    rest = (Static, StepOptions, VolumeControl)
+    kind: Any
+    for name, kind in PROCEDURES.items():
+        base = {"type": name, **_NEEDED.get(name, {})}
+        words = (getdoc(kind) or "").splitlines()[0]
+        source = Source(model=procedure_table(kind), described=(kind, *rest), read=_procedure, base=base)
+        yield source.table(f'[procedure], type = "{name}"', words)
+    setup: Any
+    for name, setup in SETUPS.items():
+        base = {"type": name, **_NEEDED.get(name, {})}
+        described = _EXPLAINED[name]
+        words = (getdoc(setup) or "").splitlines()[0].partition(";")[0] + "."
+        source = Source(
+            model=setup_table(setup),
+            described=(described, setup, *rest),
+            read=partial(_setup, name),
+            base=base,
+        )
+        yield source.table(f'[procedure], type = "{name}"', words)
+
+
+def _procedure(values: Mapping[str, Any], problems: Problems) -> None:
+    read_procedure(values, (), problems)
+
+
+def _setup(name: str, values: Mapping[str, Any], problems: Problems) -> None:
+    read_setup(name, values, (), problems)

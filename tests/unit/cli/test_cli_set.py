@@ -1,0 +1,36 @@
+"""``--set`` changes values of a job on every command that takes one."""
+
+from pathlib import Path
+
+import pytest
+import typer.main
+
+from turgor.cli import main
+from turgor.cli.app import app
+from turgor.cli.exits import BAD_INPUT, DONE
+
+FINGER = str(Path(__file__).parents[3] / "examples" / "actuators" / "slow_pneunet.toml")
+COMMANDS = typer.main.get_command(app).commands
+WITH_JOB = [name for name, command in COMMANDS.items() if any(each.name == "job" for each in command.params)]
+
+
+def test_commands_that_take_a_job():
+    assert {"run", "check", "mesh", "export", "modes", "convergence"} <= set(WITH_JOB)
+
+
+@pytest.mark.parametrize("name", WITH_JOB)
+def test_every_command_that_takes_a_job_has_the_option(name, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    more = ["--step"] if name == "export" else []
+    assert main([name, FINGER, *more, "--set", "mesh.siz=2 mm"]) == BAD_INPUT
+    said = capsys.readouterr().err
+    assert said.startswith("--set: mesh.siz: unknown key 'siz'; did you mean 'size'?")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_changed_mesh_is_meshed(capsys):
+    unknowns = []
+    for size in ("6 mm", "5 mm"):
+        assert main(["check", FINGER, "--set", f"mesh.size={size}", "--set", "actuator.chambers=2"]) == DONE
+        unknowns.append(int(capsys.readouterr().out.split(" cells, ")[1].split()[0]))
+    assert unknowns[0] < unknowns[1]

@@ -1,0 +1,88 @@
+"""Changes of a job: values by dotted keys, laid over the file before it is read."""
+
+from pathlib import Path
+
+import pytest
+
+from turgor.errors import TurgorError
+from turgor.job.output.lock import lock_text
+from turgor.job.read import read_job
+from turgor.job.text.changes import parse_changes
+from turgor.units import kPa, mm
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+FINGER = EXAMPLES / "actuators" / "slow_pneunet.toml"
+STAGES = EXAMPLES / "hang_fill_press.toml"
+
+
+def test_a_changed_value_replaces_that_of_the_file_and_the_rest_stays():
+    job = read_job(FINGER, parse_changes(["loads.pressure=7 kPa", "mesh.size = '5 mm'"]))
+    assert job.loads[0].pressure == 7 * kPa
+    assert job.mesh.size == 5 * mm
+    assert job.materials == read_job(FINGER).materials
+
+
+def test_the_lock_file_holds_the_changed_values(tmp_path):
+    job = read_job(FINGER, {"loads.pressure": "7 kPa", "procedure.max_step": 0.125, "output.report": False})
+    lock = tmp_path / "job.lock.toml"
+    lock.write_text(lock_text(job, {}), encoding="utf-8")
+    again = read_job(lock)
+    assert again.loads == job.loads
+    assert again.procedure.max_step == 0.125
+    assert not again.output.report
+
+
+def test_a_section_that_the_file_leaves_out_starts_from_its_default():
+    job = read_job(FINGER, {"supports.tip": "z", "procedure.max_step": 0.1})
+    assert [support.face for support in job.supports] == ["fixed", "tip"]
+    assert job.procedure.max_step == 0.1
+
+
+@pytest.mark.parametrize("stage", ["press", "3"])
+def test_a_stage_is_named_by_its_name_or_number(stage):
+    job = read_job(STAGES, {f"stages.{stage}.procedure.max_step": 0.07})
+    steps = [each.procedure.max_step for each in job.procedure.stages]
+    assert steps[2] == 0.07
+    assert steps[:2] == [each.procedure.max_step for each in read_job(STAGES).procedure.stages[:2]]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("loads.presure=30 kPa", "--set: loads.presure: unknown key 'presure'; did you mean 'pressure'? Known keys"),
+        ("load.pressure=30 kPa", "--set: load: unknown key 'load'; did you mean 'loads'?"),
+        ("loads.pressure=30", "--set: loads.pressure: 30 needs a unit, for example '60 kPa'."),
+        ("loads.pressure.x=1", "--set: loads.pressure.x: loads.pressure is '15 kPa', which has no key 'x'."),
+        ("mesh.size=[2", "--set: mesh.size: [2 is not valid TOML: Unclosed array."),
+        ("procedure={type='statik'}", "--set: procedure.type: unknown procedure 'statik'; did you mean 'static'?"),
+        ("loads..pressure=1", "--set: 'loads..pressure' is no key; write names with points between them"),
+        ("loads.pressure", "--set is 'loads.pressure'; write a key and its value, such as"),
+        ("=3", "--set is '=3'; write a key and its value, such as"),
+        ("mesh.wall_cells=2\ngrading=1", "--set: mesh.wall_cells: '2\\ngrading=1' is not a whole number."),
+    ],
+)
+def test_a_mistake_is_a_sentence_that_names_the_option(text, expected):
+    with pytest.raises(TurgorError) as caught:
+        read_job(FINGER, parse_changes([text]))
+    assert expected in str(caught.value).replace("\n", "\\n")
+
+
+def test_a_mistake_in_the_file_keeps_its_line_beside_one_of_a_change(tmp_path):
+    file = tmp_path / "job.toml"
+    file.write_text(FINGER.read_text("utf-8").replace("[output]", "[output]\npicture = true"), encoding="utf-8")
+    with pytest.raises(TurgorError, match=r"job.toml:\d+: output.picture: unknown key(.|\n)*--set: mesh.siz: unknown"):
+        read_job(file, {"mesh.siz": "2 mm"})
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("stages.pres.procedure.max_step=0.1", "there is no 'pres'; did you mean 'press'? Known: hang, fill, press."),
+        ("stages.name=x", "--set: stages.name: stages is a list of tables, which has no key 'name'."),
+        ("stages.press.procedure.max_stepp=0.1", "--set: stages.press.procedure.max_stepp: unknown key 'max_stepp'"),
+    ],
+)
+def test_a_mistake_in_a_stage(text, expected):
+    with pytest.raises(TurgorError) as caught:
+        read_job(STAGES, parse_changes([text]))
+    assert expected in str(caught.value)
