@@ -13,6 +13,8 @@ import turgor as tg
 from turgor.engine.cells.memory import Memory
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
+from turgor.geometry.geometry import Geometry
+from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.measures.measures import measure
 from turgor.results.notebook.markup import card, facts, numbers
@@ -124,6 +126,16 @@ def test_a_solution_without_a_tip_or_a_converged_state_has_a_page(path):
     )
     assert "limit point" in stopped._repr_html_()
     assert "maximum at load factor 0.5" in stopped._repr_html_()
+
+
+def test_a_geometry_that_was_read_as_a_mesh_shows_its_cells():
+    mesh = cases.body(half=True)
+    part = Geometry(
+        name="a scan", smallest_wall=1e-3, cavity_volumes={}, solid_volume=1e-6, regions=tuple(mesh.regions),
+        faces=tuple(mesh.faces), length_scale=1.0, _shape=MeshedShape(mesh),
+    )  # fmt: skip
+    assert len(pictures(part._repr_html_())) == 1
+    assert len(repr(part)) < LONGEST
 
 
 def test_values_with_arrays_say_their_shape_and_range():
