@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification actuators reference docs dist bench robustness fuzz truth fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators gallery reference docs dist bench robustness fuzz truth fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -24,6 +24,7 @@ help:
 	@echo "make format        let ruff format and tidy the code"
 	@echo "make verification  all verification tests (half an hour of one core); renews docs/verification.md"
 	@echo "make actuators     write docs/actuators from the families, with their pictures (some minutes)"
+	@echo "make gallery       draw the moving pictures of docs/gallery.md (some minutes)"
 	@echo "make reference     write docs/reference/job-file.md from the code that reads job files"
 	@echo "make docs          build the documentation into docs/_build/html"
 	@echo "make dist          build source archive and wheel, check them, and run a small job from the wheel with each Python found"
@@ -61,6 +62,9 @@ verification: $(DEV)
 
 actuators: $(DEV)
 	$(BIN)/python docs/actuator_pages.py --pictures
+
+gallery: $(DEV)
+	$(BIN)/python docs/gallery.py
 
 reference: $(DEV)
 	$(BIN)/python docs/reference_pages.py

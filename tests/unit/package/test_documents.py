@@ -7,6 +7,7 @@ from importlib import import_module
 from pathlib import Path
 
 import typer.main
+from PIL import Image
 
 import turgor as tg
 from turgor.cli.answers import results
@@ -107,6 +108,15 @@ def test_page_on_the_command_line_names_every_command_result_and_exit_code():
     members = page.partition(":members:")[2].partition(":no-index:")[0]
     assert set(re.findall(r"\w+", members)) == kinds
     assert re.findall(r"(?m)^\| (\d) \|", page) == [str(code) for code in (DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED)]
+
+
+def test_gallery_shows_its_pictures_and_they_move(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    names = import_module("gallery").MOVING
+    files = [ROOT / "docs" / target for target in re.findall(r"!\[.*\]\((.*\.webp)\)", read("docs/gallery.md"))]
+    assert [file.stem for file in files] == list(names)
+    assert sum(file.stat().st_size for file in files) < 1_000_000
+    assert all(Image.open(file).n_frames > 10 for file in files)
 
 
 def test_pictures_of_the_architecture_show_what_exists(monkeypatch):
