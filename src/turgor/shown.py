@@ -7,9 +7,10 @@ which stands outside the row of rooms, says where to find it.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
-import numpy as np
+if TYPE_CHECKING:
+    import numpy as np
 
 #: Letters of a text, and entries of a list of values, that a representation shows.
 LONGEST_TEXT, MOST_ENTRIES = 48, 3
@@ -59,6 +60,7 @@ def brief(value: Any) -> str:
     Examples
     --------
     >>> from dataclasses import dataclass
+    >>> import numpy as np
     >>> @dataclass
     ... class Strain:
     ...     name: str
@@ -90,6 +92,8 @@ def listed(names: Iterable[str], most: int = 8) -> str:
 
 def _short(value: Any) -> str:
     """One value of a dataclass, cut where it is long."""
+    import numpy as np  # here, so that the command line answers mistakes without it
+
     match value:
         case np.ndarray():
             return _array(value)
@@ -109,8 +113,10 @@ def _short(value: Any) -> str:
             return repr(value)
 
 
-def _array(values: np.ndarray) -> str:
+def _array(values: "np.ndarray") -> str:
     """Shape of an array, and the range of its numbers."""
+    import numpy as np
+
     shape = f"{values.size} values" if values.ndim == 1 else f"{' × '.join(map(str, values.shape))} array"
     if values.size == 0 or values.dtype.kind not in "fiu" or not np.isfinite(values).any():
         return f"<{shape}>"

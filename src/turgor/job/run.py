@@ -169,9 +169,9 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
         check_same_job(files.job, files.folder / LOCK)
         files.say("going on with the path that the folder holds")
         return RunRecord.open(folder)
+    model, findings = prepare(files.job, files.say)
     clear(files.folder)
     files.begin()
-    model, findings = prepare(files.job, files.say)
     question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings)
     return RunRecord.create(folder, question)
 

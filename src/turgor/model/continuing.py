@@ -1,8 +1,8 @@
 """Continuing: make the model of a stage that begins where another one ended, under the loads that acted there."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -159,23 +159,38 @@ def _supports(model: Model, factor: float, new: Mapping[tuple[str, str], Displac
     out: list[Support] = []
     for support in model.supports:
         if isinstance(support, Displacement):
-            then = _continued_move(support, factor, new.get(_held(support)))
+            then = ContinuedMove(support, factor, new.get(_held(support)))
             out.append(replace(support, value=then))
         else:
             out.append(support)
     return out
 
 
-def _continued_move(old: Displacement, factor: float, new: Displacement | None) -> Callable[[Array, float], Array]:
-    """Stay where the old move ended, or follow the new one from there."""
+@dataclass(frozen=True, slots=True, eq=False)
+class ContinuedMove:
+    """A move that stays where an old one ended, or follows a new one from there.
 
-    def value(points: Array, load_factor: float) -> Array:
-        left = np.asarray(old.value(points, factor))
-        if new is None:
+    A class and not a function, so that a file can hold it.
+
+    Parameters
+    ----------
+    old : Displacement
+    factor : float
+        Load factor at which the old move ended.
+    new : Displacement or None
+    """
+
+    old: Displacement
+    factor: float
+    new: Displacement | None
+
+    def __call__(self, points: Array, load_factor: float) -> Array:
+        """Displacement [m] of points at a load factor."""
+        left = np.asarray(self.old.value(points, self.factor))
+        if self.new is None:
             return left
-        return np.asarray(new.value(points, load_factor)) + (1 - load_factor) * (left - new.value(points, 0.0))
-
-    return value
+        there, begun = self.new.value(points, load_factor), self.new.value(points, 0.0)
+        return np.asarray(there) + (1 - load_factor) * (left - begun)
 
 
 def _paths(model: Model, factor: float, moves: Mapping[str, Vector], names: Iterable[str]) -> dict[str, Path]:

@@ -48,8 +48,8 @@ class Encoder:
     """
 
     known: Known = unknown_to_all
-    arrays: dict[str, NDArray[Any]] = field(default_factory=dict)
-    objects: list[object] = field(default_factory=list)
+    arrays: dict[str, NDArray[Any]] = field(default_factory=dict, init=False)
+    objects: list[object] = field(default_factory=list, init=False)
     _seen: dict[int, Json] = field(default_factory=dict)
     _alive: list[object] = field(default_factory=list)
 
@@ -139,7 +139,7 @@ class Decoder:
 
     arrays: Mapping[str, NDArray[Any]]
     known: Callable[[str], Any]
-    objects: dict[int, object] = field(default_factory=dict)
+    objects: dict[int, object] = field(default_factory=dict, init=False)
 
     def decode(self, tree: Json) -> Any:
         """Return the value of JSON that `Encoder.encode` wrote.

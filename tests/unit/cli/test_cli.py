@@ -13,7 +13,9 @@ import pytest
 import turgor.job.run
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
-from turgor.solvers.solve import solve
+from turgor.solvers.checkpoints.record import Question, RunRecord
+from turgor.solvers.listeners import Listeners
+from turgor.solvers.solve import follow_question
 
 JOB = """\
 [actuator]
@@ -235,7 +237,7 @@ def test_a_job_runs_and_its_lock_file_repeats_it(folder: Path, capsys: pytest.Ca
     assert "Results in finger-results: " in out
     assert {file.name for file in results.iterdir()} == {
         "report.html", "response.csv", "job.lock.toml", "steps.csv", "run.log", "vtu",
-        "response.png", "undeformed.png", "deformed.png",
+        "response.png", "undeformed.png", "deformed.png", "path",
     }  # fmt: skip
     report = (results / "report.html").read_text(encoding="utf-8")
     assert report.count("data:image/png;base64,") == 2
@@ -277,14 +279,14 @@ def test_a_run_that_stops_early_writes_the_path_so_far(folder: Path, capsys: pyt
 def test_an_interrupted_run_writes_the_path_so_far(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def interrupted(*arguments: object, progress: object, **rest: object) -> object:
+    def interrupted(question: Question, _: Listeners, record: RunRecord, throw: bool) -> object:
         def press_ctrl_c(iteration: object, state: object) -> None:
             if state is not None:
                 raise KeyboardInterrupt
 
-        return solve(*arguments, progress=press_ctrl_c, **rest)
+        return follow_question(question, Listeners(press_ctrl_c), record, throw)
 
-    monkeypatch.setattr(turgor.job.run, "solve", interrupted)
+    monkeypatch.setattr(turgor.job.run, "follow_question", interrupted)
     (folder / "finger.toml").write_text(JOB + "[output]\n" + QUICK)
     assert main(["run", "finger.toml", "--quiet"]) == NOT_CONVERGED
     assert "Interrupted at 1 kPa (load factor 0.5); the path so far is kept." in capsys.readouterr().err

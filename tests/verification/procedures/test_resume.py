@@ -1,4 +1,4 @@
-"""V25: a run that was ended from outside goes on from its last state and ends as a run that was not ended.
+"""V26: a run that was ended from outside goes on from its last state and ends as a run that was not ended.
 
 Problem: small bodies under every procedure, with contact and friction, rubber that relaxes and softens, limit points
 and branches, stages, inertia. Each run is cut off at moments drawn by chance, within a step or after it, and resumed
@@ -113,7 +113,10 @@ def staged() -> Case:
         tg.Stage("press", tg.Static(**steps)),
         tg.Stage("fill", tg.VolumeControl(volume=1 * ML, **steps)),
         tg.Stage("seal", tg.GasMass(mass_ratio=1.1, **steps), moves={"plate": (0, 0, 0)}),
-        tg.Stage("let go", tg.Dynamic(duration=0.02, first_step=1e-3, max_step=5e-3, accuracy=1e-2)),
+        tg.Stage(
+            "push", tg.Static(**steps), displacements=[tg.Displacement("z0", tg.supports.Shift((1 * MM, 0.0, 0.0)))]
+        ),
+        tg.Stage("let go", tg.Dynamic(duration=0.01, first_step=1e-3, max_step=5e-3, accuracy=2e-2)),
     )
     return model, tg.Stages(stages)
 
@@ -134,7 +137,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "stabilized": lambda: (falling(), tg.Stabilized()),
     "inertia and friction": lambda: (
         rubbed(viscoelasticity=SLOW),
-        tg.Dynamic(duration=0.02, first_step=1e-3, max_step=4e-3, accuracy=2e-2, stiffness_damping=1e-4),
+        tg.Dynamic(duration=0.008, first_step=5e-4, max_step=2e-3, accuracy=2e-2, stiffness_damping=1e-4),
     ),
     "inertia with kept factors": lambda: (
         sphere(5),

@@ -71,10 +71,8 @@ def claimed(folder: Path, force: bool, resume: bool = False) -> Iterator[Path]:
     except OSError as error:
         raise TurgorError(f"the output folder '{folder}' cannot be written: {error.strerror}.") from error
     try:
-        with FileLock(folder / IN_USE, timeout=0):
+        with _locked(folder / IN_USE):
             _check_empty(folder, force or resume)
-            if force and not resume:
-                clear(folder)
             yield folder
     except Timeout:
         raise TurgorError(
@@ -82,9 +80,21 @@ def claimed(folder: Path, force: bool, resume: bool = False) -> Iterator[Path]:
             "--output OTHER."
         ) from None
     finally:
-        if new and all(each.name == IN_USE for each in folder.iterdir()):
-            (folder / IN_USE).unlink(missing_ok=True)
+        if new and not any(folder.iterdir()):
             folder.rmdir()
+
+
+@contextmanager
+def _locked(file: Path) -> Iterator[None]:
+    """Hold the lock of a file, which is removed at the end."""
+    with FileLock(file, timeout=0):
+        if not file.exists():  # the run that held it removed it in this very moment
+            raise Timeout(str(file))
+        try:
+            yield
+        finally:
+            with suppress(OSError):  # Windows keeps a file that is open
+                file.unlink()
 
 
 def _check_empty(folder: Path, allowed: bool) -> None:

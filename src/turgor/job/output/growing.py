@@ -35,30 +35,31 @@ class GrowingFiles:
     folder: Path
     job: Job
     notify: Callable[[str], None]
-    notices: list[str] = field(default_factory=list)
-    _reader: Reader = field(default_factory=Reader)
+    notices: list[str] = field(default_factory=list, init=False)
+    _reader: Reader | None = None
 
     def begin(self) -> None:
-        """Write the lock file and the head of the log, before anything is computed."""
-        self._reader = Reader(tuple(find_measure(name) for name in self.job.output.measures))
+        """Write the lock file and the notices so far, before the solve."""
         (self.folder / LOCK).write_text(lock_text(self.job, versions()), encoding="utf-8")
-        (self.folder / LOG).write_text(f"job {self.job.name}\n", encoding="utf-8")
+        (self.folder / LOG).write_text("\n".join((f"job {self.job.name}", *self.notices, "")), encoding="utf-8")
 
     def say(self, text: str) -> None:
-        """Note an activity in the log, and pass it on."""
+        """Note an activity, in the log too if it has begun, and pass it on."""
         self.notices.append(text)
-        with (self.folder / LOG).open("a", encoding="utf-8") as log:
-            log.write(f"{text}\n")
+        self._log(text)
         self.notify(text)
+
+    def _log(self, line: str) -> None:
+        if (self.folder / LOG).exists():
+            with (self.folder / LOG).open("a", encoding="utf-8") as log:
+                log.write(f"{line}\n")
 
     def grow(self, record: RunRecord) -> None:
         """Write the response and the steps of the path so far, and the last step into the log."""
         solution = path_so_far(record)
+        self._reader = self._reader or Reader(tuple(find_measure(name) for name in self.job.output.measures))
         self._reader.response(solution).to_csv(self.folder / RESPONSE)
         write_steps(self.folder / STEPS, solution)
         if solution.steps:
-            step, state = solution.steps[-1], solution.states[-1]
-            with (self.folder / LOG).open("a", encoding="utf-8") as log:
-                log.write(
-                    f"step {len(solution.steps)}: load factor {state.load_factor:.6g}, {step.iterations} iterations\n"
-                )
+            factor, iterations = solution.states[-1].load_factor, solution.steps[-1].iterations
+            self._log(f"step {len(solution.steps)}: load factor {factor:.6g}, {iterations} iterations")
