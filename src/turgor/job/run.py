@@ -20,7 +20,7 @@ from turgor.job.output.write import write_results, write_tables
 from turgor.meshing.quality.checks import check_mesh
 from turgor.model.model import Model
 from turgor.response import Response
-from turgor.results.measures.measures import Measure, check_measures, find_measure, measure
+from turgor.results.measures.measures import check_measures, find_measure
 from turgor.setups.added import with_setup
 from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
 from turgor.solvers.checks.early import early_findings
@@ -187,16 +187,12 @@ def _solved(
     solution = follow_question(question, Listeners(progress), record, throw=False)
     if solution.status is Status.INTERRUPTED:
         told = by_weight((*findings, *not_told(solution.findings, findings)))
-        return solution, measure(solution, *_asked(job)), told
+        return solution, files.response(solution), told
     solution, refined = _refined(job, solution, options)
     files.say("measuring")
-    response, unknown = _measured(job, solution, options, bool(refined))
+    response, unknown = _with_errors(job, files.response(solution), solution, options, bool(refined))
     before = (*mesh_error_findings(response, findings), *refined, *unknown)
     return solution, response, by_weight((*before, *not_told(solution.findings, findings)))
-
-
-def _asked(job: Job) -> tuple[Measure, ...]:
-    return tuple(find_measure(name) for name in job.output.measures)
 
 
 def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solution, tuple[Finding, ...]]:
@@ -215,16 +211,15 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
     return found.solution, (found.finding,)
 
 
-def _measured(
-    job: Job, solution: Solution, options: EngineOptions, refined: bool
+def _with_errors(
+    job: Job, response: Response, solution: Solution, options: EngineOptions, refined: bool
 ) -> tuple[Response, tuple[Finding, ...]]:
-    """Read the measures of a job, with their mesh errors if it asks for them, and a finding where these are unknown."""
-    measures = _asked(job)
-    response = measure(solution, *measures)
+    """Add the mesh errors to a response if the job asks for them, and a finding where these are unknown."""
     if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
     if options.notify is not None:
         options.notify("estimating the mesh error")
+    measures = tuple(find_measure(name) for name in job.output.measures)
     estimate = mesh_error_of(solution, measures, options, refined)
     if options.notify is not None and estimate.states:
         options.notify(

@@ -3,15 +3,21 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
+from time import perf_counter
 
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK, LOG, RESPONSE, STEPS
 from turgor.job.output.lock import lock_text
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_steps
+from turgor.response import Response
 from turgor.results.measures.measures import Reader, find_measure
 from turgor.solvers.checkpoints.record import RunRecord
+from turgor.solvers.solution import Solution
 from turgor.solvers.stored import path_so_far
+
+#: Tables that take longer than this [s] to write wait until they are this small a share of the time.
+AT_ONCE, SHARE = 0.05, 0.05
 
 
 @dataclass(slots=True, eq=False)
@@ -37,6 +43,8 @@ class GrowingFiles:
     notify: Callable[[str], None]
     notices: list[str] = field(default_factory=list, init=False)
     _reader: Reader | None = None
+    _took: float = 0.0
+    _ended: float = 0.0
 
     def begin(self) -> None:
         """Write the lock file and the notices so far, before the solve."""
@@ -55,11 +63,23 @@ class GrowingFiles:
                 log.write(f"{line}\n")
 
     def grow(self, record: RunRecord) -> None:
-        """Write the response and the steps of the path so far, and the last step into the log."""
+        """Write the response and the steps of the path so far, and the last step into the log.
+
+        Tables of thousands of rows are not written after every short step; the states themselves are on disk.
+        """
+        path, began = record.paths()[-1], perf_counter()
+        if path.steps:
+            factor, iterations = path.states[-1].load_factor, path.steps[-1].iterations
+            self._log(f"step {len(path.steps)}: load factor {factor:.6g}, {iterations} iterations")
+        if self._took > AT_ONCE and self._took > SHARE * (began - self._ended):
+            return
         solution = path_so_far(record)
-        self._reader = self._reader or Reader(tuple(find_measure(name) for name in self.job.output.measures))
-        self._reader.response(solution).to_csv(self.folder / RESPONSE)
+        self.response(solution).to_csv(self.folder / RESPONSE)
         write_steps(self.folder / STEPS, solution)
-        if solution.steps:
-            factor, iterations = solution.states[-1].load_factor, solution.steps[-1].iterations
-            self._log(f"step {len(solution.steps)}: load factor {factor:.6g}, {iterations} iterations")
+        self._ended = perf_counter()
+        self._took = self._ended - began
+
+    def response(self, solution: Solution) -> Response:
+        """Return what the job measures of a path; states that were measured before are not measured again."""
+        self._reader = self._reader or Reader(tuple(find_measure(name) for name in self.job.output.measures))
+        return self._reader.response(solution)

@@ -88,6 +88,7 @@ class Reader:
 
     measures: Sequence[Measure] = ()
     _chosen: tuple[Measure, ...] = ()
+    _facts: MeshFacts | None = None
     _rows: dict[int, tuple[Array, list[float]]] = field(default_factory=dict)
 
     def response(self, solution: Solution) -> Response:
@@ -95,10 +96,13 @@ class Reader:
         chosen = chosen_measures(solution, self.measures)
         if chosen != self._chosen:
             self._chosen, self._rows = chosen, {}
-        facts = MeshFacts(solution.model.mesh)
+        if self._facts is None or self._facts.mesh is not solution.model.mesh:
+            self._facts = MeshFacts(solution.model.mesh)
         for state in solution.states:
             if id(state.displacement) not in self._rows:
-                at = StateFields(state, facts)  # shared by the measures of this state, then dropped: fields are large
+                at = StateFields(
+                    state, self._facts
+                )  # shared by the measures of this state, then dropped: fields are large
                 self._rows[id(state.displacement)] = state.displacement, [each(at) for each in chosen]
         rows = [self._rows[id(state.displacement)][1] for state in solution.states]
         table = np.array(rows).reshape(len(rows), len(chosen))

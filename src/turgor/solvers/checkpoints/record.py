@@ -48,6 +48,7 @@ class RunRecord:
     stages: list[list[list[str]]] = field(default_factory=list)
     told: Callable[[], None] | None = None
     _paths: list[PathSoFar] = field(default_factory=list)
+    _question: Question | None = None
     _written: int = 0
     _next: int = 0
 
@@ -67,8 +68,8 @@ class RunRecord:
                 f"'{folder}' holds the path of a run; `turgor.resume` goes on with it, or name another folder."
             )
         folder.mkdir(parents=True, exist_ok=True)
-        record = RunRecord(Store(folder))
         plain = replace(question, options=replace(question.options, notify=None))
+        record = RunRecord(Store(folder), _question=plain)
         record.store.keep(QUESTION, plain, "Question")
         record._point()
         return record
@@ -94,8 +95,9 @@ class RunRecord:
     @property
     def question(self) -> Question:
         """What the run was asked."""
-        question: Question = self.store.read(QUESTION)
-        return question
+        if self._question is None:
+            self._question = self.store.read(QUESTION)
+        return self._question
 
     def stage(self, model: Model) -> "tuple[StageRecord, Model]":
         """Begin the next stage; return its record and its model, the one that is on file where there is one."""
@@ -165,6 +167,7 @@ class StageRecord:
     def keep(self, path: PathSoFar, loop: LoopSoFar) -> None:
         """Keep a checkpoint: new states first, each in a file of its own, then how far the loop has come."""
         store, loops = self.run.store, self.run.stages[self.number]
+        before = self.run.paths()[: self.number]
         for state in path.states:
             if not store.knows(state):
                 store.keep(self._name("state"), state, "State")
@@ -174,7 +177,7 @@ class StageRecord:
         del loops[self._loops - 1 :]
         loops.append(names)
         self.run._point()
-        self.run._paths[self.number :] = [path]
+        self.run._paths = [*before, path]
         if self.run.told is not None:
             self.run.told()
 
