@@ -167,8 +167,15 @@ def largest_difference(one: tg.Solution, other: tg.Solution) -> float:
     return max(float(np.abs(a.displacement - b.displacement).max() / scale) for a, b in pairs)
 
 
-@pytest.mark.parametrize("count", [2, pytest.param(8, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("name", CASES)
+#: Cases that take long, or differ from others in the start alone.
+LONG = ("inertia and friction", "volumes", "arc length", "auto past two limit points")
+
+QUICK = [(name, 2) for name in CASES if name not in LONG]
+
+
+@pytest.mark.parametrize(
+    ("name", "count"), [*QUICK, *(pytest.param(name, 8, marks=pytest.mark.slow) for name in CASES)]
+)
 def test_a_run_that_was_cut_off_ends_as_the_whole_one(name, count, tmp_path, record_verification):
     model, procedure = CASES[name]()
     calls = Cut()

@@ -40,6 +40,9 @@ maximum_von_mises = Measure(
 #: Measures that each region has by itself too.
 BY_REGION: tuple[Measure, ...] = (principal_stretch_p99, von_mises_p99)
 
+#: Measures of the whole solid, which every mesh has.
+OF_ANY_MESH: tuple[Measure, ...] = (*BY_REGION, maximum_principal_stretch, maximum_von_mises)
+
 
 def principal_stretch_in(region: str) -> Measure:
     """Make the measure of the largest principal stretch in a region that 99 % of its volume stay below.

@@ -155,6 +155,11 @@ class StageRecord:
         self.run.store.named["system"] = system
         return self
 
+    @property
+    def goes_on(self) -> bool:
+        """Whether the next loop has a checkpoint."""
+        return self._loops < len(self.run.stages[self.number])
+
     def begun(self) -> tuple[PathSoFar, LoopSoFar] | None:
         """Count a loop, and return its last checkpoint; None where it has none."""
         number, self._loops = self._loops, self._loops + 1

@@ -44,6 +44,10 @@ class LoopSoFar:
 class Record(Protocol):
     """Where the checkpoints of a procedure are kept."""
 
+    @property
+    def goes_on(self) -> bool:
+        """Whether the next loop has a checkpoint."""
+
     def begun(self) -> "tuple[PathSoFar, LoopSoFar] | None":
         """Count a loop, and return its last checkpoint; None where it has none."""
 

@@ -85,9 +85,9 @@ def load_run(
     assert rest is not None
     run.history.append(plain_point(run, rest, (0.0, np.empty(0)), None))
     run.states.append(run.history[-1].state)
-    if (
-        run.stepping.length >= LONG_FIRST_STEP and not turns
-    ):  # loads that grow in proportion: all say how the first ones do
+    goes_on = problem.record is not None and problem.record.goes_on  # its checkpoint has the rate
+    # loads that grow in proportion: all say how the first ones do
+    if run.stepping.length >= LONG_FIRST_STEP and not turns and not goes_on:
         strategy.rate = rate_at(system, problem.tangent, rest)[0]
     return run
 
