@@ -51,6 +51,7 @@ def test_triangular_pneunet_bends_towards_its_base():
     assert at_end(run_example("triangular_pneunet")) == pytest.approx(11.7, rel=0.05)  # at 6 kPa
 
 
+@pytest.mark.slow
 def test_helical_pneunet_twists_as_it_bends_and_the_other_way_with_the_other_slant():
     response = run_example("helical_pneunet")
     assert at_end(response) == pytest.approx(9.0, rel=0.05)  # at 3 kPa

@@ -133,6 +133,7 @@ def test_two_material_bender_bends_towards_the_stiff_material():
     assert straight == pytest.approx(0, abs=0.05)
 
 
+@pytest.mark.slow
 def test_bidirectional_bender_is_mirror_symmetric():
     assert run_example("bidirectional_bender").column("bending_angle")[-1] / deg == pytest.approx(3.93, rel=0.02)
     job = shorter("bidirectional_bender", 50 * mm)
