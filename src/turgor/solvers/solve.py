@@ -138,12 +138,12 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     model, procedure = question.model, question.procedure
     solution = None if record is None else record.solution()
     if solution is None:
-        early = early_findings(model, procedure)
         one = partial(_solved, question.options, record)
         if isinstance(procedure, Stages):
             solution = solve_stages(model, procedure, listeners, one)
         else:
             solution, _ = one(model, procedure, listeners, None)
+        early = early_findings(model, procedure)
         beyond = laws_beyond_their_tests(model, solution.states)
         solution = replace(solution, findings=by_weight((*early, *beyond, *solution.findings)))
         if record is not None and solution.status is not Status.INTERRUPTED:
