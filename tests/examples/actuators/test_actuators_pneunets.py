@@ -34,6 +34,7 @@ def test_slow_pneunet_bends_far_less_than_the_fast_one():
     assert at_end(fast) > at_end(slow)  # at a fifteenth of the pressure
 
 
+@pytest.mark.slow
 def test_free_bottom_pneunet_bends_more_than_the_fast_one():
     free = run_example("free_bottom_pneunet")
     assert at_end(free) == pytest.approx(13.05, rel=0.02)  # at 3 kPa

@@ -23,6 +23,7 @@ base = { law = "neo_hooke", C10 = "0.1 MPa" }
 """
 
 
+@pytest.mark.slow
 def test_the_first_cycle_loses_more_than_the_second(capsys):
     found = runpy.run_path(str(ROOT / "examples" / "pressure_cycle.py"))
     assert found["lost"] == pytest.approx([28.4, 8.0], abs=0.3)
