@@ -1,5 +1,6 @@
 """Runs of jobs that are ended from outside: what their folder holds, and how they go on."""
 
+import errno
 import os
 import signal
 import subprocess
@@ -198,3 +199,22 @@ def test_killed_at_any_moment_it_ends_equal(count, file, whole, tmp_path):
         said, _ = process.communicate()
         assert process.returncode == 0, said
         assert (folder / "response.csv").read_bytes() == (whole.folder / "response.csv").read_bytes()
+
+
+def test_a_disk_that_fills_up_on_the_way_keeps_the_states_before(file, whole, tmp_path, monkeypatch):
+    written: list[str] = []
+
+    def replace_while_there_is_room(part, final):
+        written.append(str(final))
+        if len(written) > 15:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        os.rename(part, final)
+
+    monkeypatch.setattr("turgor.store.archive.os.replace", replace_while_there_is_room)
+    with pytest.raises(OSError, match="No space left") as raised:
+        run_job(read_job(file), tmp_path / "run", threads=1)
+    assert str(raised.value.filename) == written[-1]
+    monkeypatch.undo()
+    assert 1 < len(tg.load(tmp_path / "run").states) < len(whole.solution.states)
+    again = run_job(read_job(file), tmp_path / "run", resume=True, threads=1)
+    assert np.array_equal(again.response.column("tip_displacement"), whole.response.column("tip_displacement"))
