@@ -7,6 +7,7 @@ from turgor._lazy import public
 if TYPE_CHECKING:
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
+    from turgor.model.supports import PlaneSection as PlaneSection
     from turgor.model.supports import Radial as Radial
     from turgor.model.supports import Shift as Shift
     from turgor.model.supports import Symmetry as Symmetry

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import side_tables
 from turgor.engine.faces import surfaces
-from turgor.engine.faces.openings import cap_gradient
+from turgor.engine.faces.openings import cap_gradient, mirror_point
 from turgor.engine.system import System
 from turgor.meshing.mesh import Mesh
 
@@ -27,11 +27,7 @@ def cavity_volume(mesh: Mesh, name: str, displacement: Array | None = None) -> f
     displacement : (n, 3) array [m], optional
         That of a state; at rest by default.
     """
-    points = mesh.points.copy()
-    for plane in mesh.symmetry_faces:  # planes through the origin add nothing to ⅓ ∮ x·n da
-        on = points[mesh.face_nodes(plane)]
-        axis = int(np.ptp(on, axis=0).argmin())
-        points[:, axis] -= on[:, axis].mean()
+    points = mesh.points - mirror_point(mesh, mesh.points)  # planes through the origin add nothing to ⅓ ∮ x·n da
     if displacement is not None:
         points += displacement
     return float(-mesh.symmetry_factor * surfaces.enclosed_volume(points, mesh.face(name)))
@@ -56,11 +52,7 @@ class Chambers:
         self._walls = [np.ascontiguousarray(mesh.face(name)) for name in faces]
         self._rims = [surfaces.rim_edges(walls) for walls in self._walls]
         self._factor = mesh.symmetry_factor
-        self._shift = np.zeros(3)  # so that the mirror planes go through the origin and add nothing
-        for name in mesh.symmetry_faces:
-            points = system.points[mesh.face_nodes(name)]
-            axis = int(np.ptp(points, axis=0).argmin())
-            self._shift[axis] = points[:, axis].mean()
+        self._shift = mirror_point(mesh, system.points)  # mirror planes through the origin add nothing
 
     def __len__(self) -> int:
         return len(self._walls)

@@ -72,8 +72,7 @@ class System:
         self.Jinv, self.dV = self.rubber.Jinv, self.rubber.dV
         self.mean_stress_volumes = self.rubber.mean_stress_volumes
         supports = held_components(model)
-        self._supports = supports
-        self._frames = supports.frames
+        self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.contact = self._contact_terms()
         bodies = self.contact.bodies.held
         self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
@@ -81,10 +80,12 @@ class System:
         scales, along_axes = (self.length, self.stress_scale), supports.along_axes
         self.terms = Terms(Setting(model, self.points, along_axes, self.dV, *scales, controlled))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
-        base = build_pattern(self.rubber.unknowns, self.size, *self.terms.couplings)
+        pieces = (self.rubber.unknowns, *self.terms.couplings)
+        tied = [self._ties.extended(rows) for rows in pieces] if len(self._ties.followers) else []
+        base = build_pattern(pieces[0], self.size, *pieces[1:], *tied)
         self.rubber.locate(base)
         self.terms.locate(base)
-        self.layout = Layout(base, self.held)
+        self.layout = Layout(base, self.held, self._ties)
 
     def _contact_terms(self) -> ContactTerms:
         scales = (self.length, self.stress_scale)
@@ -95,8 +96,7 @@ class System:
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
         _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
-        forces = self._frames.to_local(external)
-        return float(np.linalg.norm(forces.ravel()[~self.held[: 3 * self.node_count]]))
+        return float(np.linalg.norm(self.joined(external)[~self.held]))
 
     @property
     def pattern(self) -> Pattern:
@@ -106,8 +106,12 @@ class System:
     def split(self, unknowns: Array) -> tuple[Array, Array]:
         """Scaled displacement (n, 3) and scaled mean stress (m,)."""
         nodes = 3 * self.node_count
-        components = unknowns[:nodes].reshape(-1, 3)
+        components = self._ties.fill(unknowns[:nodes]).reshape(-1, 3)
         return self._frames.to_global(components), unknowns[nodes : nodes + self.element.mean_count]
+
+    def by_node(self, forces: Array) -> Array:
+        """Scaled forces on the nodes (n, 3) of those on the unknowns (size,); tied ones are at the leader."""
+        return self._frames.to_global(forces[: 3 * self.node_count].reshape(-1, 3))
 
     def springs(self, unknowns: Array) -> Array:
         """Scaled displacements (b, 3) of sprung obstacles from their places."""
@@ -117,7 +121,7 @@ class System:
         """Forces (n, 3) or their like as a vector (size,) along the directions of each node; none on mean stresses."""
         out = np.zeros(self.size)
         out[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
-        return out
+        return self._ties.gather(out)
 
     def external(self, unknowns: Array, load_factor: float, sought: Array | None = None) -> Array:
         """Scaled external forces (size,) on a body that is held still, whatever is inside out."""
@@ -132,8 +136,9 @@ class System:
 
     def unknowns(self, displacement: Array, mean_stress: Array) -> Array:
         """Scaled unknowns (size,) of a displacement (n, 3) [m] and mean stress (m,) [Pa]; inverse of `physical`."""
-        components = self._frames.to_local(displacement / self.length)
-        return np.concatenate([components.ravel(), mean_stress / self.stress_scale])
+        components = self._frames.to_local(displacement / self.length).ravel()
+        components[self._ties.followers] = 0.0
+        return np.concatenate([components, mean_stress / self.stress_scale])
 
     @property
     def cell_size(self) -> int:
@@ -145,6 +150,7 @@ class System:
         data = np.zeros(len(self.layout.base.indices))
         self.rubber.add_entries(data, entries, values)
         self._frames.turn_tangent(self.layout.base, data, self.node_count)
+        self.layout.reduce_base(data)
         return data
 
     def gathered(self, by_cell: Array) -> Array:
@@ -152,7 +158,7 @@ class System:
         out = self._summed(by_cell)
         components = out[: 3 * self.node_count].reshape(-1, 3)
         out[: 3 * self.node_count] = self._frames.to_local(components).ravel()
-        return out
+        return self._ties.gather(out)
 
     def _summed(self, by_cell: Array) -> Array:
         """Sum the first entries of all cells (c, k) by unknown (size,)."""
@@ -197,15 +203,13 @@ class System:
         by_node = internal[: 3 * self.node_count].reshape(-1, 3) + forces + pressing
         internal[self.size - bodies.size :] = bodies.ravel()
         internal[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
-        outer = np.zeros(self.size)
-        outer[: 3 * self.node_count] = self._frames.to_local(external).ravel()
+        internal, outer = self._ties.gather(internal), self.joined(external)
         if addition is not None:
             internal += addition.forces(unknowns)
         total = internal - outer
         if not np.isfinite(total).all():
             return None
-        free = ~self.held[: 3 * self.node_count]
-        pressed = float(np.linalg.norm(self._frames.to_local(pressing).ravel()[free]))
+        pressed = float(np.linalg.norm(self.joined(pressing)[~self.held]))
         return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought, history, addition)
 
     def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
@@ -242,6 +246,7 @@ class System:
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
         self._frames.turn_tangent(self.pattern, data, self.node_count)
+        self.layout.reduce(data)
         if at.addition is not None:
             data += self.layout.spread(at.addition.data(at.unknowns))
         return data
@@ -250,12 +255,12 @@ class System:
         """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""
         u, _ = self.split(at.unknowns)
         matrix = self.terms.skew_matrix(Configuration(self.points + u, at.load_factor, at.sought), self.size)
-        return None if matrix is None else self._frames.turn_matrix(matrix)
+        return None if matrix is None else self._ties.reduce(self._frames.turn_matrix(matrix))
 
     def rubbing(self, at: Evaluation) -> sp.csc_matrix | None:
         """Unsymmetric part of the tangent from friction, whose limits follow the pressure; None without friction."""
         matrix = self.contact.rubbing(at.contacts, self.size)
-        return None if matrix is None else self._frames.turn_matrix(matrix)
+        return None if matrix is None else self._ties.reduce(self._frames.turn_matrix(matrix))
 
     def apply_supports(self, data: Array) -> None:
         """Replace the equations of held unknowns by identities, in place."""

@@ -10,6 +10,7 @@ from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.engine.faces.dead_loads import dead_terms
 from turgor.engine.faces.membrane_term import membrane_terms
 from turgor.engine.faces.pressure_term import PressureTerm, pressure_terms
+from turgor.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.engine.fibers.fiber_term import fiber_terms
 from turgor.engine.term import Configuration, Setting, Term
 
@@ -17,7 +18,13 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: What makes the terms of a model. A new kind of term is a file with its class, and one name here.
-TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (pressure_terms, membrane_terms, fiber_terms, dead_terms)
+TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
+    pressure_terms,
+    thrust_terms,
+    membrane_terms,
+    fiber_terms,
+    dead_terms,
+)
 
 
 class Terms:
@@ -60,8 +67,9 @@ class Terms:
 
     def unit_forces(self, position: Array, count: int) -> list[Array]:
         """External forces (n, 3) of a scaled pressure of one on each of the first ``count`` controlled faces."""
-        sought = [term for term in self.all if isinstance(term, PressureTerm) and term.load is None]
-        return [term.unit_forces(position) for term in sought[:count]]
+        sought = [term for term in self.all if isinstance(term, PressureTerm | ThrustTerm)]
+        by_place = [[term.unit_forces(position) for term in sought if term.place == place] for place in range(count)]
+        return [np.sum(forces, axis=0) for forces in by_place]
 
     def energy(self, position: Array) -> float:
         """Scaled energy that all terms store."""

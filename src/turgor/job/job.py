@@ -7,6 +7,7 @@ from typing import Protocol
 from turgor.errors import unknown
 from turgor.geometry import Geometry
 from turgor.geometry.cad.cad_file import CadFile
+from turgor.job.tables.supports import Held
 from turgor.materials.material import Material
 from turgor.meshing.chosen import chosen_settings
 from turgor.meshing.exchange.mesh_file import MeshFile
@@ -16,7 +17,7 @@ from turgor.model.fibers import Fibers
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
-from turgor.model.supports import Fixed, Radial
+from turgor.model.supports import Fixed
 from turgor.registry import Registry, class_of_file, name_in
 from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
@@ -113,7 +114,7 @@ class Job:
         Largest number of unknowns of a refined mesh.
     materials : mapping of str to Material or Membrane
         A material for every region and a membrane for every face that is reinforced.
-    supports : tuple of Fixed or Radial
+    supports : tuple of Fixed, Radial or PlaneSection
         Supports; those of mirror planes are added by themselves.
     loads : tuple of Pressure or Gravity
         Loads.
@@ -140,7 +141,7 @@ class Job:
     mesh_target_measure: str | None = None
     mesh_most_unknowns: int = 200_000
     materials: Mapping[str, Material | Membrane]
-    supports: tuple[Fixed | Radial, ...] = (Fixed("fixed"),)
+    supports: tuple[Held, ...] = (Fixed("fixed"),)
     loads: tuple[Pressure | Gravity, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
     contact: Contact = field(default_factory=Contact)

@@ -93,4 +93,21 @@ class Radial:
     axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
 
 
-Support = Fixed | Symmetry | Displacement | Radial
+@dataclass(frozen=True, slots=True)
+class PlaneSection:
+    """Keep a plane cross-section plane: all its points move along its normal by the same amount, which is free.
+
+    The face is a cut through a longer body, such as a length of a tube far from its ends. It slides along its normal
+    without tilting; within it the points are free. A pressure in a cavity that the face cuts through also pushes on
+    the opening, as on the closed end of the body (generalized plane strain with an end cap).
+
+    Parameters
+    ----------
+    face : str
+        Name of a plane face with its normal along x, y or z.
+    """
+
+    face: str
+
+
+Support = Fixed | Symmetry | Displacement | Radial | PlaneSection

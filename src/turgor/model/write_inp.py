@@ -17,7 +17,7 @@ from turgor.model.history import RAMP, points_of
 from turgor.model.inp_materials import material_lines
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane, Model
-from turgor.model.supports import Fixed, Radial, Symmetry
+from turgor.model.supports import Fixed, PlaneSection, Radial, Symmetry
 from turgor.units import MPa, mm
 
 PROGRAMS = ("calculix", "abaqus")
@@ -238,6 +238,10 @@ def _support_lines(model: Model) -> list[str]:
             lines.append(f"{_plain(support.face)}, {_normal_axis(model.mesh, support.face) + 1}")
         elif isinstance(support, Radial):
             raise TurgorError(f"'{support.face}' is held radially, which .inp files cannot say; hold other directions.")
+        elif isinstance(support, PlaneSection):
+            raise TurgorError(
+                f"'{support.face}' is a plane section, whose thrust .inp files cannot say; hold it or leave it free."
+            )
         else:
             raise TurgorError(f"the displacement of '{support.face}' is a function, which has no form in .inp files.")
     return lines

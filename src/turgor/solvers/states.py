@@ -29,7 +29,7 @@ def state_of(system: System, at: Evaluation, modes: int | None) -> State:
         load_factor=at.load_factor,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.split(at.residual)[0] * system.stress_scale * system.length**2,
+        nodal_force=system.by_node(at.residual) * system.stress_scale * system.length**2,
         unstable_modes=modes,
         pressures=acting_pressures(system, at),
         touches=touches(system, at),

@@ -5,12 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.multipoint import MultiPoint
 from turgor.engine.algebra.node_frames import NodeFrames
+from turgor.engine.algebra.sections import Section, coordinate_plane, plane_sections
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
-from turgor.model.supports import Displacement, Fixed, Radial, Support, Symmetry
+from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial, Support, Symmetry
 from turgor.units import mm
 
 AXES = "xyz"
@@ -37,6 +39,8 @@ class Held:
         Components along x, y and z that are prescribed.
     normals : (k, 3) array
         Of each node with a frame, the direction that is held besides the axes.
+    ties : MultiPoint
+        Components that are equal to one another; followers count as prescribed.
     """
 
     mask: NDArray[np.bool_]
@@ -44,6 +48,7 @@ class Held:
     frames: NodeFrames
     along_axes: NDArray[np.bool_]
     normals: Array
+    ties: MultiPoint
 
     def values(self, points: Array, load_factor: float) -> Array:
         """Prescribed components (n, 3) [m] at a load factor, zero where nothing is prescribed."""
@@ -71,20 +76,32 @@ def held_components(model: Model) -> Held:
     mask = np.zeros((len(model.mesh.points), 3), dtype=bool)
     moving = []
     for support in model.supports:
-        if isinstance(support, Radial):
+        if isinstance(support, Radial | PlaneSection):
             continue
         nodes = np.unique(outer_triangles(model.mesh)) if support.face == "*" else model.mesh.face_nodes(support.face)
         axes = _axes(model.mesh, support)
         mask[nodes[:, None], axes] = True
         if isinstance(support, Displacement):
             moving.append((nodes, axes, support))
-    return _with_normals(mask, tuple(moving), *radial_normals(model))
+    sections = plane_sections(model)
+    for section in sections:
+        section.check(mask)
+        mask[section.nodes, section.axis] = True
+    return _with_normals(mask, tuple(moving), radial_normals(model), sections)
 
 
 def _with_normals(
-    mask: NDArray[np.bool_], moving: tuple[tuple[Ints, list[int], Displacement], ...], nodes: Ints, normals: Array
+    mask: NDArray[np.bool_],
+    moving: tuple[tuple[Ints, list[int], Displacement], ...],
+    radial: tuple[Ints, Array],
+    sections: tuple[Section, ...],
 ) -> Held:
-    """Hold nodes along normals too: their first direction is the part of the normal across the held axes."""
+    """Hold nodes along normals too: their first direction is the part of the normal across the held axes.
+
+    The components along the normal of a plane section are held in ``mask``, so that each is a direction of its node.
+    Then they are tied to that of the first node.
+    """
+    nodes, normals = radial
     rest = np.where(mask[nodes], 0.0, normals)
     free = np.linalg.norm(rest, axis=1) > 1e-6
     nodes, normals, rest = nodes[free], normals[free], rest[free]
@@ -97,7 +114,19 @@ def _with_normals(
         axes[k] = np.concatenate([first[k : k + 1], held, basis[1 + len(held) :]])[:3]
         local[node] = np.arange(3) <= len(held)
         along[node] |= local[node].all()
-    return Held(local, moving, NodeFrames(nodes, axes), along, normals)
+    place = {int(node): k for k, node in enumerate(nodes)}
+    followers, leaders = [np.zeros(0, dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
+    for section in sections:
+        section.check_across(nodes, normals)
+        # of a node with a frame, the held axes come after the normal, in their order
+        rank = mask[section.nodes, : section.axis].sum(axis=1)
+        turned = np.array([node in place for node in section.nodes.tolist()])
+        tied = 3 * section.nodes + np.where(turned, 1 + rank, section.axis)
+        local.ravel()[tied[0]] = False
+        followers.append(tied[1:])
+        leaders.append(np.full(len(tied) - 1, tied[0]))
+    ties = MultiPoint(np.concatenate(followers), np.concatenate(leaders))
+    return Held(local, moving, NodeFrames(nodes, axes), along, normals, ties)
 
 
 def radial_normals(model: Model) -> tuple[Ints, Array]:
@@ -148,11 +177,7 @@ def _cylinder_normals(points: Array, support: Radial) -> Array:
 
 def _axes(mesh: Mesh, support: Support) -> list[int]:
     if isinstance(support, Symmetry):
-        extent = np.ptp(mesh.points[mesh.face_nodes(support.face)], axis=0)
-        axis = int(extent.argmin())
-        if extent[axis] > 1e-6 * extent.max():
-            raise TurgorError(f"face '{support.face}' is not a coordinate plane; a mirror plane must be one.")
-        return [axis]
+        return [coordinate_plane(mesh, support.face, "a mirror plane")]
     assert isinstance(support, Fixed | Displacement)
     unknown = set(support.directions) - set(AXES)
     if unknown or not support.directions:

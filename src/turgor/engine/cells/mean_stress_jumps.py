@@ -18,7 +18,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import cell_sides, corner_keys
 from turgor.model.loads import Pressure, Traction
 from turgor.model.model import CONTINUOUS, Model
-from turgor.model.supports import Symmetry
+from turgor.model.supports import PlaneSection, Symmetry
 
 Ints = NDArray[np.int64]
 
@@ -68,11 +68,11 @@ def _response(material: Material) -> tuple[object, ...]:
 
 
 def _acting(model: Model) -> tuple[str, ...]:
-    """Faces on which something acts, so that the traction may jump there; a mirror plane is never inside."""
+    """Faces across which the traction may jump, because something acts on them; mirror planes are outer faces."""
     faces = set(model.membranes)
     for fibers in model.reinforcements:
         faces.update(fibers.faces)
-    faces.update(s.face for s in model.supports if not isinstance(s, Symmetry))
+    faces.update(s.face for s in model.supports if not isinstance(s, Symmetry | PlaneSection))
     faces.update(load.face for load in model.loads if isinstance(load, Pressure | Traction))
     return tuple(sorted(faces & set(model.mesh.faces)))
 

@@ -4,6 +4,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.multipoint import UNTIED, MultiPoint
 from turgor.engine.algebra.pattern import Pattern, locate
 
 Array = NDArray[np.float64]
@@ -19,6 +20,8 @@ class Layout:
         Of the cells and everything else that stays.
     held : (size,) bool array
         Prescribed unknowns.
+    tied : MultiPoint, optional
+        Unknowns that are equal to others; the base pattern has room for their stiffness.
 
     Attributes
     ----------
@@ -28,12 +31,13 @@ class Layout:
         What the last change took, as `renew` wants it; None before the first one.
     """
 
-    def __init__(self, base: Pattern, held: NDArray[np.bool_]) -> None:
+    def __init__(self, base: Pattern, held: NDArray[np.bool_], tied: MultiPoint = UNTIED) -> None:
         self.base = self.pattern = base
-        self._held = held
+        self._held, self._tied = held, tied
         self._known = np.zeros(0, dtype=np.int64)
         self.ties: tuple[Ints, list[Ints]] | None = None
         self._place: NDArray[np.int32] | None = None
+        self._base_followers = tied.places(base) if len(tied.followers) else None
         self._find_held()
 
     def _find_held(self) -> None:
@@ -41,6 +45,9 @@ class Layout:
         column_of = np.repeat(np.arange(pattern.size, dtype=np.int32), np.diff(pattern.indptr))
         self.dropped = np.flatnonzero(self._held[pattern.indices] | self._held[column_of])
         self.held_diagonal = pattern.diagonal[self._held]
+        self._followers = self._base_followers
+        if self._followers is not None and pattern is not self.base:
+            self._followers = self._tied.places(pattern)
 
     def covers(self, keys: Ints) -> bool:
         """Whether all ties, given by a key each, are in the present pattern."""
@@ -53,6 +60,8 @@ class Layout:
         graph = sp.csc_matrix((size, size), dtype=np.int32)
         for rows in unknowns:
             graph = graph + _graph(rows, size)
+            if len(self._tied.followers):
+                graph = graph + _graph(self._tied.extended(rows), size)
         base = sp.csc_matrix(
             (np.ones(len(self.base.indices), np.int32), self.base.indices, self.base.indptr), shape=(size, size)
         )
@@ -70,6 +79,16 @@ class Layout:
         out = np.zeros(len(self.pattern.indices))
         out[self._place] = data
         return out
+
+    def reduce(self, data: Array) -> None:
+        """Add the stiffness of tied unknowns to that of the unknowns they follow, in place."""
+        if self._followers is not None:
+            self._followers.add(data)
+
+    def reduce_base(self, data: Array) -> None:
+        """Do the same in the base pattern."""
+        if self._base_followers is not None:
+            self._base_followers.add(data)
 
     def apply_supports(self, data: Array) -> None:
         """Replace the equations of held unknowns by identities, in place."""

@@ -5,6 +5,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from turgor.meshing.mesh import Mesh
+
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -13,6 +15,23 @@ IN_PLANE = 1e-9
 
 #: Points and weights of Gauss with two points on (0, 1): exact for the cubic c × c' of a quadratic edge.
 _GAUSS = ((0.5 - 0.5 / 3**0.5, 0.5), (0.5 + 0.5 / 3**0.5, 0.5))
+
+
+def mirror_point(mesh: Mesh, points: Array) -> Array:
+    """Return a point on all mirror planes of a mesh, (3,); its other components are zero.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    points : (n, 3) array
+        Positions of its nodes at rest, in any unit.
+    """
+    out = np.zeros(3)
+    for name in mesh.symmetry_faces:
+        on = points[mesh.face_nodes(name)]
+        axis = int(np.ptp(on, axis=0).argmin())
+        out[axis] = on[:, axis].mean()
+    return out
 
 
 def rim_loops(edges: Ints) -> list[Ints]:

@@ -25,7 +25,7 @@ from turgor.job.tables.procedures import PROCEDURES, procedure_table, read_proce
 from turgor.job.tables.sections import read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
-from turgor.job.tables.supports import RADIAL
+from turgor.job.tables.supports import PLANE, RADIAL
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import CavityTable, EngineTable, GravityTable, LoadsTable, MeshTable, OutputTable
 from turgor.materials.laws.laws import LAWS, Hooke
@@ -125,8 +125,9 @@ def _supports() -> JobTable:
         name="FACE",
         kind="text",
         default=toml(DEFAULTS["supports"]["fixed"], Kind(words="text")),
-        allowed=f"some of x, y and z; or {', '.join(RADIAL)}",
-        meaning="Directions in which the face is held, or that its radius is. The default is that of the face `fixed`.",
+        allowed=f"some of x, y and z; or {', '.join((*RADIAL, PLANE))}",
+        meaning="Directions in which the face is held, or that its radius is, or that it stays plane. The default is "
+        "that of the face `fixed`.",
         example='"xyz"',
     )
     return JobTable(

@@ -13,6 +13,7 @@ from turgor.job.tables.loads import loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
 from turgor.job.tables.setups import refuse_setup
+from turgor.job.tables.supports import Held
 from turgor.job.text.lines import Key, Place
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, Table, read_table, shown
@@ -21,7 +22,7 @@ from turgor.model.contact import Contact
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.obstacles import Vector
-from turgor.model.supports import Displacement, Fixed, Radial, Shift
+from turgor.model.supports import Displacement, Fixed, Shift
 from turgor.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.units import format_quantity
 
@@ -63,7 +64,7 @@ class Around:
     geometry : Geometry or None
         The actuator; None where it could not be built.
     materials : mapping of str to Material or Membrane
-    supports : tuple of Fixed or Radial
+    supports : tuple of Fixed, Radial or PlaneSection
     contact : Contact
     loads : tuple of Pressure or Gravity
     moved : bool
@@ -72,7 +73,7 @@ class Around:
 
     geometry: Geometry | None
     materials: Mapping[str, Material | Membrane]
-    supports: tuple[Fixed | Radial, ...]
+    supports: tuple[Held, ...]
     contact: Contact
     loads: tuple[Pressure | Gravity, ...]
     moved: bool

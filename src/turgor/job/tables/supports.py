@@ -1,4 +1,4 @@
-"""Supports of a job file: for each face the directions in which it is held, or its radius."""
+"""Supports of a job file: for each face the directions in which it is held, its radius, or that it stays plane."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -8,26 +8,34 @@ from turgor.geometry import Geometry
 from turgor.geometry.directions import AXES, Vector
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import shown
-from turgor.model.supports import Fixed, Radial
+from turgor.model.supports import Fixed, PlaneSection, Radial
 
 #: Text of a support that holds the radius of a face, by the axis of its cylinder.
 RADIAL: Mapping[str, Vector] = {"radial": AXES["x"], **{f"radial about {axis}": AXES[axis] for axis in "yz"}}
 
+#: Text of a support that keeps a section plane.
+PLANE = "plane section"
 
-def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[Fixed | Radial, ...]:
-    """Read ``[supports]``: for each face the directions in which it is held, or ``"radial"``."""
+#: Supports that a job file can state.
+Held = Fixed | Radial | PlaneSection
+
+
+def read_supports(values: Any, geometry: Geometry | None, problems: Problems) -> tuple[Held, ...]:
+    """Read ``[supports]``: for each face the directions in which it is held, ``"radial"`` or ``"plane section"``."""
     if not isinstance(values, Mapping):
         problems.add(("supports",), f"{shown(values)} is not a table; write [supports] and faces below it.")
         return ()
-    supports: list[Fixed | Radial] = []
+    supports: list[Held] = []
     for face, held in values.items():
         key = ("supports", face)
         if geometry is not None and face not in geometry.faces:
             problems.add(key, str(unknown("face", face, geometry.faces)))
         elif isinstance(held, str) and held in RADIAL:
             supports.append(Radial(face, RADIAL[held]))
+        elif held == PLANE:
+            supports.append(PlaneSection(face))
         elif not isinstance(held, str) or not held or not set(held) <= set("xyz"):
-            allowed = ", ".join(f"'{name}'" for name in RADIAL)
+            allowed = ", ".join(f"'{name}'" for name in (*RADIAL, PLANE))
             problems.add(
                 key,
                 f"{shown(held)} is not allowed; name the held directions, such as 'xyz' or 'z', or one of {allowed}.",
@@ -37,10 +45,12 @@ def read_supports(values: Any, geometry: Geometry | None, problems: Problems) ->
     return tuple(supports)
 
 
-def held_text(support: Fixed | Radial) -> str:
+def held_text(support: Held) -> str:
     """Write how a face is held; `read_supports` gives the same support back."""
     if isinstance(support, Fixed):
         return support.directions
+    if isinstance(support, PlaneSection):
+        return PLANE
     for name, axis in RADIAL.items():
         if axis == tuple(support.axis):
             return name

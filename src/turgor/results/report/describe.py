@@ -18,7 +18,7 @@ from turgor.model.fibers import Fibers
 from turgor.model.loads import RAMP, BodyForce, Gravity, History, Load, Pressure, Traction
 from turgor.model.model import Membrane, Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
-from turgor.model.supports import Displacement, Fixed, Radial
+from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial
 from turgor.setups.blocked_tip import HeldTip, Plate
 from turgor.units import GPa, MPa, deg, kPa, mm
 
@@ -92,6 +92,8 @@ def supports(model: Model) -> list[str]:
                 said.append(f"{'The whole surface' if face == '*' else face} moved in {', '.join(directions)}.")
             case Radial(face, axis):
                 said.append(f"{face} held radially, around the axis {axis}.")
+            case PlaneSection(face):
+                said.append(f"{face} stays plane and is free to move along its normal.")
             case _:
                 said.append(f"{support.face} is a mirror plane.")
     return said

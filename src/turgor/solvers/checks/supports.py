@@ -61,9 +61,13 @@ def free_motions(model: Model) -> int:
 
 def _held_motions(model: Model, supports: Held, body: Body) -> int:
     """How many of the six rigid motions of a body its supports hold."""
+    tied = supports.ties
+    still, follows = supports.mask.ravel().copy(), np.isin(tied.followers // 3, body.nodes)
+    still[tied.followers] = False
     mask = np.zeros_like(supports.mask)
-    mask[body.nodes] = supports.mask[body.nodes]
-    if not mask.any():
+    mask[body.nodes] = still.reshape(-1, 3)[body.nodes]
+    count = mask.sum() + follows.sum()
+    if not count:
         return 0
     points = model.mesh.points - model.mesh.points[body.nodes].mean(axis=0)
     size = float(np.abs(points[body.nodes]).max())
@@ -71,9 +75,11 @@ def _held_motions(model: Model, supports: Held, body: Body) -> int:
     for axis in range(3):
         translation = np.zeros_like(points)
         translation[:, axis] = 1.0
-        motions.append(supports.frames.to_local(translation)[mask])
-        motions.append(supports.frames.to_local(np.cross(np.eye(3)[axis], points / size))[mask])
-    return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(mask.sum()))))
+        for motion in (translation, np.cross(np.eye(3)[axis], points / size)):
+            local = supports.frames.to_local(motion)
+            parted = local.ravel()[tied.followers[follows]] - local.ravel()[tied.leaders[follows]]
+            motions.append(np.concatenate([local[mask], parted]))
+    return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(count))))
 
 
 def _named(body: Body) -> str:
