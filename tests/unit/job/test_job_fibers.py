@@ -19,7 +19,7 @@ from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.materials.library.records import from_library
 from turgor.model.fibers import Fibers, Winding
 from turgor.model.model import Membrane, Model
-from turgor.model.supports import Fixed, Radial
+from turgor.model.supports import Fixed, PlaneSection, Radial
 from turgor.model.write_inp import write_inp
 from turgor.units import deg, mm
 
@@ -202,10 +202,14 @@ def test_findings_about_fibers(tmp_path):
     assert "B05" not in codes(thick)
 
 
-def test_a_radial_support_reaches_the_job_and_comes_back(tmp_path):
-    text = TUBE.replace("[loads]", '[supports]\nfixed = "xyz"\noutside = "radial"\ntip = "radial about z"\n[loads]')
+@pytest.mark.parametrize(
+    ("held", "support"),
+    [("radial about z", Radial("tip", (0.0, 0.0, 1.0))), ("plane section", PlaneSection("tip"))],
+)
+def test_supports_reach_the_job_and_come_back(tmp_path, held, support):
+    text = TUBE.replace("[loads]", f'[supports]\nfixed = "xyz"\noutside = "radial"\ntip = "{held}"\n[loads]')
     job = read(tmp_path, text)
-    assert job.supports == (Fixed("fixed"), Radial("outside"), Radial("tip", (0.0, 0.0, 1.0)))
+    assert job.supports == (Fixed("fixed"), Radial("outside"), support)
     assert again(tmp_path, job) == job
 
 
