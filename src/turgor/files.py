@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from turgor.meshing.exchange.formats import write_stl as write_stl
     from turgor.model.write_inp import compressible as compressible
     from turgor.model.write_inp import write_inp as write_inp
-    from turgor.response import read_response as read_response
     from turgor.results.files.modes_vtu import write_modes as write_modes
+    from turgor.results.files.response_csv import read_response as read_response
     from turgor.results.files.vtu import write_series as write_series
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

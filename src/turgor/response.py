@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor import units
-from turgor.errors import TurgorError, near_match, unknown
+from turgor.errors import TurgorError, unknown
 from turgor.shown import Shown, drawn_by
 from turgor.source import Source
 from turgor.store.saved import Saved
@@ -73,10 +73,10 @@ class Column:
             raise unknown(f"unit of column '{self.name}'", self.unit, (u for u in COLUMN_UNITS if u))
         if not self.name.replace("_", "a").isalnum():
             raise TurgorError(f"column name '{self.name}' may hold letters, digits and underscores only.")
-        if _split_header(self.header) != (self.name, self.unit):
+        if split_header(self.header) != (self.name, self.unit):
             raise TurgorError(
-                f"column '{self.name}' without unit would be read as '{_split_header(self.header)[0]}' "
-                f"in {_split_header(self.header)[1]}; choose a name that does not end in a unit."
+                f"column '{self.name}' without unit would be read as '{split_header(self.header)[0]}' "
+                f"in {split_header(self.header)[1]}; choose a name that does not end in a unit."
             )
         values = np.array(self.values, dtype=np.float64)
         if values.ndim != 1:
@@ -238,7 +238,7 @@ class Response(Saved, Shown):
         """
         if not isinstance(name, str):
             raise TurgorError(f"a column of a response is called by its name, not by {name!r}: {', '.join(self)}.")
-        plain, unit = _split_header(name)
+        plain, unit = split_header(name)
         if name in self.names or plain not in self.names:
             return self.column(name)
         return self.find(plain).to(unit)
@@ -346,7 +346,7 @@ class Response(Saved, Shown):
     def to_csv(self, path: str | Path) -> None:
         """Write the table as CSV: a header with units (``pressure_kPa``), then one line a row, in these units.
 
-        Every digit is kept: `read_response` returns the same values, to the last bit but one.
+        Every digit is kept: `turgor.files.read_response` returns the same values, to the last bit but one.
         """
         with Path(path).open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
@@ -356,60 +356,10 @@ class Response(Saved, Shown):
                 writer.writerow([_shortest(value, factor) for value, factor in zip(row, factors, strict=True)])
 
 
-def read_response(path: str | Path, source: Source | None = None) -> Response:
-    """Read a table that `Response.to_csv` or a person wrote: CSV whose header holds names with units.
-
-    Parameters
-    ----------
-    path : str or Path
-        The file. ``pressure_kPa`` is the column ``pressure`` in kPa; a header without a known unit at its
-        end, such as ``load_factor``, is a pure number.
-    source : Source
-        Where the numbers came from; the name of the file if it is not given.
-
-    Returns
-    -------
-    Response
-        Columns in SI units, in the order of the file.
-
-    Raises
-    ------
-    TurgorError
-        If the file is missing or empty, or a cell is no number: with its line and column.
-    """
-    path = Path(path)
-    if not path.is_file():
-        near = near_match(path.name, [p.name for p in path.parent.glob("*.csv")]) if path.parent.is_dir() else ""
-        raise TurgorError(f"response file '{path}' does not exist{near or '.'}")
-    with path.open(newline="", encoding="utf-8-sig") as file:
-        rows = [(line, row) for line, row in enumerate(csv.reader(file), start=1) if row]
-    if len(rows) < 2:
-        raise TurgorError(f"response file '{path}' holds no rows; a header with units and numbers below it are needed.")
-    headers = [header.strip() for header in rows[0][1]]
-    table = np.array([_numbers(path, line, headers, row) for line, row in rows[1:]])
-    columns = []
-    for header, values in zip(headers, table.T, strict=True):
-        name, unit = _split_header(header)
-        columns.append(Column(name, unit, values * COLUMN_UNITS[unit]))
-    return Response(columns=tuple(columns), source=source or Source(text=path.name))
-
-
-def _split_header(header: str) -> tuple[str, str]:
+def split_header(header: str) -> tuple[str, str]:
     """Split ``pressure_kPa`` into name and unit; the unit is empty where the end is no known unit."""
     name, _, unit = header.rpartition("_")
     return (name, unit) if name and unit in COLUMN_UNITS and unit else (header, "")
-
-
-def _numbers(path: Path, line: int, headers: list[str], row: list[str]) -> list[float]:
-    if len(row) != len(headers):
-        raise TurgorError(f"{path}, line {line}: {len(row)} values, but the header names {len(headers)} columns.")
-    numbers = []
-    for header, text in zip(headers, row, strict=True):
-        try:
-            numbers.append(float(text))
-        except ValueError:
-            raise TurgorError(f"{path}, line {line}, column '{header}': '{text}' is not a number.") from None
-    return numbers
 
 
 def _shortest(value: float, factor: float) -> str:

@@ -11,7 +11,7 @@ from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.cells.memory import History
 from turgor.engine.chambers import Chambers
 from turgor.engine.runtime import EngineOptions
-from turgor.engine.system import Evaluation, System
+from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.transfer import Transfer
 from turgor.meshing.refining.refinement import Refinement
 from turgor.model.model import Model
@@ -41,7 +41,7 @@ SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
 
 #: The same with contact, or where simple updates diverge: for an estimate, and for a state that takes the place of the
 #: first one.
-ROUGH_SETTINGS = NewtonSettings(tolerance=1e-3, max_iterations=30)
+ROUGH_SETTINGS = NewtonSettings(tolerance=1e-3, max_iterations=12)
 EXACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
 
 #: Relative residual of a state that takes the place of the first one, as `Static` has it.
@@ -50,6 +50,9 @@ TOLERANCE = 1e-6
 #: Updates at most; the last one is this small a share of the whole correction, which is the mesh error that is looked
 #: for. New factors are made where an update is not this much smaller than the one before.
 UPDATES, SMALL, CONTRACTION = 12, 0.03, 0.6
+
+#: The same where old factors fail, as where threads go slack and taut from one update to the next: good for an estimate.
+CHATTER = 0.2
 
 #: Scaled displacements smaller than this are zero.
 ROUNDING = 1e-14
@@ -140,25 +143,40 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
         return None
     if any(touch.area > 0 for touch in state.touches.values()):
         return _carefully(system, tangent, at, state, exact)
-    first = at
-    whole, before, fresh = np.zeros(3 * system.node_count), np.inf, True
+    first, whole = at, np.zeros(3 * system.node_count)
     size_of_state = float(np.linalg.norm(unknowns[: len(whole)]))
+    before, fresh, hard, geometric = np.inf, True, False, system.stresses(at) if tangent.mixed_points else None
     for _ in range(UPDATES):
-        jump = system.prescribed(state.load_factor) - at.unknowns[system.held]
-        jump[np.abs(jump) < ROUNDING] = 0.0  # else each would cost a tangent
-        coupling = tangent.factor(at, None, jump) if fresh or jump.any() else np.zeros(system.size)
-        right = -at.residual - coupling
-        right[system.held] = jump
-        update = tangent.solve(right)
-        at = system.evaluate(at.unknowns + update, state.load_factor, history=history)
-        whole += update[: len(whole)]
-        size, total = float(np.linalg.norm(update[: len(whole)])), float(np.linalg.norm(whole))
-        if at is None or total > FAR * size_of_state:
+        update, made = _update(system, tangent, at, geometric if fresh else None, fresh)
+        new = system.evaluate(at.unknowns + update, state.load_factor, history=history)
+        moved = update[: len(whole)]
+        size, total = float(np.linalg.norm(moved)), float(np.linalg.norm(whole + moved))
+        if not made and (new is None or size > before):
+            fresh = hard = True  # with new factors, as where a thread goes slack
+            continue
+        if new is None or total > FAR * size_of_state:
             break
-        if size <= SMALL * total and (not exact or relative_residual(system, at) <= TOLERANCE):
-            return _state(system, at, state, tangent.unstable_modes())
-        fresh, before = size > CONTRACTION * before, size
+        small = CHATTER if hard and not exact else SMALL
+        if size <= small * total and (not exact or relative_residual(system, new) <= TOLERANCE):
+            return _state(system, new, state, tangent.unstable_modes())
+        fresh, before = hard or size > CONTRACTION * before, size
+        if tangent.mixed_points:
+            geometric = system.stresses(at, update)
+        at, whole = new, whole + moved
     return _carefully(system, tangent, first, state, exact)
+
+
+def _update(
+    system: System, tangent: Tangent, at: Evaluation, geometric: Stresses | None, fresh: bool
+) -> tuple[Array, bool]:
+    """Newton update, with new factors if ``fresh`` or if held unknowns move; and whether they are new."""
+    jump = system.prescribed(at.load_factor) - at.unknowns[system.held]
+    jump[np.abs(jump) < ROUNDING] = 0.0  # else each would cost a tangent
+    fresh = fresh or bool(jump.any())
+    coupling = tangent.factor(at, geometric, jump) if fresh else np.zeros(system.size)
+    right = -at.residual - coupling
+    right[system.held] = jump
+    return tangent.solve(right), fresh
 
 
 def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, exact: bool) -> State | None:

@@ -13,7 +13,7 @@ from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
 from turgor.job.run import prepare
 from turgor.meshing.quality.checks import check_mesh
-from turgor.response import read_response
+from turgor.results.files.response_csv import read_response
 from turgor.units import mm
 
 JOB = """

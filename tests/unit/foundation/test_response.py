@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from turgor.errors import TurgorError
-from turgor.response import COLUMN_UNITS, Column, Response, read_response
+from turgor.response import COLUMN_UNITS, Column, Response
+from turgor.results.files.response_csv import read_response
 from turgor.source import Source
 from turgor.units import deg, kPa
 

@@ -12,7 +12,7 @@ from turgor.job.read import read_job
 from turgor.job.text.problems import JobError
 from turgor.model.history import over_time, share_at
 from turgor.model.loads import Gravity, Pressure
-from turgor.response import read_response
+from turgor.results.files.response_csv import read_response
 from turgor.solvers.procedures.dynamic import Dynamic
 from turgor.solvers.procedures.stabilized import Stabilized
 

@@ -16,7 +16,7 @@ from turgor.errors import TurgorError
 from turgor.job.again import measure_folder, report_folder
 from turgor.job.read import read_job
 from turgor.job.run import run_job
-from turgor.response import read_response
+from turgor.results.files.response_csv import read_response
 
 JOB = """
 [actuator]

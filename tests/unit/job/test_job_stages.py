@@ -24,8 +24,9 @@ from turgor.job.text.problems import JobError
 from turgor.model.history import over_time
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.supports import Displacement, Fixed, Shift
-from turgor.response import Column, Response, read_response
+from turgor.response import Column, Response
 from turgor.results.drive import stage_column
+from turgor.results.files.response_csv import read_response
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.response_plots import response_figure
 from turgor.solvers.procedures.dynamic import Dynamic

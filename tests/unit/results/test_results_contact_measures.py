@@ -12,7 +12,7 @@ from turgor.model.loads import Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Cylinder, Obstacle, Plane
 from turgor.model.supports import Fixed
-from turgor.response import read_response
+from turgor.results.files.response_csv import read_response
 from turgor.results.measures import contact_measures as of
 from turgor.results.measures.measures import STANDARD_MEASURES, check_measures, find_measure, measure
 from turgor.results.report import describe

@@ -7,8 +7,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
-from turgor.response import read_response
 from turgor.results.convergence.study import Convergence
+from turgor.results.files.response_csv import read_response
 from turgor.results.measures.measures import cavity_volume, maximum_principal_stretch
 from turgor.results.plots.convergence import plot_convergence, write_convergence_plot
 from turgor.units import mL, mm

@@ -1,0 +1,60 @@
+"""Read responses from CSV files."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+
+from turgor.errors import TurgorError, near_match
+from turgor.response import COLUMN_UNITS, Column, Response, split_header
+from turgor.source import Source
+
+
+def read_response(path: str | Path, source: Source | None = None) -> Response:
+    """Read a table that `Response.to_csv` or a person wrote: CSV whose header holds names with units.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file. ``pressure_kPa`` is the column ``pressure`` in kPa; a header without a known unit at its
+        end, such as ``load_factor``, is a pure number.
+    source : Source
+        Where the numbers came from; the name of the file if it is not given.
+
+    Returns
+    -------
+    Response
+        Columns in SI units, in the order of the file.
+
+    Raises
+    ------
+    TurgorError
+        If the file is missing or empty, or a cell is no number: with its line and column.
+    """
+    path = Path(path)
+    if not path.is_file():
+        near = near_match(path.name, [p.name for p in path.parent.glob("*.csv")]) if path.parent.is_dir() else ""
+        raise TurgorError(f"response file '{path}' does not exist{near or '.'}")
+    with path.open(newline="", encoding="utf-8-sig") as file:
+        rows = [(line, row) for line, row in enumerate(csv.reader(file), start=1) if row]
+    if len(rows) < 2:
+        raise TurgorError(f"response file '{path}' holds no rows; a header with units and numbers below it are needed.")
+    headers = [header.strip() for header in rows[0][1]]
+    table = np.array([_numbers(path, line, headers, row) for line, row in rows[1:]])
+    columns = []
+    for header, values in zip(headers, table.T, strict=True):
+        name, unit = split_header(header)
+        columns.append(Column(name, unit, values * COLUMN_UNITS[unit]))
+    return Response(columns=tuple(columns), source=source or Source(text=path.name))
+
+
+def _numbers(path: Path, line: int, headers: list[str], row: list[str]) -> list[float]:
+    if len(row) != len(headers):
+        raise TurgorError(f"{path}, line {line}: {len(row)} values, but the header names {len(headers)} columns.")
+    numbers = []
+    for header, text in zip(headers, row, strict=True):
+        try:
+            numbers.append(float(text))
+        except ValueError:
+            raise TurgorError(f"{path}, line {line}, column '{header}': '{text}' is not a number.") from None
+    return numbers
