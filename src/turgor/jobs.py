@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from turgor.job.export import export_job as export_job
     from turgor.job.job import ACTUATORS as ACTUATORS
     from turgor.job.job import Job as Job
+    from turgor.job.prepare import prepare as prepare
     from turgor.job.read import read_job as read_job
     from turgor.job.reference.sections import section_tables as section_tables
     from turgor.job.reference.starters import example_job as example_job
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from turgor.job.reference.tables import JobKey as JobKey
     from turgor.job.reference.tables import JobTable as JobTable
     from turgor.job.reference.tables import family_table as family_table
-    from turgor.job.run import prepare as prepare
     from turgor.job.run import run_job as run_job
     from turgor.meshing.settings import MeshSettings as MeshSettings
     from turgor.meshing.sizing.default_size import default_size as default_size

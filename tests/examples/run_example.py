@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from turgor.job.job import Job
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare
 from turgor.response import Response
 from turgor.results.measures.measures import find_measure, measure
 from turgor.solvers.solve import solve

@@ -12,8 +12,8 @@ import turgor.results.measures
 import turgor.solvers.procedures
 from turgor.job.job import ACTUATORS
 from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare
 from turgor.job.tables.procedures import PROCEDURES, drives
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.fit_laws import fit

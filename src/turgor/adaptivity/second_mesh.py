@@ -51,7 +51,8 @@ TOLERANCE = 1e-6
 #: for. New factors are made where an update is not this much smaller than the one before.
 UPDATES, SMALL, CONTRACTION = 12, 0.03, 0.6
 
-#: The same where old factors fail, as where threads go slack and taut from one update to the next: good for an estimate.
+#: The same where old factors fail, as where threads go slack and taut from one update to the next. It is good enough
+#: for an estimate.
 CHATTER = 0.2
 
 #: Scaled displacements smaller than this are zero.

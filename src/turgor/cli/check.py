@@ -12,7 +12,7 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         from turgor.adaptivity.findings import ONLY_WITH_ERROR
         from turgor.cli.answers.results import CheckResult
         from turgor.finding import Severity
-        from turgor.job.run import prepare
+        from turgor.job.prepare import prepare
         from turgor.results.report.describe import contact
         from turgor.results.report.describe_procedure import procedure
         from turgor.solvers.procedures.stages import Stages

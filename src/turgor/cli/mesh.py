@@ -39,7 +39,7 @@ def mesh_command(
         from turgor.results.report.mesh_text import describe_mesh
 
         asked = _with_size(asked_job(job, changes), size)
-        geometry = asked.actuator.build()
+        geometry = asked.geometry()
         mesh = mesh_of(asked, geometry)
         findings = (*geometry.findings, *check_mesh(mesh))
         typer.echo(describe_mesh(mesh))

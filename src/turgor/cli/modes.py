@@ -30,7 +30,7 @@ def modes_command(
 
         if output is not None and output.exists():
             raise TurgorError(f"--output is '{output}', which exists; name a new folder.")
-        from turgor.job.run import prepare
+        from turgor.job.prepare import prepare
         from turgor.solvers.dynamics.modes import natural_frequencies
         from turgor.solvers.procedures.stages import Stages
         from turgor.solvers.solve import solve

@@ -9,7 +9,7 @@ import numpy as np
 from turgor.engine.runtime import EngineOptions
 from turgor.errors import TurgorError
 from turgor.job.job import Job
-from turgor.job.run import prepare
+from turgor.job.prepare import prepare
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.sizing.sizes import size_range
 from turgor.results.convergence.study import Convergence
@@ -133,7 +133,7 @@ def _limits(job: Job) -> tuple[float, float]:
             f"the actuator is the mesh file '{job.actuator.file}', which has one size; mesh the part at three "
             "sizes and give a function of the size."
         )
-    low, high = size_range(job.actuator.build())
+    low, high = size_range(job.geometry())
     return low, max(high, job.mesh_size)  # wall_cells = 2 allows a size above the walls
 
 

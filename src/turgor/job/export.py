@@ -75,7 +75,7 @@ def export_job(
         if kind not in KINDS:
             raise unknown("kind of export", kind, KINDS)
     place, written = Path(folder), []
-    geometry = job.actuator.build()
+    geometry = job.geometry()
     mesh = mesh_of(job, geometry) if {"inp", "stl"} & set(kinds) else None
     names = _names(job, geometry, mesh, kinds)
     taken = [name for name in names if (place / name).exists()]

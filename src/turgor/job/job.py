@@ -132,6 +132,8 @@ class Job:
         Files to write.
     threads : int or None
         Number of threads; None takes all processors. Only the last digits of the results depend on it.
+    built : (Actuator, Geometry) or None
+        What was built when the job was read, so that it is not built twice; another actuator is built anew.
     """
 
     name: str
@@ -150,6 +152,13 @@ class Job:
     procedure: OneProcedure | Stages = field(default_factory=Static)
     output: Output = field(default_factory=Output)
     threads: int | None = None
+    built: tuple[Actuator, Geometry] | None = field(default=None, compare=False, repr=False)
+
+    def geometry(self) -> Geometry:
+        """Return the shape of the actuator; it is built unless it was when the job was read."""
+        if self.built is not None and self.built[0] is self.actuator:
+            return self.built[1]
+        return self.actuator.build()
 
     @property
     def mesh_size(self) -> float:
@@ -162,4 +171,4 @@ class Job:
     def mesh_settings(self) -> MeshSettings:
         """Settings of the mesh, with the default size and kind of cells where none is given."""
         open_still = self.mesh.size is None or self.mesh.cells is None
-        return chosen_settings(self.actuator.build(), self.mesh) if open_still else self.mesh
+        return chosen_settings(self.geometry(), self.mesh) if open_still else self.mesh

@@ -182,6 +182,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
         procedure=procedure,
         output=output,
         threads=threads,
+        built=None if geometry is None else (actuator, geometry),
     )
 
 

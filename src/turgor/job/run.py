@@ -10,86 +10,22 @@ from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding, by_weight, not_told
 from turgor.job.job import Job
-from turgor.job.meshes import mesh_of
 from turgor.job.output.folder import LOCK, claimed, clear, default_folder
 from turgor.job.output.growing import GrowingFiles
 from turgor.job.output.lock import check_same_job
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_results, write_tables
-from turgor.meshing.quality.checks import check_mesh
-from turgor.model.model import Model
+from turgor.job.prepare import Notify, prepare
 from turgor.response import Response
-from turgor.results.measures.measures import check_measures, find_measure
-from turgor.setups.added import with_setup
+from turgor.results.measures.measures import find_measure
 from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
-from turgor.solvers.checks.early import early_findings
-from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.listeners import Listeners
-from turgor.solvers.methods import may_be_free, method_of
-from turgor.solvers.procedures.stages import Stages
-from turgor.solvers.solution import Procedure, Solution, Status
+from turgor.solvers.solution import Solution, Status
 from turgor.solvers.solve import Progress, follow_question
-from turgor.solvers.stage_sequence import questions
 from turgor.solvers.stored import PATH_FOLDER
 
-Notify = Callable[[str], None]
 Found = Callable[[Finding], None]
-
-
-def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Finding, ...]]:
-    """Build, mesh and check a job without solving it.
-
-    Parameters
-    ----------
-    job : Job
-        The job.
-    notify : callable, optional
-        ``notify(text)``, called with each activity.
-
-    Returns
-    -------
-    model : Model
-        Model, ready to be solved.
-    findings : tuple of Finding
-        Findings of the checks.
-
-    Raises
-    ------
-    TurgorError
-        If the job cannot be meshed, held or measured.
-    """
-    say = notify or _silent
-    say("building the actuator")
-    geometry = job.actuator.build()
-    say("meshing")
-    made = mesh_of(job, geometry)
-    say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
-    wound = tuple(job.fibers.values())
-    model = Model(
-        made,
-        materials=job.materials,
-        supports=job.supports,
-        loads=job.loads,
-        reinforcements=wound,
-        contact=job.contact,
-    )
-    asked = with_setup(model, job.setup)
-    first = _checked(asked, job.procedure)
-    check_measures(first, [find_measure(name) for name in job.output.measures])
-    return asked, by_weight((*geometry.findings, *check_mesh(made), *early_findings(asked, job.procedure)))
-
-
-def _checked(model: Model, procedure: Procedure) -> Model:
-    """Raise an error for a model that cannot be solved; return it, or that of the first stage."""
-    if not isinstance(procedure, Stages):
-        check_supports(model, inertia=may_be_free(model, procedure))
-        method_of(procedure).controlled(model, procedure)
-        return model
-    asked = questions(model, procedure)
-    for question, stage in zip(asked, procedure.stages, strict=True):
-        check_supports(question, inertia=may_be_free(question, stage.procedure))
-    return asked[0]
 
 
 def run_job(

@@ -7,8 +7,8 @@ import pytest
 from run_example import JOBS, run_example
 
 from turgor.job.job import Job
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare
 from turgor.model.loads import Pressure
 from turgor.results.measures.measures import find_measure, measure
 from turgor.solvers.procedures.static import Static

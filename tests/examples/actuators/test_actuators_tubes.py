@@ -15,8 +15,8 @@ from run_example import JOBS, run_example
 from scipy.optimize import root
 
 from turgor.job.job import Job
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare
 from turgor.model.loads import Pressure
 from turgor.results.measures.measures import find_measure, measure
 from turgor.solvers.solve import solve

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
-from turgor.job.run import prepare
+from turgor.job.prepare import prepare
 from turgor.units import mm
 
 JOB = Path(__file__).parents[3] / "examples" / "cad_file.toml"

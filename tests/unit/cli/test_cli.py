@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+import turgor.job.prepare
 import turgor.job.run
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
@@ -144,7 +145,7 @@ def test_what_nobody_expected_is_a_sentence_too(
     def broken(*_: object, **__: object) -> None:
         raise ZeroDivisionError("by zero")
 
-    monkeypatch.setattr(turgor.job.run, "mesh_of", broken)
+    monkeypatch.setattr(turgor.job.prepare, "mesh_of", broken)
     assert main(["run", "finger.toml", "--quiet"]) == BAD_INPUT
     err = capsys.readouterr().err
     assert err.startswith("turgor failed unexpectedly, ZeroDivisionError: by zero. Please report it")

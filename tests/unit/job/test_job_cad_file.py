@@ -13,7 +13,7 @@ from turgor.geometry.cad.cad_file import CadFile
 from turgor.geometry.cad.selectors import ByName, InBox, NearestTo, WithNormal
 from turgor.geometry.cad.split import SplitPlane
 from turgor.job.output.lock import lock_text
-from turgor.job.run import prepare
+from turgor.job.prepare import prepare
 from turgor.job.text.problems import JobError
 from turgor.units import kPa, mm
 

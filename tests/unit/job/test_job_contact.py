@@ -13,8 +13,8 @@ from turgor.errors import TurgorError
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare
 from turgor.job.tables.obstacles import SHAPES, obstacle_table
 from turgor.job.text.problems import JobError
 from turgor.meshing.exchange.formats.stl import stl_bytes

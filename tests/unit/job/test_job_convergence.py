@@ -9,7 +9,7 @@ from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
 from turgor.job.convergence import RATIO, convergence, study_sizes
 from turgor.job.job import Job
-from turgor.job.run import prepare
+from turgor.job.prepare import prepare
 from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.material import Material
 from turgor.meshing.settings import MeshSettings

@@ -12,8 +12,8 @@ from turgor.errors import TurgorError
 from turgor.job.export import InpOptions, export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare
 from turgor.job.text.problems import JobError
 from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.materials.library.records import from_library

@@ -4,8 +4,9 @@ import pytest
 
 from turgor.errors import TurgorError
 from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare, run_job
+from turgor.job.run import run_job
 from turgor.job.text.problems import JobError
 from turgor.model.loads import Gravity, Pressure
 from turgor.results.report.describe_procedure import fields_of

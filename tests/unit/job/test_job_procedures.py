@@ -10,8 +10,8 @@ from turgor.errors import TurgorError
 from turgor.job.export import export_job
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare
 from turgor.job.text.problems import JobError
 from turgor.setups.values import BlockedForce, Grasp
 from turgor.solvers.procedures.static import Static

@@ -16,8 +16,9 @@ from turgor.errors import TurgorError
 from turgor.job.export import export_job
 from turgor.job.job import Job, Output
 from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
-from turgor.job.run import prepare, run_job
+from turgor.job.run import run_job
 from turgor.job.tables.stages import StageTable
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError

@@ -9,9 +9,9 @@ import pytest
 from turgor.errors import TurgorError
 from turgor.job.job import ACTUATORS
 from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.reference.starters import example_job, starter
-from turgor.job.run import prepare
 
 
 def written(name, folder):

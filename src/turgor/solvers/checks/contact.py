@@ -4,7 +4,6 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
 
 from turgor.finding import Finding, Severity
 from turgor.meshing.mesh import Mesh
@@ -141,6 +140,10 @@ def _first_contact(states: Sequence[State], measured: Iterable[float]) -> float 
             factors = [s.load_factor for s in states[: len(gaps)]]
             if len(gaps) == 1:
                 return 0.0
+            from scipy.interpolate import (
+                PchipInterpolator,
+            )  # a tenth of a second that checks before a solve do not need
+
             if (np.diff(factors) > 0).all():
                 return float(PchipInterpolator(factors, gaps).roots(extrapolate=False).min())
             places = np.arange(len(gaps))  # the load fell on the way, and does not order the states

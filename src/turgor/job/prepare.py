@@ -1,0 +1,78 @@
+"""prepare: build, mesh and check a job without solving it."""
+
+from collections.abc import Callable
+
+from turgor.finding import Finding, by_weight
+from turgor.job.job import Job
+from turgor.job.meshes import mesh_of
+from turgor.meshing.quality.checks import check_mesh
+from turgor.model.model import Model
+from turgor.results.measures.measures import check_measures, find_measure
+from turgor.setups.added import with_setup
+from turgor.solvers.checks.early import early_findings
+from turgor.solvers.checks.supports import check_supports
+from turgor.solvers.methods import may_be_free, method_of
+from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.solution import Procedure
+from turgor.solvers.stage_sequence import questions
+
+Notify = Callable[[str], None]
+
+
+def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Finding, ...]]:
+    """Build, mesh and check a job without solving it.
+
+    Parameters
+    ----------
+    job : Job
+        The job.
+    notify : callable, optional
+        ``notify(text)``, called with each activity.
+
+    Returns
+    -------
+    model : Model
+        Model, ready to be solved.
+    findings : tuple of Finding
+        Findings of the checks.
+
+    Raises
+    ------
+    TurgorError
+        If the job cannot be meshed, held or measured.
+    """
+    say = notify or _silent
+    say("building the actuator")
+    geometry = job.geometry()
+    say("meshing")
+    made = mesh_of(job, geometry)
+    say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
+    wound = tuple(job.fibers.values())
+    model = Model(
+        made,
+        materials=job.materials,
+        supports=job.supports,
+        loads=job.loads,
+        reinforcements=wound,
+        contact=job.contact,
+    )
+    asked = with_setup(model, job.setup)
+    first = _checked(asked, job.procedure)
+    check_measures(first, [find_measure(name) for name in job.output.measures])
+    return asked, by_weight((*geometry.findings, *check_mesh(made), *early_findings(asked, job.procedure)))
+
+
+def _checked(model: Model, procedure: Procedure) -> Model:
+    """Raise an error for a model that cannot be solved; return it, or that of the first stage."""
+    if not isinstance(procedure, Stages):
+        check_supports(model, inertia=may_be_free(model, procedure))
+        method_of(procedure).controlled(model, procedure)
+        return model
+    asked = questions(model, procedure)
+    for question, stage in zip(asked, procedure.stages, strict=True):
+        check_supports(question, inertia=may_be_free(question, stage.procedure))
+    return asked[0]
+
+
+def _silent(_: str) -> None:
+    """Ignore what is going on."""
