@@ -21,10 +21,9 @@ from turgor.job.output.folder import (
 from turgor.job.output.lock import dimensions, lock_text
 from turgor.job.output.outcome import RunOutcome
 from turgor.meshing.quality.cell_quality import quality
-from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.files.vtu import write_series
-from turgor.results.pictures.colors import CONTACT_PRESSURE
-from turgor.results.pictures.state_picture import picture_title, shared_view, write_picture
+from turgor.results.pictures.path_pictures import CAPTIONS, path_figures
+from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.response_plots import write_plot
 from turgor.results.report.describe_procedure import ending
 from turgor.results.report.page import Picture, Report, write_report
@@ -45,12 +44,8 @@ CONTENTS: Mapping[str, str] = {
     CONTACT: "what touches at the last state, seen through the actuator",
 }
 
-#: Caption of each picture in the report.
-CAPTIONS: Mapping[str, str] = {
-    UNDEFORMED: "Undeformed",
-    DEFORMED: "At the last state",
-    CONTACT: "What touches at the last state, seen through the actuator; colors are not dimmed by light or shadow",
-}
+#: File of each picture of the path.
+PICTURES: Mapping[str, str] = {"undeformed": UNDEFORMED, "deformed": DEFORMED, "contact": CONTACT}
 
 STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
 
@@ -105,8 +100,8 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
         dimensions={name: str(value) for name, value in dimensions(job.actuator).items()},
         quality=quality(solution.model.mesh),
         pictures=tuple(
-            Picture(caption=caption, png=beside[name].read_bytes())
-            for name, caption in CAPTIONS.items()
+            Picture(caption=CAPTIONS[kind], png=beside[name].read_bytes())
+            for kind, name in PICTURES.items()
             if name in beside
         ),
         versions={**outcome.written_by, "threads": job.threads or ""},
@@ -117,22 +112,11 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
 
 
 def write_pictures(outcome: RunOutcome) -> list[Path]:
-    """Draw the first and the last state with the same view, scale and colors, the last one over the first.
-
-    If there is contact in the last state, a third picture shows the contact pressure.
-    """
-    folder, states, facts = outcome.folder, outcome.solution.states, MeshFacts(outcome.solution.model.mesh)
-    first, last = StateFields(states[0], facts), StateFields(states[-1], facts)
-    view = shared_view([first, last])
-    name, files = outcome.job.name, [folder / UNDEFORMED]
-    write_picture(files[0], first, view, title=picture_title(outcome.response, 0, name))
-    if len(states) > 1:
-        files.append(folder / DEFORMED)
-        write_picture(files[1], last, view, title=picture_title(outcome.response, -1, name), ghost=first)
-    if any(touch.area > 0 for touch in states[-1].touches.values()):
-        files.append(folder / CONTACT)
-        view = shared_view([first, last], color_by=CONTACT_PRESSURE)
-        write_picture(files[-1], last, view, title=picture_title(outcome.response, -1, name))
+    """Draw the states of `path_figures` into files."""
+    files = []
+    for kind, figure in path_figures(outcome.solution, outcome.response, outcome.job.name):
+        files.append(outcome.folder / PICTURES[kind])
+        figure.savefig(files[-1], metadata={"Software": None})
     return files
 
 

@@ -5,11 +5,9 @@ from pathlib import Path
 from turgor.errors import TurgorError
 from turgor.meshing.quality.cell_quality import quality
 from turgor.response import Response
-from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.measures.measures import measure
-from turgor.results.pictures.colors import CONTACT_PRESSURE
+from turgor.results.pictures.path_pictures import CAPTIONS, path_figures
 from turgor.results.pictures.picture import Picture
-from turgor.results.pictures.state_picture import picture_title, shared_view, state_figure
 from turgor.results.plots.figures import png_of
 from turgor.results.report.page import Report, write_report
 from turgor.solvers.solution import Solution
@@ -66,17 +64,6 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
 
 
 def _pictures(of: Solution, response: Response, name: str) -> tuple[Picture, ...]:
-    """The first and the last state in one view; a third one of the contact pressure where anything touches."""
-    facts = MeshFacts(of.model.mesh)
-    first, last = StateFields(of.states[0], facts), StateFields(of.states[-1], facts)
-    view = shared_view([first, last])
-    start, end = picture_title(response, 0, name), picture_title(response, -1, name)
-    drawn = [Picture(caption="Undeformed", png=png_of(state_figure(first, view, title=start)))]
-    if len(of.states) > 1:
-        figure = state_figure(last, view, title=end, ghost=first)
-        drawn.append(Picture(caption="At the last state", png=png_of(figure)))
-    if any(touch.area > 0 for touch in of.states[-1].touches.values()):
-        figure = state_figure(last, shared_view([first, last], color_by=CONTACT_PRESSURE), title=end)
-        seen = "What touches at the last state, seen through the actuator; colors are not dimmed by light or shadow"
-        drawn.append(Picture(caption=seen, png=png_of(figure)))
-    return tuple(drawn)
+    """The pictures of the path with what is to be seen on each."""
+    figures = path_figures(of, response, name)
+    return tuple(Picture(caption=CAPTIONS[kind], png=png_of(figure)) for kind, figure in figures)

@@ -1,0 +1,46 @@
+"""Pictures of a path: its first and its last state, and what touches."""
+
+from collections.abc import Iterator
+
+from matplotlib.figure import Figure
+
+from turgor.response import Response
+from turgor.results.fields.state_fields import MeshFacts, StateFields
+from turgor.results.pictures.colors import CONTACT_PRESSURE
+from turgor.results.pictures.state_picture import picture_title, shared_view, state_figure
+from turgor.solvers.solution import Solution
+
+#: What is to be seen on each picture of a path.
+CAPTIONS = {
+    "undeformed": "Undeformed",
+    "deformed": "At the last state",
+    "contact": "What touches at the last state, seen through the actuator; colors are not dimmed by light or shadow",
+}
+
+
+def path_figures(of: Solution, response: Response, name: str) -> Iterator[tuple[str, Figure]]:
+    """Draw the first and the last state with the same view, scale and colors, the last one over the first.
+
+    If there is contact in the last state, a third picture shows the contact pressure.
+
+    Parameters
+    ----------
+    of : Solution
+    response : Response
+        Its measures, for the titles.
+    name : str
+        What the titles call it.
+
+    Yields
+    ------
+    tuple of str and matplotlib.figure.Figure
+        ``"undeformed"``, ``"deformed"`` or ``"contact"``, and the picture.
+    """
+    facts = MeshFacts(of.model.mesh)
+    first, last = StateFields(of.states[0], facts), StateFields(of.states[-1], facts)
+    view, end = shared_view([first, last]), picture_title(response, -1, name)
+    yield "undeformed", state_figure(first, view, title=picture_title(response, 0, name))
+    if len(of.states) > 1:
+        yield "deformed", state_figure(last, view, title=end, ghost=first)
+    if any(touch.area > 0 for touch in of.states[-1].touches.values()):
+        yield "contact", state_figure(last, shared_view([first, last], color_by=CONTACT_PRESSURE), title=end)
