@@ -176,6 +176,12 @@ def test_density_comes_with_its_doubt_and_only_where_it_is_known() -> None:
     assert from_library("paper", record="hooke-yang-2020").density is None
 
 
+def test_every_rubber_has_a_density() -> None:
+    rubbers = [record for record in all_records() if record.kind == "rubber" and record.library != "silicone-o-ring"]
+    assert len(rubbers) > 30
+    assert all(1000 < record.density < 1300 for record in rubbers)
+
+
 def test_kevlar_has_density_and_diameter() -> None:
     fiber = find_record("kevlar-fiber")
     assert (fiber.density, fiber.diameter) == (1440.0, pytest.approx(0.1778e-3, rel=1e-12))
