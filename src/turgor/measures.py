@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from turgor.results.measures.field_measures import principal_stretch_p99 as principal_stretch_p99
     from turgor.results.measures.field_measures import von_mises_in as von_mises_in
     from turgor.results.measures.field_measures import von_mises_p99 as von_mises_p99
+    from turgor.results.measures.markers import marker as marker
     from turgor.results.measures.measures import bending_angle as bending_angle
     from turgor.results.measures.measures import cavity_volume as cavity_volume
     from turgor.results.measures.measures import reaction as reaction

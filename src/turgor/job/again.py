@@ -41,8 +41,9 @@ def measure_folder(folder: str | Path, names: tuple[str, ...] = ()) -> Response:
     """
     folder = Path(folder)
     solution: Solution = load(folder)
-    asked = names or (_job(folder).output.measures if (folder / LOCK).exists() else ())
-    return measure(solution, *(find_measure(name) for name in asked))
+    if not names and (folder / LOCK).exists():
+        return measure(solution, *_job(folder).output.chosen())
+    return measure(solution, *(find_measure(name) for name in names))
 
 
 def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutcome:
@@ -69,7 +70,7 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
     folder = Path(folder)
     solution: Solution = load(folder)
     job = _job(folder)
-    response = measure(solution, *(find_measure(name) for name in job.output.measures))
+    response = measure(solution, *job.output.chosen())
     outcome = RunOutcome(
         job=job,
         solution=solution,

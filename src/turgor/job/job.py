@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from turgor.errors import unknown
 from turgor.geometry import Geometry
@@ -22,6 +22,9 @@ from turgor.registry import Registry, class_of_file, name_in
 from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.procedures.static import Static
+
+if TYPE_CHECKING:
+    from turgor.results.measures.reading import Measure
 
 
 class Actuator(Protocol):
@@ -77,6 +80,8 @@ class Output:
     ----------
     measures : tuple of str
         Names of the measures in ``response.csv``, in this order.
+    markers : mapping of str to (3,) floats [m]
+        Points on or near the surface, by name; their coordinates follow the measures.
     fields : bool
         Whether to write the fields of every state for ParaView.
     pictures : bool
@@ -88,10 +93,19 @@ class Output:
     """
 
     measures: tuple[str, ...] = field(default_factory=standard_measures)
+    markers: Mapping[str, tuple[float, float, float]] = field(default_factory=dict)
     fields: bool = True
     pictures: bool = True
     report: bool = True
     mesh_error: bool = True
+
+    def chosen(self) -> "tuple[Measure, ...]":
+        """Return all that is measured: the measures, then the coordinates of the markers."""
+        from turgor.results.measures.markers import marker  # here: it loads the engine
+        from turgor.results.measures.measures import find_measure
+
+        coordinates = (each for name, point in self.markers.items() for each in marker(name, point))
+        return (*map(find_measure, self.measures), *coordinates)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

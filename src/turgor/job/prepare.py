@@ -59,6 +59,10 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     asked = with_setup(model, job.setup)
     first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
+    if job.output.markers:
+        from turgor.results.measures.markers import check_markers  # here: it loads the engine
+
+        check_markers(made, job.output.markers)
     return asked, by_weight((*geometry.findings, *check_mesh(made), *early_findings(asked, job.procedure)))
 
 

@@ -155,7 +155,7 @@ def _with_errors(
         return response, ()
     if options.notify is not None:
         options.notify("estimating the mesh error")
-    measures = tuple(find_measure(name) for name in job.output.measures)
+    measures = job.output.chosen()
     estimate = mesh_error_of(solution, measures, options, refined)
     if options.notify is not None and estimate.states:
         options.notify(

@@ -11,7 +11,7 @@ from turgor.job.output.lock import lock_text
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_steps
 from turgor.response import Response
-from turgor.results.measures.measures import Reader, find_measure
+from turgor.results.measures.measures import Reader
 from turgor.solvers.checkpoints.record import RunRecord
 from turgor.solvers.solution import Solution
 from turgor.solvers.stored import path_so_far
@@ -81,5 +81,5 @@ class GrowingFiles:
 
     def response(self, solution: Solution) -> Response:
         """Return what the job measures of a path; states that were measured before are not measured again."""
-        self._reader = self._reader or Reader(tuple(find_measure(name) for name in self.job.output.measures))
+        self._reader = self._reader or Reader(self.job.output.chosen())
         return self._reader.response(solution)

@@ -67,7 +67,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "loads": loads_table(job.loads),
         "contact": contact_table(job.contact),
         "obstacles": obstacles_tables(job.contact, job.rigid_files),
-        "output": {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)},
+        "output": _output(job),
         "engine": {"threads": job.threads} if job.threads is not None else {},
         "written_by": dict(written_by),
     }
@@ -78,6 +78,16 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
     else:
         content["procedure"] = written_procedure(job.procedure, job.loads)
     return _HEADER + tomlkit.dumps({key: content[key] for key in _ORDER if key in content})
+
+
+def _output(job: Job) -> dict[str, Any]:
+    content = {item.name: _plain(getattr(job.output, item.name)) for item in fields(job.output)}
+    del content["markers"]
+    if job.output.markers:
+        content["markers"] = {
+            name: [format_quantity(value, "mm") for value in point] for name, point in job.output.markers.items()
+        }
+    return content
 
 
 def check_same_job(job: Job, file: Path) -> None:

@@ -1,7 +1,8 @@
 """Sections of a job file: each turns one table into values, and notes what is wrong."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
+from functools import partial
 from typing import Any
 
 from turgor.geometry import Geometry
@@ -73,6 +74,13 @@ def read_engine(values: Any, problems: Problems) -> int | None:
     return None if options is None else options.threads
 
 
+def _marker(name: str, point: Sequence[float]) -> None:
+    """Refuse a marker whose name or place cannot be used."""
+    from turgor.results.measures.markers import marker  # here: it loads the engine
+
+    marker(name, point)
+
+
 def read_output(values: Any, geometry: Geometry | None, problems: Problems) -> Output | None:
     """Read ``[output]``: which measures, by default those that the part has, and what else to write."""
     key = ("output",)
@@ -81,10 +89,13 @@ def read_output(values: Any, geometry: Geometry | None, problems: Problems) -> O
         return None
     if len(set(table.measures)) < len(table.measures):
         problems.add((*key, "measures"), "a measure is listed twice.")
+    for name, point in table.markers.items():
+        problems.attempt((*key, "markers", name), partial(_marker, name, point))
     if problems.found:
         return None  # the job is refused: the standard measures, which load the engine, are not needed
     return Output(
         measures=tuple(table.measures) or standard_measures(None if geometry is None else geometry.faces),
+        markers={name: (point[0], point[1], point[2]) for name, point in table.markers.items()},
         fields=table.fields,
         pictures=table.pictures,
         report=table.report,

@@ -237,11 +237,14 @@ class OutputTable(Table):
     ----
     measures : list of str
         Names of the measures in ``response.csv``, in this order; empty for the standard ones.
+    markers : table of three lengths each
+        Points on or near the surface whose coordinates are written too.
     """
 
     measures: list[Annotated[str, AfterValidator(_measure)]] = Field(
         default=[], examples=['["bending_angle", "cavity_volume"]']
     )
+    markers: dict[str, list[Coordinate]] = Field(default_factory=dict, examples=['{ knuckle = ["20 mm", 0, "15 mm"] }'])
     fields: bool = True
     pictures: bool = True
     report: bool = True
