@@ -78,6 +78,7 @@ def test_ten_node_tetrahedra(tmp_path):
         assert np.linalg.norm(ours - theirs) < 1e-3 * np.linalg.norm(theirs)
 
 
+@pytest.mark.slow
 @needs_calculix
 def test_twenty_node_hexahedra_with_eight_points(tmp_path):
     mesh = with_twenty_nodes(tg.mesh(finger().build(), size=4 * mm, cells="hexahedra"))

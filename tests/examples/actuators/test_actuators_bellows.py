@@ -34,6 +34,7 @@ def driven(name: str, *pressures: float, size: float | None = None, **dimensions
     )
 
 
+@pytest.mark.slow
 def test_a_bellows_extends_by_a_fifth_of_its_length() -> None:
     response = run_example("bellows_of_revolution")
     assert response.column("tip_displacement_x")[-1] == pytest.approx(9.9 * mm, rel=0.03)
@@ -49,6 +50,7 @@ def test_a_quarter_of_a_bellows_moves_as_its_half_does() -> None:
         assert of_half[name] == pytest.approx(of_quarter[name], rel=0.005)
 
 
+@pytest.mark.slow
 def test_one_chamber_bends_an_omnidirectional_actuator_away_from_it() -> None:
     response = run_example("omnidirectional_actuator")
     assert response.column("bending_angle")[-1] == pytest.approx(1.07 * deg, rel=0.03)

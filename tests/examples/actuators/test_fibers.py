@@ -16,7 +16,9 @@ EXAMPLES = Path(__file__).parents[3] / "examples"
     [
         ("twisting_tube", "The tip turns by -39.5 deg"),
         ("mckibben_muscle", "30 deg from the axis: 3.5 % shorter. 70 deg: 4.5 % longer."),
-        ("fiber_reinforced_bender", "Bending angle 4.26 deg; the chamber grew by 13 %."),
+        pytest.param(
+            *("fiber_reinforced_bender", "Bending angle 4.26 deg; the chamber grew by 13 %."), marks=pytest.mark.slow
+        ),
     ],
 )
 def test_the_script_says_and_asserts_its_number(name, said, capsys):

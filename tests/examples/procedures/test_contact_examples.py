@@ -11,6 +11,7 @@ from turgor.units import N, mL
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
+@pytest.mark.slow
 def test_two_fingers_press_on_a_bar_between_them(capsys):
     ran = runpy.run_path(str(EXAMPLES / "two_fingers.py"))
     response, mesh, state = ran["response"], ran["mesh"], ran["solution"].states[-1]

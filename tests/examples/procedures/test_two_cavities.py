@@ -12,6 +12,7 @@ from turgor.units import deg, kPa
 ROOT = Path(__file__).parents[3]
 
 
+@pytest.mark.slow
 def test_one_cavity_bends_and_the_other_straightens(capsys):
     response = runpy.run_path(str(ROOT / "examples" / "two_cavities.py"))["response"]
     angle = response.column("bending_angle") / deg

@@ -81,9 +81,10 @@ def test_default_measures_fit_a_part_without_cavity_and_tip(
 def test_a_reader_that_goes_away_gets_no_message() -> None:
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
     program = [sys.executable, "-m", "turgor", "actuators"]
-    with subprocess.Popen(program, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment) as running:
-        assert running.stdout is not None and running.stderr is not None
-        running.stdout.readline()
-        running.stdout.close()
-        said = running.stderr.read()
-        assert (running.wait(), said) == (BROKEN_PIPE, b"")
+    reader, writer = os.pipe()
+    os.close(reader)
+    try:
+        done = subprocess.run(program, stdout=writer, stderr=subprocess.PIPE, env=environment, check=False)
+    finally:
+        os.close(writer)
+    assert (done.returncode, done.stderr) == (BROKEN_PIPE, b"")

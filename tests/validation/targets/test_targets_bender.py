@@ -22,6 +22,7 @@ def angles(found):
     return [float(np.degrees(each.curvature * LENGTH)) for each in found]
 
 
+@pytest.mark.slow
 def test_t08_hoops_make_it_bend(record_validation):
     pressures = [p * kPa for p in PRESSURES]
     bare = semicircular.bend(semicircular.base(), pressures)

@@ -43,6 +43,7 @@ def test_ring_sectors_near_their_largest_pressure(cells, record_verification):
     assert got == pytest.approx(FINE, rel=0.02)
 
 
+@pytest.mark.slow
 def test_a_study_of_a_wall_is_smooth_on_hexahedra(record_verification):
     angles = []
     for wall in WALLS:
