@@ -16,6 +16,7 @@ from turgor.errors import TurgorError, unknown
 from turgor.shown import Shown, drawn_by
 from turgor.source import Source
 from turgor.store.saved import Saved
+from turgor.store.whole import whole
 
 #: Units a column may be shown and written in, with their value in SI; the empty label is for pure numbers.
 COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
@@ -348,7 +349,7 @@ class Response(Saved, Shown):
 
         Every digit is kept: `turgor.files.read_response` returns the same values, to the last bit but one.
         """
-        with Path(path).open("w", newline="", encoding="utf-8") as file:
+        with whole(Path(path)) as part, part.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow([column.header for column in self.columns])
             factors = [COLUMN_UNITS[column.unit] for column in self.columns]

@@ -4,11 +4,8 @@
 content itself; ``arrays/NAME.npy`` holds each array in NumPy's own format. docs/reference/saved-files.md describes it.
 """
 
-import errno
 import json
-import os
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -20,6 +17,7 @@ from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.store.whole import whole
 
 #: Version of the format; a reader refuses others.
 FORMAT, VERSION = "turgor", 1
@@ -50,16 +48,8 @@ def write_archive(file: Path | IO[bytes], content: Content) -> None:
     if not isinstance(file, Path):
         _write(file, content)
         return
-    part = file.with_name(f"{file.name}.{os.getpid()}.part")
-    try:
-        with part.open("wb") as stream:
-            _write(stream, content)
-        os.replace(part, file)
-    except OSError as error:
-        raise OSError(error.errno or errno.EIO, error.strerror or str(error), str(file)) from error
-    finally:
-        with suppress(OSError):
-            part.unlink(missing_ok=True)
+    with whole(file) as part, part.open("wb") as stream:
+        _write(stream, content)
 
 
 def _write(stream: IO[bytes], content: Content) -> None:

@@ -5,7 +5,6 @@ arrays of the last points of the path. Archives to which none of the present one
 """
 
 import json
-import os
 import weakref
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
@@ -19,6 +18,7 @@ from turgor.errors import TurgorError
 from turgor.store.archive import Content, read_archive, write_archive
 from turgor.store.codec import Decoder, Encoder
 from turgor.store.saved import ENDING
+from turgor.store.whole import whole
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -202,12 +202,5 @@ def _archive(name: str) -> str:
 
 def write_index(file: Path, content: object) -> None:
     """Write a small JSON file, whole or not at all."""
-    part = file.with_name(f"{file.name}.{os.getpid()}.part")
-    try:
+    with whole(file) as part:
         part.write_text(json.dumps(content), encoding="utf-8")
-        os.replace(part, file)
-    except OSError as error:
-        raise OSError(error.errno, error.strerror, str(file)) from error
-    finally:
-        with suppress(OSError):
-            part.unlink(missing_ok=True)

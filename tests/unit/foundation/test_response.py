@@ -188,3 +188,20 @@ def test_without_pandas_the_error_says_how_to_install_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(TurgorError, match="needs pandas, which is not installed; install it with: pip install pandas"):
         table(pressure=("kPa", [0])).to_dataframe()
+
+
+def test_a_table_is_replaced_whole_or_not_at_all(tmp_path, monkeypatch):
+    """A write that fails half-way leaves the table of before."""
+    path = tmp_path / "response.csv"
+    columns = (Column("load_factor", "", np.array([0.0, 1.0])),)
+    Response(columns=columns, source=Source(text="a ruler")).to_csv(path)
+    before = path.read_text(encoding="utf-8")
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("turgor.response._shortest", full)
+    with pytest.raises(OSError, match=r"response\.csv"):
+        Response(columns=columns, source=Source(text="a ruler")).to_csv(path)
+    assert path.read_text(encoding="utf-8") == before
+    assert [each.name for each in tmp_path.iterdir()] == ["response.csv"]

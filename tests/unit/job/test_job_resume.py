@@ -210,7 +210,7 @@ def test_a_disk_that_fills_up_on_the_way_keeps_the_states_before(file, whole, tm
             raise OSError(errno.ENOSPC, "No space left on device")
         os.rename(part, final)
 
-    monkeypatch.setattr("turgor.store.archive.os.replace", replace_while_there_is_room)
+    monkeypatch.setattr("turgor.store.whole.os.replace", replace_while_there_is_room)
     with pytest.raises(OSError, match="No space left") as raised:
         run_job(read_job(file), tmp_path / "run", threads=1)
     assert str(raised.value.filename) == written[-1]

@@ -1,0 +1,47 @@
+"""Files that appear whole or not at all."""
+
+import errno
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+
+@contextmanager
+def whole(file: Path) -> Iterator[Path]:
+    """Give a path beside a file to write to, which takes the place of the file at the end.
+
+    Parameters
+    ----------
+    file : Path
+
+    Yields
+    ------
+    Path
+
+    Raises
+    ------
+    OSError
+        If it cannot be written, with the name of the file; what stood there before stays.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     with whole(Path(folder) / "a.txt") as part:
+    ...         _ = part.write_text("all of it")
+    ...     [each.name for each in Path(folder).iterdir()]
+    ['a.txt']
+    """
+    if file.exists() and not file.is_file():  # a device or a pipe
+        yield file
+        return
+    part = file.with_name(f"{file.name}.{os.getpid()}.part")
+    try:
+        yield part
+        os.replace(part, file)
+    except OSError as error:
+        raise OSError(error.errno or errno.EIO, error.strerror or str(error), str(file)) from error
+    finally:
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
