@@ -10,11 +10,11 @@ Tolerance: as for tetrahedra: 1e-6 of the largest entry, 0.25 below a rate, 1e-8
 import numpy as np
 import pytest
 from chosen_solution import errors_of, manufactured
-from differences import difference
 
 import meshes
 import problems
 import turgor as tg
+from differences import difference
 from turgor.engine.system import System
 from turgor.materials.laws.laws import Ogden
 from turgor.meshing.cells import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON

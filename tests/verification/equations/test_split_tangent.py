@@ -13,11 +13,11 @@ without the penalty in the extrapolated stress the factor is 2.
 
 import numpy as np
 import pytest
-from differences import difference
 
 import meshes
 import problems
 import turgor as tg
+from differences import difference
 from turgor.engine.cells import kernels_geometry
 from turgor.engine.energy import stored_energy
 from turgor.engine.system import System

@@ -11,11 +11,11 @@ compressibility of 1e-9 that keeps incompressible tangents regular is far below.
 
 import numpy as np
 import pytest
-from differences import difference
 
 import meshes
 import problems
 import turgor as tg
+from differences import difference
 from turgor.engine.system import System
 from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
