@@ -7,6 +7,7 @@ from turgor._lazy import public
 if TYPE_CHECKING:
     from turgor.model.history import over_time as over_time
     from turgor.model.loads import BodyForce as BodyForce
+    from turgor.model.loads import Force as Force
     from turgor.model.loads import Gravity as Gravity
     from turgor.model.loads import Pressure as Pressure
     from turgor.model.loads import Traction as Traction

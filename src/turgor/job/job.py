@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 from turgor.errors import unknown
 from turgor.geometry import Geometry
 from turgor.geometry.cad.cad_file import CadFile
+from turgor.job.tables.loads import Driving
 from turgor.job.tables.supports import Held
 from turgor.materials.material import Material
 from turgor.meshing.chosen import chosen_settings
@@ -14,7 +15,6 @@ from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.settings import MeshSettings
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
-from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
 from turgor.model.supports import Fixed
@@ -130,7 +130,7 @@ class Job:
         A material for every region and a membrane for every face that is reinforced.
     supports : tuple of Fixed, Radial or PlaneSection
         Supports; those of mirror planes are added by themselves.
-    loads : tuple of Pressure or Gravity
+    loads : tuple of Pressure, Gravity or Force
         Loads.
     fibers : mapping of str to Fibers
         Windings by name.
@@ -158,7 +158,7 @@ class Job:
     mesh_most_unknowns: int = 200_000
     materials: Mapping[str, Material | Membrane]
     supports: tuple[Held, ...] = (Fixed("fixed"),)
-    loads: tuple[Pressure | Gravity, ...]
+    loads: tuple[Driving, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
     contact: Contact = field(default_factory=Contact)
     rigid_files: Mapping[str, RigidFile] = field(default_factory=dict)

@@ -12,7 +12,7 @@ from turgor.geometry import Geometry
 from turgor.job.job import Actuator, Job
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
-from turgor.job.tables.loads import read_loads
+from turgor.job.tables.loads import Driving, read_loads
 from turgor.job.tables.materials import read_materials, refuse_shells
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.tables.procedures import drives, duration_of, read_procedure
@@ -24,7 +24,6 @@ from turgor.job.text.changes import changed, changed_places
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import shown
-from turgor.model.loads import Gravity, Pressure
 from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 
@@ -152,7 +151,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
     fibers = read_fibers(given["fibers"], geometry, problems)
-    loads: tuple[Pressure | Gravity, ...] = ()
+    loads: tuple[Driving, ...] = ()
     if given["loads"] is not None:
         duration = first_duration(given[STAGES]) if given[STAGES] is not None else duration_of(given["procedure"])
         loads = read_loads(given["loads"], geometry, materials, problems, not _alone(given), duration)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.model.contact import Contact
 from turgor.model.history import History, share_at
-from turgor.model.loads import Load, Pressure, Traction
+from turgor.model.loads import Force, Load, Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Path, Vector
 from turgor.model.supports import Displacement, Fixed, Shift, Support
@@ -125,7 +125,7 @@ def _made(model: Model, loads: Sequence[Load], supports: Sequence[Support], cont
 
 def _place(load: Load) -> tuple[str, str]:
     """Key of what a load acts on: a load with the same key replaces it."""
-    if isinstance(load, Pressure | Traction):
+    if isinstance(load, Pressure | Traction | Force):
         return type(load).__name__.lower(), load.face
     return type(load).__name__.lower(), ""
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.errors import TurgorError
 from turgor.model.history import RAMP as RAMP
 from turgor.model.history import History as History
 from turgor.model.history import checked, share_at
@@ -80,6 +81,47 @@ class Traction:
 
 
 @dataclass(frozen=True, slots=True)
+class Force:
+    """Dead load of a known total on a face: spread evenly over its reference area and fixed in direction.
+
+    A weight that hangs from a face, a pull by a long thread, a push by a soft spring. The inertia of what hangs there
+    is not included.
+
+    Parameters
+    ----------
+    face : str
+        Name of the face.
+    vector : (3,) floats [N]
+        The whole force, on the whole actuator: where a half is modeled, its mirror image carries the other half.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
+
+    Raises
+    ------
+    TurgorError
+        If the history is none, or the force is not finite.
+
+    Examples
+    --------
+    >>> Force("tip", (0, 0, -0.05 * 9.80665)).share(0.5)
+    0.5
+    """
+
+    face: str
+    vector: tuple[float, float, float]
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        if len(self.vector) != 3 or not np.isfinite(self.vector).all():
+            raise TurgorError(f"force on '{self.face}' is {self.vector}; three finite numbers in newtons are needed.")
+        object.__setattr__(self, "history", checked(self.history, f"force on '{self.face}'"))
+
+    def share(self, load_factor: float) -> float:
+        """Return the share of the force that acts at a load factor."""
+        return share_at(self.history, load_factor)
+
+
+@dataclass(frozen=True, slots=True)
 class Gravity:
     """Weight of every region.
 
@@ -134,4 +176,4 @@ class BodyForce:
         object.__setattr__(self, "history", checked(self.history, "body force"))
 
 
-Load = Pressure | Traction | Gravity | BodyForce
+Load = Pressure | Traction | Force | Gravity | BodyForce

@@ -13,7 +13,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
-from turgor.model.loads import Gravity, Load, Pressure, Traction
+from turgor.model.loads import Force, Gravity, Load, Pressure, Traction
 from turgor.model.supports import Displacement, Support, Symmetry
 from turgor.shown import Shown, listed
 from turgor.store.saved import Saved
@@ -155,10 +155,22 @@ class Model(Saved, Shown):
             if obstacle.face is not None:
                 self._check_reachable(obstacle.name, obstacle.face)
         for load in self.loads:
-            if isinstance(load, Pressure | Traction):
+            if isinstance(load, Pressure | Traction | Force):
                 self.mesh.face(load.face)
+            if isinstance(load, Force):
+                self._check_symmetric(load)
             if isinstance(load, Pressure) and not np.isfinite(load.pressure):
                 raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
+
+    def _check_symmetric(self, load: Force) -> None:
+        """Refuse a force that has no mirror image."""
+        for plane in self.mesh.symmetry_faces:
+            axis = int(np.ptp(self.mesh.points[self.mesh.face_nodes(plane)], axis=0).argmin())
+            if load.vector[axis] != 0:
+                raise TurgorError(
+                    f"force on '{load.face}': {load.vector[axis]:g} N along {'xyz'[axis]} points across the mirror "
+                    f"plane '{plane}', and its mirror image against it; model the whole actuator (symmetric = false)."
+                )
 
     def _check_reachable(self, obstacle: str, face: str) -> None:
         """Refuse a face between two regions, which no obstacle can touch."""
@@ -200,5 +212,7 @@ def _named(load: Load) -> str:
             return f"Pressure({face}, {pressure / kPa:.4g} kPa)"
         case Traction(face):
             return f"Traction({face})"
+        case Force(face):
+            return f"Force({face})"
         case _:
             return type(load).__name__

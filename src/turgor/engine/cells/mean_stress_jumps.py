@@ -16,7 +16,7 @@ from scipy.sparse.csgraph import connected_components
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import cell_sides, corner_keys
-from turgor.model.loads import Pressure, Traction
+from turgor.model.loads import Force, Pressure, Traction
 from turgor.model.model import CONTINUOUS, Model
 from turgor.model.supports import PlaneSection, Symmetry
 
@@ -73,7 +73,7 @@ def _acting(model: Model) -> tuple[str, ...]:
     for fibers in model.reinforcements:
         faces.update(fibers.faces)
     faces.update(s.face for s in model.supports if not isinstance(s, Symmetry | PlaneSection))
-    faces.update(load.face for load in model.loads if isinstance(load, Pressure | Traction))
+    faces.update(load.face for load in model.loads if isinstance(load, Pressure | Traction | Force))
     return tuple(sorted(faces & set(model.mesh.faces)))
 
 

@@ -1,4 +1,4 @@
-"""Dead loads: weight, body forces and tractions, whose nodal forces do not change with the deformation."""
+"""Dead loads: weight, forces and tractions, whose nodal forces do not change with the deformation."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells.element import element_of
 from turgor.engine.cells.reference import side_tables
+from turgor.engine.faces import surfaces
 from turgor.engine.term import Configuration, Setting, Term
 from turgor.errors import TurgorError
 from turgor.model.history import History, share_at
-from turgor.model.loads import BodyForce, Gravity, Traction
+from turgor.model.loads import BodyForce, Force, Gravity, Traction
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -42,11 +43,15 @@ def dead_terms(setting: Setting) -> list[DeadTerm]:
     by_history: dict[History, Array] = {}
     N = element_of(model).tables.N
     for load in model.loads:
-        if not isinstance(load, Traction | Gravity | BodyForce):
+        if not isinstance(load, Traction | Force | Gravity | BodyForce):
             continue
         forces = by_history.setdefault(load.history, np.zeros_like(points))
         if isinstance(load, Traction):
             forces += _traction(points, model.mesh.face(load.face), np.asarray(load.vector) / stress)
+        elif isinstance(load, Force):
+            sides = model.mesh.face(load.face)
+            whole = surfaces.area(points, sides) * model.mesh.symmetry_factor
+            forces += _traction(points, sides, np.asarray(load.vector) / (stress * length**2) / whole)
         elif isinstance(load, Gravity):
             density = _density(model)[:, None, None] * _acceleration(load)
             forces += _volume(setting, N, np.broadcast_to(density, (*setting.dV.shape, 3)) * length / stress)

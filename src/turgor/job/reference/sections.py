@@ -27,7 +27,15 @@ from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
 from turgor.job.tables.supports import PLANE, RADIAL
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import CavityTable, EngineTable, GravityTable, LoadsTable, MeshTable, OutputTable
+from turgor.job.text.quantities import (
+    CavityTable,
+    EngineTable,
+    ForceTable,
+    GravityTable,
+    LoadsTable,
+    MeshTable,
+    OutputTable,
+)
 from turgor.materials.laws.laws import LAWS, Hooke
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.settings import MeshSettings
@@ -185,6 +193,8 @@ def _loads(shape: Geometry) -> Iterator[JobTable]:
 
     yield _of(LoadsTable, "[loads]", read=read)
     yield _of(CavityTable, "[loads.CAVITY]", read=lambda values, problems: read({"cavity": values}, problems))
+    yield _of(ForceTable, "[loads.FACE]", read=lambda values, problems: read({"tip": values}, problems),
+              base={"force": [0, 0, "-0.5 N"]})  # fmt: skip
     yield _of(GravityTable, "[loads.gravity]", read=lambda values, problems: read({"gravity": values}, problems),
               base={"direction": "-z"})  # fmt: skip
 

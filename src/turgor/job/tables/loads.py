@@ -1,20 +1,24 @@
-"""Loads of a job file: one pressure for all cavities, a pressure with its history for each, gravity."""
+"""Loads of a job file: one pressure for all cavities, a pressure with its history for each, gravity, forces."""
 
 from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import near_match
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
 from turgor.geometry.names import cavity_names
+from turgor.job.tables.forces import history_of, is_force, on_faces
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import CavityTable, GravityTable, LoadsTable, read_table
+from turgor.job.text.quantities import CavityTable, LoadsTable, read_table
 from turgor.materials.material import Material
-from turgor.model.history import RAMP, History, over_time
-from turgor.model.loads import STANDARD_GRAVITY, Gravity, Load, Pressure
+from turgor.model.history import RAMP, History
+from turgor.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pressure
 from turgor.model.model import Membrane
 from turgor.units import format_quantity
+
+#: What a job file can state to drive an actuator.
+Driving = Pressure | Gravity | Force
 
 
 def read_loads(
@@ -24,31 +28,33 @@ def read_loads(
     problems: Problems,
     needed: bool = True,
     duration: float | None = None,
-) -> tuple[Pressure | Gravity, ...]:
-    """Read ``[loads]``: a gauge pressure in all cavities, ``[loads.cavity_1]`` and the like for one, gravity."""
+) -> tuple[Driving, ...]:
+    """Read ``[loads]``: a pressure in all cavities, or in one as ``[loads.cavity_1]`` and the like; gravity, forces."""
     key = ("loads",)
     cavities = ("cavity",) if geometry is None else cavity_names(geometry.faces)
-    plain, own = values, {}
+    plain, own, pulled = values, {}, {}
     if isinstance(values, Mapping):
-        own = {name: value for name, value in values.items() if _is_cavity(name, value, cavities)}
-        plain = {name: value for name, value in values.items() if name not in own}
+        pulled = {name: value for name, value in values.items() if is_force(name, value, cavities)}
+        own = {n: value for n, value in values.items() if n not in pulled and _is_cavity(n, value, cavities)}
+        plain = {name: value for name, value in values.items() if name not in own and name not in pulled}
         plain = _without_history(plain, cavities, problems)
     table = read_table(LoadsTable, plain, key, problems)
     pressures = {} if table is None or table.pressure is None else _in_all(table.pressure, cavities, own, problems)
     pressures |= _in_each(own, None if geometry is None else cavities, duration, problems)
     if table is None:
         return ()
-    loads: list[Pressure | Gravity] = [pressures[name] for name in (*cavities, *pressures) if name in pressures]
+    loads: list[Driving] = [pressures[name] for name in (*cavities, *pressures) if name in pressures]
     loads = list(dict.fromkeys(loads))
     if table.gravity is not None and _gravity_allowed(table.gravity.direction, geometry, materials, problems):
         fallen, direction = table.gravity, DIRECTIONS[table.gravity.direction]
         made = problems.attempt(
             ("loads", "gravity"),
-            lambda: Gravity(direction, fallen.acceleration, _history(fallen, "gravity", duration)),
+            lambda: Gravity(direction, fallen.acceleration, history_of(fallen, "gravity", duration)),
             fields=("history", "history_over_time"),
         )
         loads += [] if made is None else [made]
-    if needed and table.pressure is None and table.gravity is None and not own:
+    loads += on_faces(pulled, geometry, table.gravity, duration, problems)
+    if needed and table.pressure is None and table.gravity is None and not own and not pulled:
         problems.add(key, "nothing drives the actuator; give pressure, gravity or both.")
     return tuple(loads)
 
@@ -99,18 +105,7 @@ def _in_each(
 
 
 def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure:
-    return Pressure(face, table.pressure, _history(table, f"pressure on '{face}'", duration))
-
-
-def _history(table: CavityTable | GravityTable, what: str, duration: float | None) -> Any:
-    """History of a table, over the load factor or, with a duration, over the time in seconds."""
-    if table.history_over_time is None:
-        return RAMP if table.history is None else table.history
-    if table.history is not None:
-        raise TurgorError(f"{what}: history and history_over_time are both given; one says it.")
-    if duration is None:
-        raise TurgorError(f"{what}: history_over_time needs a procedure with a duration; give history instead.")
-    return over_time(table.history_over_time, duration)
+    return Pressure(face, table.pressure, history_of(table, f"pressure on '{face}'", duration))
 
 
 def _gravity_allowed(
@@ -171,7 +166,7 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
 
     Parameters
     ----------
-    loads : tuple of Pressure or Gravity
+    loads : tuple of Pressure, Gravity or Force
 
     Returns
     -------
@@ -188,6 +183,10 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
             values["gravity"] = direction if plain else _gravity_table(load, direction)
     for load in pressures:
         values[load.face] = {"pressure": format_quantity(load.pressure, "kPa")}
+        if load.history != RAMP:
+            values[load.face]["history"] = _listed(load.history)
+    for load in (load for load in loads if isinstance(load, Force)):
+        values[load.face] = {"force": [format_quantity(part, "N") for part in load.vector]}
         if load.history != RAMP:
             values[load.face]["history"] = _listed(load.history)
     return values

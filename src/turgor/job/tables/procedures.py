@@ -8,7 +8,7 @@ from typing import Annotated, Any, get_args, get_origin
 from pydantic import BeforeValidator
 
 from turgor.errors import TurgorError, unknown
-from turgor.job.tables.loads import only_pressure, requested_factors
+from turgor.job.tables.loads import Driving, only_pressure, requested_factors
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import (
     Says,
@@ -20,7 +20,7 @@ from turgor.job.text.quantities import (
     read_table,
     shown,
 )
-from turgor.model.loads import Gravity, Load, Pressure
+from turgor.model.loads import Load
 from turgor.registry import Registry, class_of_file, name_in
 from turgor.solvers.procedures.stages import OneProcedure
 from turgor.solvers.procedures.step_options import StepOptions, fields_in_order
@@ -37,7 +37,7 @@ _UNITS = {"volume": "mL", "pressure": "kPa", "length": "mm", "time": "s", "rate"
 
 
 def read_procedure(
-    values: Any, loads: tuple[Pressure | Gravity, ...], problems: Problems, others: Iterable[str] = ()
+    values: Any, loads: tuple[Driving, ...], problems: Problems, others: Iterable[str] = ()
 ) -> OneProcedure | None:
     """Read ``[procedure]``, or that of a stage; requested pressures become load factors.
 

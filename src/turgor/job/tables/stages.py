@@ -9,7 +9,7 @@ from pydantic import Field
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
-from turgor.job.tables.loads import loads_table, read_loads
+from turgor.job.tables.loads import Driving, loads_table, read_loads
 from turgor.job.tables.obstacles import Lengths
 from turgor.job.tables.procedures import duration_of, read_procedure, written_procedure
 from turgor.job.tables.setups import refuse_setup
@@ -19,7 +19,6 @@ from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, Table, read_table, shown
 from turgor.materials.material import Material
 from turgor.model.contact import Contact
-from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane
 from turgor.model.obstacles import Vector
 from turgor.model.supports import Displacement, Fixed, Shift
@@ -66,7 +65,7 @@ class Around:
     materials : mapping of str to Material or Membrane
     supports : tuple of Fixed, Radial or PlaneSection
     contact : Contact
-    loads : tuple of Pressure or Gravity
+    loads : tuple of Pressure, Gravity or Force
     moved : bool
         Whether an obstacle has a path.
     """
@@ -75,7 +74,7 @@ class Around:
     materials: Mapping[str, Material | Membrane]
     supports: tuple[Held, ...]
     contact: Contact
-    loads: tuple[Pressure | Gravity, ...]
+    loads: tuple[Driving, ...]
     moved: bool
 
 

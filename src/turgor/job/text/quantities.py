@@ -218,6 +218,39 @@ class CavityTable(Table):
     history_over_time: Points = None
 
 
+def _forces(value: object) -> tuple[float, float, float]:
+    if not isinstance(value, list) or len(value) != 3:
+        raise TurgorError(f"{shown(value)} is not three forces along x, y and z, such as [0, 0, '-0.5 N'].")
+    x, y, z = (0.0 if part == 0 and not isinstance(part, bool) else parse_quantity(part, "force") for part in value)
+    return x, y, z
+
+
+Forces = Annotated[Any, BeforeValidator(_forces), Says("three forces", '[0, 0, "-0.5 N"]', "force")]
+Mass = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="mass")), Field(gt=0)]
+
+
+class ForceTable(Table):
+    """``[loads.FACE]``: a force on a face, or what hangs from it. The name is that of the face.
+
+    Keys
+    ----
+    force : (3,) floats [N], optional
+        Total force on the face of the whole actuator, spread over it and fixed in direction.
+    hangs : float [kg], optional
+        Mass whose weight pulls at the face in the direction of gravity, which is ``"-z"`` where none is stated.
+    history : list or str, optional
+        Share of the force over the load factor: points [load factor, share] with straight lines between them, or an
+        expression in t. By default it rises with the load factor.
+    history_over_time : list or str, optional
+        The same over time in seconds, where the procedure has a duration.
+    """
+
+    force: Forces = None
+    hangs: Mass | None = None
+    history: Points = None
+    history_over_time: Points = None
+
+
 class EngineTable(Table):
     """``[engine]``: how the computer works; only the last digits of results depend on it.
 

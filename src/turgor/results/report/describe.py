@@ -15,7 +15,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import MeshQuality
 from turgor.model.drive import rises
 from turgor.model.fibers import Fibers
-from turgor.model.loads import RAMP, BodyForce, Gravity, History, Load, Pressure, Traction
+from turgor.model.loads import RAMP, BodyForce, Force, Gravity, History, Load, Pressure, Traction
 from turgor.model.model import Membrane, Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
 from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial
@@ -50,6 +50,9 @@ def load_text(load: Load) -> str:
         case Traction(face, vector):
             shown = ", ".join(f"{component / kPa:g}" for component in vector)
             return f"Traction ({shown}) kPa on {face}, fixed in direction{_shares(load.history)}."
+        case Force(face, vector):
+            shown = ", ".join(f"{part:.6g}" for part in vector)
+            return f"Force ({shown}) N on {face}, fixed in direction{_shares(load.history)}."
         case Gravity(direction, acceleration, history):
             return f"Gravity {acceleration:g} m/s² along ({_listed(direction)}){_shares(history)}."
         case BodyForce():

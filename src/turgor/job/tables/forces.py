@@ -1,0 +1,76 @@
+"""Forces of a job file: on a face, or of what hangs from it."""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+from turgor.errors import TurgorError, unknown
+from turgor.geometry import Geometry
+from turgor.geometry.directions import DIRECTIONS
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import CavityTable, ForceTable, GravityTable, read_table
+from turgor.model.history import RAMP, over_time
+from turgor.model.loads import STANDARD_GRAVITY, Force
+
+
+def is_force(name: str, value: object, cavities: tuple[str, ...]) -> bool:
+    """Whether a table of ``[loads]`` states a force on a face."""
+    return isinstance(value, Mapping) and name not in cavities and bool({"force", "hangs"} & set(value))
+
+
+def on_faces(
+    stated: Mapping[str, Any],
+    geometry: Geometry | None,
+    gravity: GravityTable | None,
+    duration: float | None,
+    problems: Problems,
+) -> list[Force]:
+    """Forces of tables such as ``[loads.tip]``."""
+    found = []
+    for name, values in stated.items():
+        key = ("loads", name)
+        if geometry is not None and name not in geometry.faces:
+            problems.add(key, str(unknown("face", name, geometry.faces)))
+            continue
+        table = read_table(ForceTable, values, key, problems)
+        if table is None:
+            continue
+        made = problems.attempt(
+            key, partial(_force, name, table, gravity, duration), fields=("force", "hangs", "history")
+        )
+        if made is not None:
+            found.append(made)
+            _check_mirror(made, geometry, problems)
+    return found
+
+
+def _force(face: str, table: ForceTable, gravity: GravityTable | None, duration: float | None) -> Force:
+    if (table.force is None) == (table.hangs is None):
+        raise TurgorError("force: give either force, such as [0, 0, '-0.5 N'], or hangs, such as '50 g'.")
+    vector = table.force
+    if table.hangs is not None:
+        weight = table.hangs * (STANDARD_GRAVITY if gravity is None else gravity.acceleration)
+        x, y, z = (weight * part for part in DIRECTIONS["-z" if gravity is None else gravity.direction])
+        vector = (x, y, z)
+    return Force(face, vector, history_of(table, f"force on '{face}'", duration))
+
+
+def _check_mirror(load: Force, geometry: Geometry | None, problems: Problems) -> None:
+    for axis, part in zip("xyz", load.vector, strict=True):
+        if geometry is not None and part and f"symmetry_{axis}" in geometry.faces:
+            problems.add(
+                ("loads", load.face),
+                f"the force along {axis} points across the mirror plane of a half model; "
+                "set actuator.symmetric = false.",
+            )
+
+
+def history_of(table: CavityTable | GravityTable | ForceTable, what: str, duration: float | None) -> Any:
+    """History of a table, over the load factor or, with a duration, over the time in seconds."""
+    if table.history_over_time is None:
+        return RAMP if table.history is None else table.history
+    if table.history is not None:
+        raise TurgorError(f"{what}: history and history_over_time are both given; one says it.")
+    if duration is None:
+        raise TurgorError(f"{what}: history_over_time needs a procedure with a duration; give history instead.")
+    return over_time(table.history_over_time, duration)
