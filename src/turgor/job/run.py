@@ -85,17 +85,22 @@ def run_job(
         for each in matter(record.question.findings, job.output.mesh_error):
             (found or _unheard)(each)
         solution, response, findings = _solved(files, record, options, progress)
-        outcome = RunOutcome(
-            job=files.job,
-            solution=solution,
-            response=response,
-            findings=findings,
-            written_by=versions() | {"linear_solver": solution.timing.linear_solver},
-            notices=tuple(files.notices),
-            folder=folder,
-        )
-        write = write_tables if solution.status is Status.INTERRUPTED else write_results
-        return replace(outcome, files=write(outcome, files.say))
+        return _written(files, solution, response, findings)
+
+
+def _written(files: GrowingFiles, solution: Solution, response: Response, findings: tuple[Finding, ...]) -> RunOutcome:
+    """Write all files of a run that has ended; only the tables if the user ended it."""
+    outcome = RunOutcome(
+        job=files.job,
+        solution=solution,
+        response=response,
+        findings=findings,
+        written_by=versions() | {"linear_solver": solution.timing.linear_solver},
+        notices=tuple(files.notices),
+        folder=files.folder,
+    )
+    write = write_tables if solution.status is Status.INTERRUPTED else write_results
+    return replace(outcome, files=write(outcome, files.say))
 
 
 def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRecord:

@@ -187,8 +187,32 @@ def _solved(
             record=None if stage is None else stage.of(system),
         )
         outcome = method.follow(problem, procedure)
+    findings = (
+        *meeting_walls(model, problem.states),
+        *deep_penetrations(problem.states),
+        *limit_point_findings(problem.limits, method.limit_points),
+        *method.findings(problem.states),
+        *too_long_steps(model, procedure, problem.states),
+    )
+    solution = Solution(
+        model=model,
+        procedure=procedure,
+        states=tuple(problem.states),
+        status=outcome.status,
+        message=outcome.message,
+        advice=outcome.advice,
+        steps=tuple(problem.steps),
+        findings=findings,
+        timing=_timing(tangent, compiling, setup, start),
+        limit_points=tuple(problem.limits),
+    )
+    return solution, Restart.of(system, problem.states[-1])
+
+
+def _timing(tangent: Tangent, compiling: float, setup: float, start: float) -> Timing:
+    """Where the time since ``start`` went."""
     clock = tangent.clock
-    timing = Timing(
+    return Timing(
         compile=compiling,
         setup=setup,
         assembly=clock.assembly,
@@ -199,22 +223,3 @@ def _solved(
         factorizations=clock.factorizations,
         linear_solver=tangent.name,
     )
-    solution = Solution(
-        model=model,
-        procedure=procedure,
-        states=tuple(problem.states),
-        status=outcome.status,
-        message=outcome.message,
-        advice=outcome.advice,
-        steps=tuple(problem.steps),
-        findings=(
-            *meeting_walls(model, problem.states),
-            *deep_penetrations(problem.states),
-            *limit_point_findings(problem.limits, method.limit_points),
-            *method.findings(problem.states),
-            *too_long_steps(model, procedure, problem.states),
-        ),
-        timing=timing,
-        limit_points=tuple(problem.limits),
-    )
-    return solution, Restart.of(system, problem.states[-1])

@@ -106,28 +106,36 @@ def picture(
     >>> picture(FastPneuNet(chambers=2, length=20e-3).build(), width=400)
     Picture(caption='fast PneuNet, 2 chambers, half')
     """
+    name, figure = _drawn(of, state, (color_by, title, width))
+    made = Picture(caption=name, png=png_of(figure))
+    if path is not None:
+        made.write(path)
+    return made
+
+
+def _drawn(
+    of: Solution | State | Model | Mesh | Geometry, number: int, look: tuple[str, str | None, int]
+) -> tuple[str, Figure]:
+    """Caption and figure of anything that has a picture."""
+    color_by, title, width = look
     match of:
         case Solution():
-            name, figure = _of_solution(of, state, (color_by, title, width))
+            return _of_solution(of, number, look)
         case State():
             name = caption(of) if title is None else title
-            figure = state_figure(of, shared_view([of], width, color_by), title=name)
+            return name, state_figure(of, shared_view([of], width, color_by), title=name)
         case Mesh() | Model():
             mesh = of if isinstance(of, Mesh) else of.mesh
             name = mesh.name if title is None else title
-            figure = mesh_figure(mesh, name, width)
+            return name, mesh_figure(mesh, name, width)
         case Geometry():
             name = of.name if title is None else title
-            figure = geometry_figure(of, name, width)
+            return name, geometry_figure(of, name, width)
         case _:
             raise TurgorError(
                 f"there is no picture of a {type(of).__name__}; a solution, a state, a model, a mesh or a geometry "
                 "is needed."
             )
-    made = Picture(caption=name, png=png_of(figure))
-    if path is not None:
-        made.write(path)
-    return made
 
 
 def caption(state: State) -> str:
