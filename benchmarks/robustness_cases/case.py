@@ -120,6 +120,11 @@ def judge(case: Case, solution: tg.Solution) -> tuple[str, str]:
     if case.stops or (case.stops is None and solution.status is tg.Status.LIMIT_POINT):
         if solution.status is tg.Status.STEP_TOO_SMALL:
             return GAVE_UP, solution.message
+        if solution.complete and solution.states[-1].unstable_modes and "unstable" in solution.message:
+            return (
+                UNSTABLE,
+                solution.message,
+            )  # without an imperfection it stays on the branch that buckles, and says so
         if solution.status is not tg.Status.LIMIT_POINT:
             return WRONG, f"a limit point should have been reported, not: {solution.message}"
         found = case.check(solution)

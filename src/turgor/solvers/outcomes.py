@@ -99,14 +99,19 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
         not distorted
         and ((lost_stability and softens(states)) or ahead <= max(10 * steps[-1].increment, NEAR * last.load_factor))
     ):
-        why, swollen, estimate = turned_law(last) or wrinkled_film(last), balloon(states), ""
+        turned, film, estimate = turned_law(last), wrinkled_film(last), ""
+        swollen = None if turned or film else balloon(states)
         if top is not None and ahead <= SAID * last.load_factor:
             estimate = f" The path up to there points to a maximum of {_load(model, top, 5)}."
+        hints = [turned.advice] if turned else []
+        hints += [film.advice] if film and not turned else [_past_limit(last)]
+        hints += [swollen.advice] if swollen else []
         return Outcome(
             Status.LIMIT_POINT,
             f"The load could not rise past {_at(last)}: the tangent lost positive definiteness there, which is a limit "
-            f"point (ballooning, snap-through) or buckling.{said(why or swollen)}{estimate}{_lost_before(states)}",
-            why.advice if why is not None else f"{_past_limit(last)}{'' if swollen is None else f' {swollen.advice}'}",
+            f"point (ballooning, snap-through) or buckling.{said(turned or film or swollen)}{estimate}"
+            f"{_lost_before(states)}",
+            " ".join(hints),
         )
     why = cause_in(last) or (balloon(states) if softens(states) else None)
     stiff = stiff_threads_text(model)
