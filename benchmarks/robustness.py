@@ -46,7 +46,7 @@ def summary(rows: Mapping[str, Row]) -> str:
     possible = sum(not case.stops for case in CASES if case.name in rows)
     counts = ", ".join(f"{ends[end]} {end}" for end in (REACHED, DIAGNOSED, UNSTABLE, UNCHECKED, GAVE_UP, WRONG))
     return (
-        f"{len(rows)} cases: {counts}. {ends[REACHED] / len(rows):.0%} of all, and {ends[REACHED] / possible:.0%} of "
+        f"{len(rows)} cases: {counts}. {ends[REACHED] / len(rows):.0%} of all, and {ends[REACHED] / max(possible, 1):.0%} of "
         f"the {possible} whose load may be reached by the procedure asked for, converged; the target is 90 % and none "
         f"wrong. {sum(int(line[5]) for line in rows.values()):,} iterations and "
         f"{sum(float(line[6]) for line in rows.values()):.0f} CPU s in all, checks not counted."
