@@ -44,9 +44,10 @@ def summary(rows: Mapping[str, Row]) -> str:
     """The counts, and how they compare with the target."""
     ends = Counter(line[2] for line in rows.values())
     possible = sum(not case.stops for case in CASES if case.name in rows)
+    of_these = ends[REACHED] / max(possible, 1)
     counts = ", ".join(f"{ends[end]} {end}" for end in (REACHED, DIAGNOSED, UNSTABLE, UNCHECKED, GAVE_UP, WRONG))
     return (
-        f"{len(rows)} cases: {counts}. {ends[REACHED] / len(rows):.0%} of all, and {ends[REACHED] / max(possible, 1):.0%} of "
+        f"{len(rows)} cases: {counts}. {ends[REACHED] / len(rows):.0%} of all, and {of_these:.0%} of "
         f"the {possible} whose load may be reached by the procedure asked for, converged; the target is 90 % and none "
         f"wrong. {sum(int(line[5]) for line in rows.values()):,} iterations and "
         f"{sum(float(line[6]) for line in rows.values()):.0f} CPU s in all, checks not counted."
