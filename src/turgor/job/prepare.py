@@ -41,7 +41,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     TurgorError
         If the job cannot be meshed, held or measured.
     """
-    say = notify or _silent
+    say = notify or silent
     say("building the actuator")
     geometry = job.geometry()
     say("meshing")
@@ -78,5 +78,5 @@ def _checked(model: Model, procedure: Procedure) -> Model:
     return asked[0]
 
 
-def _silent(_: str) -> None:
+def silent(_: str) -> None:
     """Ignore what is going on."""

@@ -16,7 +16,7 @@ from turgor.job.output.lock import check_same_job
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_results, write_tables
-from turgor.job.prepare import Notify, prepare
+from turgor.job.prepare import Notify, prepare, silent
 from turgor.response import Response
 from turgor.results.measures.measures import find_measure
 from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
@@ -79,7 +79,7 @@ def run_job(
     if wanted is not None:
         options = replace(options, threads=wanted)
     with claimed(Path(output) if output is not None else default_folder(job.name), force, resume) as folder:
-        files = GrowingFiles(folder, replace(job, threads=options.threads), notify or _silent)
+        files = GrowingFiles(folder, replace(job, threads=options.threads), notify or silent)
         options = replace(options, notify=files.say)
         record = _record(files, options, resume)
         for each in matter(record.question.findings, job.output.mesh_error):
@@ -172,7 +172,3 @@ def _with_errors(
 
 def _unheard(_: Finding) -> None:
     """Ignore a finding, where the caller gave no ``found``."""
-
-
-def _silent(_: str) -> None:
-    """Ignore a notice, where the caller gave no ``notify``."""

@@ -99,12 +99,13 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
         not distorted
         and ((lost_stability and softens(states)) or ahead <= max(10 * steps[-1].increment, NEAR * last.load_factor))
     ):
-        turned, film, estimate = turned_law(last), wrinkled_film(last), ""
+        turned, estimate = turned_law(last), ""
+        film = None if turned else wrinkled_film(last)
         swollen = None if turned or film else balloon(states)
         if top is not None and ahead <= SAID * last.load_factor:
             estimate = f" The path up to there points to a maximum of {_load(model, top, 5)}."
         hints = [turned.advice] if turned else []
-        hints += [film.advice] if film and not turned else [_past_limit(last)]
+        hints += [film.advice] if film else [_past_limit(last)]
         hints += [swollen.advice] if swollen else []
         return Outcome(
             Status.LIMIT_POINT,

@@ -187,6 +187,7 @@ def _solved(
             record=None if stage is None else stage.of(system),
         )
         outcome = method.follow(problem, procedure)
+    timing = _timing(tangent, compiling, setup, start)
     findings = (
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
@@ -203,7 +204,7 @@ def _solved(
         advice=outcome.advice,
         steps=tuple(problem.steps),
         findings=findings,
-        timing=_timing(tangent, compiling, setup, start),
+        timing=timing,
         limit_points=tuple(problem.limits),
     )
     return solution, Restart.of(system, problem.states[-1])

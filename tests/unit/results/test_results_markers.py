@@ -38,18 +38,13 @@ def turned(axis, angle):
     return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
 
 
-PLACES = [(10, 3, 2), (10, 2.345, 1.77), (5, 8, 6), (0, 10, 0)]
-
-
-@pytest.mark.parametrize("place", PLACES)
+@pytest.mark.parametrize("place", [(10, 3, 2), (10, 2.345, 1.77), (0, 10, 0)])
 def test_a_marker_on_the_surface_moves_with_it(rest, place):
     point = np.array(place) * mm
     stretch = np.eye(3) + 0.1 * np.arange(9).reshape(3, 3) / 9
     assert at("dot", point, rest) == pytest.approx(point, abs=1e-12)
     got = at("dot", point, moved(rest, lambda x: x @ stretch.T + [1e-3, 0, 2e-3]))
-    on_surface = min(abs(point[0] - 10 * mm), abs(point[0])) < 1e-12
-    if on_surface:  # flat there: the marker is where the map takes its point
-        assert got == pytest.approx(stretch @ point + [1e-3, 0, 2e-3], abs=1e-12)
+    assert got == pytest.approx(stretch @ point + [1e-3, 0, 2e-3], abs=1e-12)
 
 
 def test_a_marker_beside_the_surface_turns_with_it(rest):

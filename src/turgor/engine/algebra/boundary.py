@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.algebra.multipoint import MultiPoint
+from turgor.engine.algebra.multipoint import UNTIED, MultiPoint
 from turgor.engine.algebra.node_frames import NodeFrames
 from turgor.engine.algebra.sections import Section, coordinate_plane, plane_sections
 from turgor.errors import TurgorError
@@ -114,19 +114,23 @@ def _with_normals(
         axes[k] = np.concatenate([first[k : k + 1], held, basis[1 + len(held) :]])[:3]
         local[node] = np.arange(3) <= len(held)
         along[node] |= local[node].all()
-    place = {int(node): k for k, node in enumerate(nodes)}
-    followers, leaders = [np.zeros(0, dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
     for section in sections:
         section.check_across(nodes, normals)
+    ties = _ties(mask, nodes, sections)
+    local.ravel()[ties.leaders] = False
+    return Held(local, moving, NodeFrames(nodes, axes), along, normals, ties)
+
+
+def _ties(mask: NDArray[np.bool_], turned: Ints, sections: tuple[Section, ...]) -> MultiPoint:
+    """Tie the components along the normal of each section to that of its first node; some nodes have turned axes."""
+    followers, leaders = [UNTIED.followers], [UNTIED.leaders]
+    for section in sections:
         # of a node with a frame, the held axes come after the normal, in their order
         rank = mask[section.nodes, : section.axis].sum(axis=1)
-        turned = np.array([node in place for node in section.nodes.tolist()])
-        tied = 3 * section.nodes + np.where(turned, 1 + rank, section.axis)
-        local.ravel()[tied[0]] = False
+        tied = 3 * section.nodes + np.where(np.isin(section.nodes, turned), 1 + rank, section.axis)
         followers.append(tied[1:])
         leaders.append(np.full(len(tied) - 1, tied[0]))
-    ties = MultiPoint(np.concatenate(followers), np.concatenate(leaders))
-    return Held(local, moving, NodeFrames(nodes, axes), along, normals, ties)
+    return MultiPoint(np.concatenate(followers), np.concatenate(leaders))
 
 
 def radial_normals(model: Model) -> tuple[Ints, Array]:

@@ -1,7 +1,8 @@
 """Fields of a state for measures, files and pictures; each is computed once, when it is first used."""
 
+from collections.abc import Callable, Hashable
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from turgor.model.model import DISPLACEMENT, Model
 from turgor.solvers.solution import State
 
 Array = NDArray[np.float64]
+Made = TypeVar("Made")
 
 
 class MirrorPlane(NamedTuple):
@@ -32,6 +34,14 @@ class MeshFacts:
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
         self._threads: list[tuple[Fibers, FiberTrusses]] = []
+        self._made: dict[Hashable, Any] = {}
+
+    def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
+        """Return what was made under a key, which is made when it is first asked for."""
+        if key not in self._made:
+            self._made[key] = make()
+        found: Made = self._made[key]
+        return found
 
     @cached_property
     def mirrors(self) -> tuple[MirrorPlane, ...]:

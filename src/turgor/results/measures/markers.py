@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -124,13 +124,12 @@ def check_markers(mesh: Mesh, markers: Mapping[str, Point]) -> None:
 
 
 def _coordinate(name: str, point: Point, axis: int, at: StateFields) -> float:
-    fixed = _attached(at.mesh, name, point, at.facts.mirrors)
+    fixed = at.facts.once((name, point), partial(_attached, at.mesh, name, point, at.facts.mirrors))
     return float(fixed.position(at.mesh.points + at.displacement)[axis])
 
 
-@lru_cache(maxsize=64)
 def _attached(mesh: Mesh, name: str, point: Point, planes: tuple[MirrorPlane, ...]) -> Attached:
-    """Find where a marker is fixed; the last ones are kept, because every state asks for them."""
+    """Find where a marker is fixed."""
     modeled, mirrored, mirrors = np.array(point), np.ones(3), np.zeros(3)
     for plane in planes:
         inside = mesh.points[:, plane.axis].mean() - plane.position

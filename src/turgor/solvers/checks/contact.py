@@ -140,9 +140,7 @@ def _first_contact(states: Sequence[State], measured: Iterable[float]) -> float 
             factors = [s.load_factor for s in states[: len(gaps)]]
             if len(gaps) == 1:
                 return 0.0
-            from scipy.interpolate import (
-                PchipInterpolator,
-            )  # a tenth of a second that checks before a solve do not need
+            from scipy.interpolate import PchipInterpolator  # slow to load, and not needed before a solve
 
             if (np.diff(factors) > 0).all():
                 return float(PchipInterpolator(factors, gaps).roots(extrapolate=False).min())
