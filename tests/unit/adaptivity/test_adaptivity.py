@@ -12,6 +12,7 @@ from turgor.adaptivity.indicator import error_indicator
 from turgor.adaptivity.measure import mesh_error_of
 from turgor.adaptivity.mesh_error import path_length
 from turgor.adaptivity.refine import refined
+from turgor.engine.algebra.tangent import Tangent
 from turgor.finding import Severity
 from turgor.response import Column, Response
 from turgor.results.report.error_text import with_error
@@ -238,3 +239,27 @@ def test_a_job_can_do_without_the_estimate(tmp_path):
 def test_a_wrong_target_in_a_job_is_one_sentence(tmp_path, line, sentence):
     with pytest.raises(tg.TurgorError, match=sentence):
         tg.jobs.read_job(_job(tmp_path, line))
+
+
+def test_threads_that_go_slack_do_not_make_the_estimate_dear(monkeypatch):
+    """Old factors fail where threads go slack; the estimate takes few new ones, and not as many as the solve."""
+    helix = tg.Fibers(
+        face="outside",
+        material=tg.from_library("kevlar-fiber"),
+        diameter=0.1778 * mm,
+        winding=tg.Winding(angle_from_axis=np.radians(60), spacing=2 * mm, hand="right"),
+    )
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
+    mesh = tg.mesh(tg.actuators.TwistingTube(length=40 * mm).build(), size=4 * mm, cells="tetrahedra")
+    loads = [tg.Pressure("cavity", 20 * kPa)]
+    solution = tg.solve(tg.Model(mesh, {"body": rubber}, [tg.Fixed("fixed")], loads, reinforcements=[helix]))
+    made, factor = [], Tangent.factor
+
+    def counted(self, *args):
+        made.append(self)
+        return factor(self, *args)
+
+    monkeypatch.setattr(Tangent, "factor", counted)
+    estimate = mesh_error_of(solution, (tg.measures.twist_angle,))
+    assert estimate.errors["twist_angle"][-1] == pytest.approx(np.radians(0.17), rel=0.3)
+    assert 1 < len(made) <= solution.timing.factorizations / 3
