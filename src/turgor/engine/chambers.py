@@ -27,7 +27,7 @@ def cavity_volume(mesh: Mesh, name: str, displacement: Array | None = None) -> f
     displacement : (n, 3) array [m], optional
         That of a state; at rest by default.
     """
-    points = mesh.points - mirror_point(mesh, mesh.points)  # planes through the origin add nothing to ⅓ ∮ x·n da
+    points = mesh.points - mirror_point(mesh)  # planes through the origin add nothing to ⅓ ∮ x·n da
     if displacement is not None:
         points += displacement
     return float(-mesh.symmetry_factor * surfaces.enclosed_volume(points, mesh.face(name)))
@@ -52,7 +52,7 @@ class Chambers:
         self._walls = [np.ascontiguousarray(mesh.face(name)) for name in faces]
         self._rims = [surfaces.rim_edges(walls) for walls in self._walls]
         self._factor = mesh.symmetry_factor
-        self._shift = mirror_point(mesh, system.points)  # mirror planes through the origin add nothing
+        self._shift = mirror_point(mesh) / system.length  # mirror planes through the origin add nothing
 
     def __len__(self) -> int:
         return len(self._walls)

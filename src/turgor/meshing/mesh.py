@@ -117,6 +117,16 @@ class Mesh(Shown):
         return tuple(name for name in self.faces if name.startswith("symmetry_"))
 
     @property
+    def mirror_planes(self) -> tuple[tuple[int, float], ...]:
+        """Axis along the normal and position [m] of the mirror plane of each of `symmetry_faces`."""
+        found = []
+        for name in self.symmetry_faces:
+            on = self.points[self.face_nodes(name)]
+            axis = int(np.ptp(on, axis=0).argmin())
+            found.append((axis, float(on[:, axis].mean())))
+        return tuple(found)
+
+    @property
     def cavities(self) -> tuple[str, ...]:
         """Names of the faces that enclose a cavity: those that begin with ``cavity``."""
         return cavity_names(self.faces)

@@ -164,8 +164,7 @@ class Model(Saved, Shown):
 
     def _check_symmetric(self, load: Force) -> None:
         """Refuse a force that has no mirror image."""
-        for plane in self.mesh.symmetry_faces:
-            axis = int(np.ptp(self.mesh.points[self.mesh.face_nodes(plane)], axis=0).argmin())
+        for plane, (axis, _) in zip(self.mesh.symmetry_faces, self.mesh.mirror_planes, strict=True):
             if load.vector[axis] != 0:
                 raise TurgorError(
                     f"force on '{load.face}': {load.vector[axis]:g} N along {'xyz'[axis]} points across the mirror "

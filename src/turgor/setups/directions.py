@@ -9,7 +9,7 @@ from turgor.meshing.mesh import Mesh
 
 def mirrored_axes(mesh: Mesh) -> tuple[int, ...]:
     """Return the axes across which a half or quarter model is cut: 0, 1 or 2 for every face ``symmetry_*``."""
-    return tuple(int(np.ptp(mesh.points[mesh.face_nodes(name)], axis=0).argmin()) for name in mesh.symmetry_faces)
+    return tuple(axis for axis, _ in mesh.mirror_planes)
 
 
 def unmirrored(mesh: Mesh, vector: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -17,20 +17,11 @@ IN_PLANE = 1e-9
 _GAUSS = ((0.5 - 0.5 / 3**0.5, 0.5), (0.5 + 0.5 / 3**0.5, 0.5))
 
 
-def mirror_point(mesh: Mesh, points: Array) -> Array:
-    """Return a point on all mirror planes of a mesh, (3,); its other components are zero.
-
-    Parameters
-    ----------
-    mesh : Mesh
-    points : (n, 3) array
-        Positions of its nodes at rest, in any unit.
-    """
+def mirror_point(mesh: Mesh) -> Array:
+    """Return a point on all mirror planes of a mesh, (3,) [m]; its other components are zero."""
     out = np.zeros(3)
-    for name in mesh.symmetry_faces:
-        on = points[mesh.face_nodes(name)]
-        axis = int(np.ptp(on, axis=0).argmin())
-        out[axis] = on[:, axis].mean()
+    for axis, position in mesh.mirror_planes:
+        out[axis] = position
     return out
 
 

@@ -101,5 +101,5 @@ def thrust_terms(setting: Setting) -> list[ThrustTerm]:
         for section in sections:
             edges = rim[np.isin(rim, section.nodes).all(axis=1)]
             if len(edges):
-                found.append(ThrustTerm(term, edges, section, mirror_point(setting.model.mesh, setting.points)))
+                found.append(ThrustTerm(term, edges, section, mirror_point(setting.model.mesh) / setting.length))
     return found

@@ -46,12 +46,7 @@ class MeshFacts:
     @cached_property
     def mirrors(self) -> tuple[MirrorPlane, ...]:
         """Mirror planes, one for each face named ``symmetry_*``."""
-        planes = []
-        for name in self.mesh.symmetry_faces:
-            points = self.mesh.points[self.mesh.face_nodes(name)]
-            axis = int(np.ptp(points, axis=0).argmin())
-            planes.append(MirrorPlane(axis, float(points[:, axis].mean())))
-        return tuple(planes)
+        return tuple(MirrorPlane(axis, position) for axis, position in self.mesh.mirror_planes)
 
     @cached_property
     def walls(self) -> FacingWalls:
