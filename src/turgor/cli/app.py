@@ -6,19 +6,16 @@ Heavy imports stand inside the commands, so that help and error messages appear 
 
 import sys
 from collections.abc import Sequence
-from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from turgor import __version__
 from turgor.cli.again import measure_command, report_command
 from turgor.cli.answers.document import document
-from turgor.cli.answers.results import run_result
 from turgor.cli.check import check_command
 from turgor.cli.convergence import convergence_command
-from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
 from turgor.cli.export import export_command
 from turgor.cli.families.actuators import actuators_command
 from turgor.cli.families.init import init_command
@@ -27,13 +24,8 @@ from turgor.cli.inspect import inspect_command
 from turgor.cli.materials import materials_app
 from turgor.cli.mesh import mesh_command
 from turgor.cli.modes import modes_command
-from turgor.cli.options import JSON, Changes, Debug, JobFile, Json, asked_job
-from turgor.cli.signals import ends_at_once
-
-if TYPE_CHECKING:
-    from turgor.finding import Finding
-    from turgor.job.job import Job
-    from turgor.job.output.outcome import RunOutcome
+from turgor.cli.options import JSON
+from turgor.cli.run import run_command
 
 app = typer.Typer(
     add_completion=True,
@@ -81,41 +73,7 @@ def _options(
     """Read the options before the command."""
 
 
-@app.command("run")
-def _run(
-    job: JobFile,
-    output: Annotated[
-        Path | None, typer.Option(help="Folder of results; by default NAME-results here.", show_default=False)
-    ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False,
-    resume: Annotated[
-        bool, typer.Option("--resume", help="Go on with the run in the folder, from its last state.")
-    ] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Print errors and warnings only.")] = False,
-    threads: Annotated[
-        int | None, typer.Option(min=1, help="Number of threads; by default all processors.", show_default=False)
-    ] = None,
-    changes: Changes = None,
-    as_json: Json = False,
-    debug: Debug = False,
-) -> None:
-    """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
-    with errors_as_sentences(debug, as_json) as answer, ends_at_once():
-        from turgor.adaptivity.findings import matter
-
-        outcome, told = _solve(asked_job(job, changes), output, (force, resume), quiet or as_json, threads)
-        if not quiet:
-            _tell(outcome)
-        answer.give(partial(run_result, outcome))
-        heavy = matter(outcome.findings, mesh_error=False)
-        answer.warn(outcome.findings, [found for found in heavy if found not in told])
-        if not outcome.solution.complete and not as_json:
-            typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
-        if not outcome.solution.complete:
-            raise typer.Exit(NOT_CONVERGED)
-        raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
-
-
+app.command("run")(run_command)
 app.add_typer(materials_app, name="materials")
 app.command("actuators")(actuators_command)
 app.command("check")(check_command)
@@ -128,58 +86,6 @@ app.command("export")(export_command)
 app.command("mesh")(mesh_command)
 app.command("modes")(modes_command)
 app.command("convergence")(convergence_command)
-
-
-def _solve(
-    job: "Job", output: Path | None, again: tuple[bool, bool], quiet: bool, threads: int | None
-) -> "tuple[RunOutcome, list[Finding]]":
-    """Run a job; return the outcome, and the findings that were printed before the solve.
-
-    ``again`` says whether to replace the results in the folder, and whether to go on with its run.
-    """
-    from turgor.cli.console import LiveDisplay, PatientConsole, PlainDisplay
-    from turgor.job.run import run_job
-
-    console, (force, resume) = PatientConsole(quiet=quiet), again
-    with LiveDisplay(console) if console.is_terminal and not quiet else PlainDisplay(console) as show:
-        outcome = run_job(
-            job,
-            output,
-            force=force,
-            resume=resume,
-            threads=threads,
-            notify=show.notify,
-            progress=show.progress,
-            found=show.found,
-        )
-    return outcome, show.told
-
-
-def _tell(outcome: "RunOutcome") -> None:
-    """Print the end of the solve, the last values of the response, the folder of results, and where notes are."""
-    from turgor.finding import Severity
-    from turgor.job.output.folder import LOG
-    from turgor.results.measures.headlines import in_regions, with_parts
-    from turgor.results.report.error_text import last_with_error
-    from turgor.solvers.pressures import pressure_text
-
-    solution, response = outcome.solution, outcome.response
-    if solution.complete:
-        typer.echo(f"{solution.message} {solution.advice}".strip())
-    numbers: dict[str, str] = {}
-    for each in outcome.job.output.measures:
-        regions = in_regions(response, each)
-        for name in [each] if regions else with_parts(response, each):
-            column = response.find(name)
-            said = f"{column.label.split(' [')[0]} {last_with_error(response, column)}"
-            numbers[name] = f"{said} [{regions}]" if regions else said
-    drive = pressure_text(solution.states[-1]) or "the end"
-    typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
-    typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
-    notes = sum(found.severity is Severity.NOTE for found in outcome.findings)
-    if notes:
-        where = outcome.files[0].name if outcome.job.output.report else LOG
-        typer.echo(f"{notes} note{'s' if notes > 1 else ''} on the results in {where}.")
 
 
 def _sentence(text: str) -> str:

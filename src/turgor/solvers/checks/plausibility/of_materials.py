@@ -1,9 +1,7 @@
 """Magnitudes of materials: moduli, compressibility, locking, density."""
 
 from collections.abc import Iterator
-from math import inf
-
-from scipy.optimize import brentq
+from math import acos, cos, inf, sqrt
 
 from turgor.materials.laws.laws import ArrudaBoyce, Gent, Hooke
 from turgor.materials.material import Material
@@ -83,5 +81,6 @@ def _of(material: Material, value: float) -> Magnitude:
 
 
 def _uniaxial(excess: float) -> float:
-    """Stretch at which I₁ − 3 = λ² + 2/λ − 3 reaches a value."""
-    return float(brentq(lambda stretch: stretch**2 + 2 / stretch - 3 - excess, 1.0, 2.0 + excess))
+    """Stretch at which I₁ − 3 = λ² + 2/λ − 3 reaches a value: the largest root of λ³ − (3 + excess) λ + 2 = 0."""
+    third = (3 + excess) / 3
+    return 2 * sqrt(third) * cos(acos(-(third**-1.5)) / 3)

@@ -1,0 +1,108 @@
+"""Command ``turgor run``: check, build, mesh, solve, measure, and write everything into a folder."""
+
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.answers.results import run_result
+from turgor.cli.exits import DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+from turgor.cli.signals import ends_at_once
+
+if TYPE_CHECKING:
+    from turgor.finding import Finding
+    from turgor.job.output.outcome import RunOutcome
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunOptions:
+    """Arguments and options of ``turgor run``."""
+
+    job: JobFile
+    output: Annotated[
+        Path | None, typer.Option(help="Folder of results; by default NAME-results here.", show_default=False)
+    ] = None
+    force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False
+    resume: Annotated[bool, typer.Option("--resume", help="Go on with the run in the folder, from its last state.")] = (
+        False
+    )
+    quiet: Annotated[bool, typer.Option("--quiet", help="Print errors and warnings only.")] = False
+    threads: Annotated[
+        int | None, typer.Option(min=1, help="Number of threads; by default all processors.", show_default=False)
+    ] = None
+    changes: Changes = None
+    as_json: Json = False
+    debug: Debug = False
+
+
+def run(chosen: RunOptions) -> None:
+    """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
+    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once():
+        from turgor.adaptivity.findings import matter
+
+        outcome, told = _solve(chosen)
+        if not chosen.quiet:
+            _tell(outcome)
+        answer.give(partial(run_result, outcome))
+        heavy = matter(outcome.findings, mesh_error=False)
+        answer.warn(outcome.findings, [found for found in heavy if found not in told])
+        if not outcome.solution.complete and not chosen.as_json:
+            typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
+        if not outcome.solution.complete:
+            raise typer.Exit(NOT_CONVERGED)
+        raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
+
+
+#: The command.
+run_command = command_of(RunOptions, run)
+
+
+def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
+    """Run a job; return the outcome, and the findings that were printed before the solve."""
+    from turgor.cli.console import LiveDisplay, PatientConsole, PlainDisplay
+    from turgor.job.run import run_job
+
+    job, quiet = asked_job(chosen.job, chosen.changes), chosen.quiet or chosen.as_json
+    console = PatientConsole(quiet=quiet)
+    with LiveDisplay(console) if console.is_terminal and not quiet else PlainDisplay(console) as show:
+        outcome = run_job(
+            job,
+            chosen.output,
+            force=chosen.force,
+            resume=chosen.resume,
+            threads=chosen.threads,
+            notify=show.notify,
+            progress=show.progress,
+            found=show.found,
+        )
+    return outcome, show.told
+
+
+def _tell(outcome: "RunOutcome") -> None:
+    """Print the end of the solve, the last values of the response, the folder of results, and where notes are."""
+    from turgor.finding import Severity
+    from turgor.job.output.folder import LOG
+    from turgor.results.measures.headlines import in_regions, with_parts
+    from turgor.results.report.error_text import last_with_error
+    from turgor.solvers.pressures import pressure_text
+
+    solution, response = outcome.solution, outcome.response
+    if solution.complete:
+        typer.echo(f"{solution.message} {solution.advice}".strip())
+    numbers: dict[str, str] = {}
+    for each in outcome.job.output.measures:
+        regions = in_regions(response, each)
+        for name in [each] if regions else with_parts(response, each):
+            column = response.find(name)
+            said = f"{column.label.split(' [')[0]} {last_with_error(response, column)}"
+            numbers[name] = f"{said} [{regions}]" if regions else said
+    drive = pressure_text(solution.states[-1]) or "the end"
+    typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
+    typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
+    notes = sum(found.severity is Severity.NOTE for found in outcome.findings)
+    if notes:
+        where = outcome.files[0].name if outcome.job.output.report else LOG
+        typer.echo(f"{notes} note{'s' if notes > 1 else ''} on the results in {where}.")
