@@ -91,7 +91,7 @@ def test_compression_is_fitted(run, tmp_path):
     result = run(path, "--laws", "neo-hooke")
     assert result.exit_code == 0, result.output
     assert "C10 = 50 " in result.output
-    assert "outside stretch 0.5 to 1" in result.output
+    assert "only from stretch 0.5 to 1" in result.output
 
 
 @pytest.mark.parametrize(

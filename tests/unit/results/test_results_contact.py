@@ -367,7 +367,7 @@ def test_plot_has_forces_and_areas_against_pressure(path):
     figure = contact_figure(Response(columns=columns, source=Source(text="a test")))
     forces, areas = figure.axes
     assert (forces.get_xlabel(), forces.get_ylabel()) == ("pressure [kPa]", "force on the obstacle [N]")
-    assert areas.get_ylabel() == "area that touches [mm²]"
+    assert areas.get_ylabel() == "contact area [mm²]"
     assert [line.get_label() for line in areas.get_lines()] == ["walls of the actuator", "tip"]
     assert areas.get_lines()[1].get_color() == forces.get_lines()[1].get_color()
     assert areas.get_lines()[0].get_color() not in {line.get_color() for line in forces.get_lines()}
@@ -381,7 +381,7 @@ def test_report_has_a_section_on_contact(path, tmp_path):
     assert "<h2>Contact</h2>" in text
     assert "the actuator with itself" in text
     assert "magnitude of the force of the actuator on the obstacle ball, whole actuator" in text
-    assert "area that touches" in contact_plot(path)
+    assert "contact area" in contact_plot(path)
     free = cases.solution([cases.state(cases.model(cases.body()), None, f) for f in (0.0, 1.0)])
     write_report(tmp_path / "free.html", Report(title="T", solution=free, response=measure(free)))
     assert "<h2>Contact</h2>" not in (tmp_path / "free.html").read_text(encoding="utf-8")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from turgor.errors import TurgorError, unknown
 from turgor.units import UNITS
 
-#: Factor to SI of each unit, as testing machines write it, by dimension.
+#: Factor to SI of each unit, as testing machines write the unit, by dimension.
 FACTORS: Mapping[str, Mapping[str, float]] = {
     "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3, "kgf": 9.80665, "gf": 9.80665e-3, "lbf": 4.4482216152605},
     "length": UNITS["length"],
@@ -77,11 +77,11 @@ class Column:
     index : int
         Index in the table, from 0.
     name : str
-        As written.
+        Name as written in the file.
     role : str
         A key of `DIMENSIONS`, or ``specimen``.
     factor : float
-        Factor of its numbers to SI.
+        Factor from its numbers to SI.
     """
 
     index: int
@@ -121,14 +121,14 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
         if role == "specimen":
             found.append(Column(index=index, name=name, role=role, factor=1.0))
         elif role == "time" and unit not in FACTORS["time"] and index not in stated:
-            continue  # a clock or a counter; only relaxation and cycles need a time, and say so
+            continue  # a clock or a counter; what needs a time raises its own error
         elif role:
             found.append(Column(index=index, name=name, role=role, factor=_factor(name, unit, DIMENSIONS[role], file)))
     return tuple(found)
 
 
 def split_unit(name: str) -> tuple[str, str | None]:
-    """Split the name of a column into its words and its unit, None where it states none.
+    """Split the name of a column into its words and its unit; the unit is None where the name states none.
 
     Examples
     --------

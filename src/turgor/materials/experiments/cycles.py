@@ -44,8 +44,8 @@ def half_cycles(test: MaterialTest) -> tuple[slice, ...]:
 def select_cycle(test: MaterialTest, cycle: int = -1, *, part: str = "loading") -> MaterialTest:
     """Keep one loading (or unloading) curve of a cyclic test.
 
-    Rubber softens in its first cycles (Mullins). The last cycle is the preconditioned rubber of an actuator that has
-    moved before; the first is the virgin rubber of the tables.
+    Rubber softens in its first cycles (Mullins effect). The last cycle shows the preconditioned rubber of an actuator
+    that has moved before; the first cycle shows the virgin rubber.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def select_cycle(test: MaterialTest, cycle: int = -1, *, part: str = "loading") 
     wanted = chosen[cycle - 1 if cycle > 0 else cycle]
     stretch = test.stretch[wanted]
     keep = np.zeros(len(test.stretch), dtype=bool)
-    # only points with stretches further on: small steps back are noise of the crosshead
+    # keep only points where the stretch is at a new extreme, because small steps back are noise of the crosshead
     onward = stretch if stretch[-1] >= stretch[0] else -stretch
     keep[wanted] = onward >= np.maximum.accumulate(onward)
     place = chosen.index(wanted) + 1

@@ -1,11 +1,11 @@
-"""Text of a file from a testing machine: its encoding, and a sentence for a file that is no text."""
+"""Text of a file from a testing machine: its encoding, and errors for files that hold no text."""
 
 import codecs
 from pathlib import Path
 
 from turgor.errors import TurgorError
 
-#: Marks at the beginning of a file that state its encoding; the longer of two that begin alike comes first.
+#: Byte order marks, which state the encoding of a file; the longer of two marks that begin alike comes first.
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
     (codecs.BOM_UTF32_LE, "utf-32"),
@@ -17,7 +17,7 @@ _MARKS = (
 #: First bytes of spreadsheets.
 _SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
 
-#: Share of zero bytes at every other place of a text in UTF-16, which needs no mark.
+#: A text without a mark is UTF-16 if more than this share of every other byte is zero.
 _HALF_ZERO = 0.3
 
 
@@ -57,7 +57,7 @@ def read_lines(path: Path) -> list[str]:
 
 
 def _encoding(data: bytes) -> str:
-    """Encoding of a text by its mark, by zero bytes at every other place, or by whether it is sound UTF-8."""
+    """Encoding of a text: by its mark, by zero bytes at every other place, or by whether the text is valid UTF-8."""
     for mark, encoding in _MARKS:
         if data.startswith(mark):
             return encoding

@@ -12,7 +12,7 @@ from turgor.materials.experiments.material_test import Array, Edit, MaterialTest
 def remove_slack(test: MaterialTest, stress: float, *, shift: bool = False) -> MaterialTest:
     """Count the stretch from the length at which the specimen is taut: where the stress first stays above a threshold.
 
-    Points before it are removed. The initial area stays as it was measured.
+    Earlier points are removed. The initial area stays as it was measured.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def rest_below(test: MaterialTest, stress: float) -> MaterialTest:
     Cycles between grips may unload the specimen below the length at which it carries a load. That length is taken from
     the last loading curve, where the stress first stays above a threshold. Shorter lengths become stretch 1 without
     stress. These points stay, because time passes in them, but no fit uses them. A rubber that relaxes much more than
-    silicone is slack before it is back at its length, and the length is then found too large.
+    silicone is slack before it is back at its initial length; the taut length is then found too large.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
     test : MaterialTest
         The test.
     stretch : float [-]
-        Present stretch that becomes 1.
+        Stretch, as counted so far, that becomes 1.
 
     Examples
     --------
@@ -108,9 +108,9 @@ def set_zero_length(test: MaterialTest, stretch: float) -> MaterialTest:
 
 
 def remove_tail(test: MaterialTest, *, drop: float = 0.2) -> MaterialTest:
-    """Remove the points after the specimen broke: those after the peak, if the stress then falls.
+    """Remove the points after the specimen broke: all points after the peak, if the stress then falls.
 
-    In compression, where the stress is negative, its size counts.
+    In compression, where the stress is negative, the magnitude of the stress counts.
 
     Parameters
     ----------
@@ -188,7 +188,7 @@ def thin(test: MaterialTest, points: int = 60) -> MaterialTest:
 def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") -> MaterialTest:
     """Average replicates at equal stretches, with their standard deviation as a band.
 
-    The mean ends where the first specimen ends, because a mean over the remaining ones would jump there.
+    The mean ends where the first specimen ends, because a mean over the remaining specimens would jump there.
 
     Parameters
     ----------
@@ -240,7 +240,7 @@ def average(tests: Sequence[MaterialTest], *, points: int = 60, name: str = "") 
 
 
 def _load(test: MaterialTest) -> Array:
-    """Nominal stress in the direction in which the test goes: positive in tension, and in compression too [Pa]."""
+    """Nominal stress in the direction of the test, (n,) [Pa]: positive in tension, and positive in compression too."""
     return test.nominal_stress if test.stretch[-1] >= test.stretch[0] else -test.nominal_stress
 
 

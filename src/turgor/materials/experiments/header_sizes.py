@@ -14,10 +14,10 @@ _STATED = re.compile(
     r"(\d{1,9}(?:[.,]\d{1,12})?(?:[eE][+-]?\d{1,2})?)\"?\s?([A-Za-zµ]{1,4}[²2^]{0,2})?(?=[\s,;\".)\]]|$)"
 )
 
-#: Words beside a dimension that leave it what it is.
+#: Words beside the name of a dimension that do not change its meaning.
 _BESIDE = re.compile(r"\b(specimen|sample|strip|initial|original|gauge|gage|free|of|the|l0|w0|t0|a0)\b")
 
-#: Dimensions by their words.
+#: Dimension by its name, and by its symbol.
 _NAMES = {
     "length": "length",
     "width": "width",
@@ -34,7 +34,7 @@ _SYMBOLS = {"l0": "length", "w0": "width", "t0": "thickness", "a0": "area"}
 _AREAS = {f"{unit}{two}": factor**2 for unit, factor in FACTORS["length"].items() for two in ("²", "2", "^2")}
 
 #: Share by which two statements of a dimension may differ.
-_SAME = 0.01
+_TOLERANCE = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,7 +48,7 @@ class Sizes:
     section : float or None [m²]
         Initial cross-section.
     header : mapping of str to str
-        What the header states, in its own words, by dimension.
+        Words of the header about each dimension.
     """
 
     length: float | None
@@ -81,7 +81,7 @@ def sizes_of(file: str, notes: Sequence[str], specimen: Specimen | None) -> Size
                 raise TurgorError(f"'{file}': its header states both '{known[1]}' and '{text}'; correct one of them.")
     if specimen is None:
         values = {name: value for name, (value, _) in found.items()}
-        section = values.get("area", values["width"] * values["thickness"] if _flat(values) else None)
+        section = values.get("area", values["width"] * values["thickness"] if _has_both(values) else None)
     else:
         values, section = {"length": specimen.length}, specimen.section
     header = {name: text for name, (_, text) in found.items()}
@@ -112,7 +112,7 @@ def _statements(file: str, note: str, *, needed: bool) -> list[tuple[str, float,
 
 
 def _dimension(words: str) -> str | None:
-    """Which dimension some words name; None for others, such as the length of a stroke."""
+    """Dimension that some words name; None for other words, such as the length of a stroke."""
     plain = re.sub(r"[_\-]+", " ", words.lower()).strip()
     return _SYMBOLS.get(plain) or _NAMES.get(" ".join(_BESIDE.sub(" ", plain).split()))
 
@@ -129,7 +129,7 @@ def _check(file: str, found: Mapping[str, tuple[float, str]], specimen: Specimen
                 f"'{file}': its header states '{text}', but the specimen has {given * factor:g} {unit}; "
                 "correct one of them."
             )
-    if _flat(found) and sizes.section is not None:
+    if _has_both(found) and sizes.section is not None:
         area = found["width"][0] * found["thickness"][0]
         if not _same(area, sizes.section):
             raise TurgorError(
@@ -138,9 +138,10 @@ def _check(file: str, found: Mapping[str, tuple[float, str]], specimen: Specimen
             )
 
 
-def _flat(values: Mapping[str, object]) -> bool:
+def _has_both(values: Mapping[str, object]) -> bool:
+    """Whether both width and thickness are stated."""
     return "width" in values and "thickness" in values
 
 
 def _same(one: float, other: float) -> bool:
-    return abs(one - other) <= _SAME * max(abs(one), abs(other))
+    return abs(one - other) <= _TOLERANCE * max(abs(one), abs(other))

@@ -15,7 +15,7 @@ from turgor.source import Source
 
 Array = NDArray[np.float64]
 
-#: The tests of a rubber; pure shear is another name for planar tension.
+#: Modes of a test on a rubber; pure shear is another name for planar tension.
 MODES = ("uniaxial", "equibiaxial", "planar", "simple_shear", "biaxial")
 
 #: Smallest step back of the stretch that counts as a reversal, as a share of the whole range.
@@ -130,7 +130,7 @@ class MaterialTest(Shown):
 
     @property
     def deformation(self) -> Array:
-        """Deformation gradient of every point, volume kept; (n, 3, 3) array [-]."""
+        """Deformation gradient of every point at constant volume; (n, 3, 3) array [-]."""
         if self.stretch_2 is not None:
             third = 1.0 / (self.stretch * self.stretch_2)
             return np.asarray(np.stack([self.stretch, self.stretch_2, third], axis=-1)[..., None] * np.eye(3))
@@ -144,7 +144,7 @@ class MaterialTest(Shown):
         return np.concatenate([self.nominal_stress, self.nominal_stress_2])
 
     def predicted(self, law: Any) -> Array:
-        """Nominal stress of a law at the points of this test, in the order of `measured` [Pa].
+        """Return the nominal stress of a law at the points of this test, in the order of `measured` [Pa].
 
         Parameters
         ----------
@@ -192,7 +192,7 @@ class MaterialTest(Shown):
         keep : (n,) array of bool
             Mask of the points that stay.
         text : str
-            Reason for the removal of the others, with which the record begins.
+            Reason for the removal of the others; the text of the edit begins with the reason.
         """
         gone = ~keep
         if keep.sum() < 2:
@@ -223,7 +223,7 @@ class MaterialTest(Shown):
         array = np.array(values, dtype=np.float64)
         if array.ndim != 1 or (key != "stretch" and array.shape != np.shape(self.stretch)):
             shapes = f"{np.shape(values)} against stretch {np.shape(self.stretch)}"
-            raise TurgorError(f"test '{self.name}': {key} has the wrong shape, {shapes}; one value a point is needed.")
+            raise TurgorError(f"test '{self.name}': {key} has the wrong shape, {shapes}; each point needs one value.")
         if not np.isfinite(array).all():
             where = int(np.argmin(np.isfinite(array))) + 1
             raise TurgorError(f"test '{self.name}': {key} of point {where} is {array[where - 1]}; it must be a number.")

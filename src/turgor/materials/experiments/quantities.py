@@ -28,8 +28,8 @@ class Quantity:
     text : str
         Description of the conversion.
     convert : callable
-        ``convert(values, stretch)`` makes stretch or nominal stress from the values of the column in SI; the stretch
-        is None for a stretch itself.
+        ``convert(values, stretch)`` makes a stretch or a nominal stress from the values of the column in SI; the
+        argument ``stretch`` is None if the result is a stretch.
     """
 
     role: str
@@ -38,7 +38,7 @@ class Quantity:
 
 
 def stretch_quantity(file: str, columns: Columns, mode: str, sizes: Callable[[], Sizes]) -> Quantity:
-    """Find what gives the stretch, or the amount of shear.
+    """Find the column that gives the stretch or the amount of shear, and its conversion.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def stretch_quantity(file: str, columns: Columns, mode: str, sizes: Callable[[],
 def stress_quantity(
     file: str, columns: Columns, mode: str, sizes: Callable[[], Sizes], measure: str | None
 ) -> Quantity:
-    """Find what gives the nominal stress, along the first axis of a biaxial test.
+    """Find the column that gives the nominal stress, for a biaxial test along the first axis, and its conversion.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def stress_quantity(
 
 
 def second_stress(file: str, columns: Columns, measure: str | None, first: Quantity) -> Quantity | None:
-    """Find the stress along the second axis of a biaxial test, measured as the first; None where there is none.
+    """Find the stress along the second axis of a biaxial test, of the same measure as the first; None if there is none.
 
     Parameters
     ----------
@@ -185,10 +185,10 @@ def _as_it_is(values: Array, stretch: Array | None) -> Array:
 def _over_stretch(values: Array, stretch: Array | None) -> Array:
     assert stretch is not None
     if not (stretch > 0).all():
-        return values  # such a stretch is refused by the test, with its point
+        return values  # MaterialTest raises an error that names the point
     return np.asarray(values / stretch)
 
 
 def _exponential(strain: Array, stretch: Array | None) -> Array:
     with np.errstate(over="ignore"):
-        return np.asarray(np.exp(strain))  # an infinite stretch is refused by the test
+        return np.asarray(np.exp(strain))  # MaterialTest raises an error for infinity

@@ -45,14 +45,14 @@ def read_test(
     path : str or Path
         A text file with a header line, split by semicolons, tabs or commas; decimal points or commas.
     mode : str, optional
-        One of `MODES`; by default what the name of the file says.
+        One of `MODES`; by default the mode in the name of the file.
     stress_measure : str, optional
         ``"nominal"`` (force per initial area) or ``"cauchy"`` (force per current area), where the file does not say.
         A Cauchy stress is divided by the stretch, which is right for a rubber that keeps its volume.
     specimen : Specimen, optional
-        Its dimensions; needed where the file holds lengths and forces.
+        Dimensions of the specimen; needed where the file holds lengths and forces.
     columns : mapping of str to str, or sequence of str, optional
-        Column by role, such as ``{"force": "Load cell 2 (N)"}``; or the names of all columns, for files without any.
+        Column by role, such as ``{"force": "Load cell 2 (N)"}``; or the names of all columns, for a file without names.
     cyclic : bool
         Whether the stretch may reverse; then choose a cycle with `select_cycle`.
 
@@ -142,7 +142,7 @@ def _mode(file: str, mode: str | None) -> str:
 
 
 def _for_mode(columns: Sequence[Column], mode: str) -> tuple[Column, ...]:
-    """Columns with their roles in a mode: what ends in 2 is the second axis of biaxial tests, else a replicate."""
+    """Columns with their roles in a mode; a name that ends in 2 means the second axis if biaxial, else a replicate."""
     if mode == "biaxial":
         return tuple(columns)
     return tuple(replace(column, role=column.role.removesuffix("_2")) for column in columns)
@@ -177,11 +177,11 @@ def _specimens(table: Table, columns: Sequence[Column]) -> list[tuple[str, Table
     names = list(dict.fromkeys(roles))
     groups = [{role: [c for c in measured if c.role == role][i] for role in names} for i in range(copies)]
     clocks = [{"time": column} for column in times] if len(times) == copies else [clock] * copies
-    return [(f"{stem} {i + 1}", _filled(table, group), group | clocks[i]) for i, group in enumerate(groups)]
+    return [(f"{stem} {i + 1}", _trimmed(table, group), group | clocks[i]) for i, group in enumerate(groups)]
 
 
-def _filled(table: Table, group: Mapping[str, Column]) -> Table:
-    """Cut a column group where it ends: replicates side by side break at different rows."""
+def _trimmed(table: Table, group: Mapping[str, Column]) -> Table:
+    """Cut a table where a group of columns ends, because replicates side by side end at different rows."""
     last = [n for n, row in enumerate(table.rows) if any("".join(row[c.index : c.index + 1]) for c in group.values())]
     end = last[-1] + 1 if last else 0
     return replace(table, rows=table.rows[:end], lines=table.lines[:end])
@@ -231,9 +231,9 @@ def _time(table: Table, column: Column | None) -> tuple[Array | None, str]:
         return None, ""
     time = table.seconds(column.index)
     if time is None:
-        return None, f"; '{column.name}' left out, not all of it are times"
+        return None, f"; '{column.name}' left out, because it does not hold times only"
     time = time * column.factor
     back = np.flatnonzero(np.diff(time) < 0)
     if len(back):
-        return None, f"; '{column.name}' left out, it runs backwards at line {table.lines[int(back[0]) + 1]}"
+        return None, f"; '{column.name}' left out, because it runs backwards at line {table.lines[int(back[0]) + 1]}"
     return time - time[0], f"; time from '{column.name}'"

@@ -24,10 +24,11 @@ _POINT = re.compile(r"[+-]?\d*\.\d+([eE][+-]?\d+)?")
 _BRACKETS = re.compile(r"[(\[][^)\]]*[)\]]")
 _CLOCK = re.compile(r"\d+:\d\d(:\d\d)?([.,]\d+)?")
 _QUOTED = re.compile(r'"[^"]*"')
-#: Letters of a header line beyond which names without a separator are not looked for.
+
+#: Number of letters of a header line beyond which names without a separator are not looked for.
 LONGEST_HEADER = 5000
 
-#: Texts of testing machines for a missing number.
+#: What testing machines write for a missing number.
 _MISSING = frozenset({"", "nan", "n/a", "na", "-", "--", "inf", "-inf", "#n/a", "null"})
 
 
@@ -44,7 +45,7 @@ class Table:
     names : tuple of str
         Column names as written; empty where the file has none.
     rows : tuple of tuple of str
-        Cells of the numbers, decimal commas made points.
+        Cells of the rows of numbers, with decimal points in place of commas.
     lines : tuple of int
         Line of each row in the file, counted from 1.
     """
@@ -56,7 +57,7 @@ class Table:
     lines: tuple[int, ...]
 
     def column(self, index: int) -> NDArray[np.float64]:
-        """Return a column as numbers; the error for another cell states its line.
+        """Return a column as numbers; the error for a cell that is not a number states its line.
 
         Parameters
         ----------
@@ -77,7 +78,7 @@ class Table:
         return np.array(values)
 
     def seconds(self, index: int) -> NDArray[np.float64] | None:
-        """Return a column of times, as numbers or as a clock such as ``00:06:57.69``; None where one is neither.
+        """Return a column of times, as numbers or as a clock such as ``00:06:57.69``; None where a cell is neither.
 
         Parameters
         ----------
@@ -92,7 +93,7 @@ class Table:
             except ValueError:
                 return None
             if len(parts) == 2:
-                return None  # hours and minutes, or minutes and seconds
+                return None  # ambiguous: hours and minutes, or minutes and seconds
         times = np.array(values)
         return times if np.isfinite(times).all() else None
 
@@ -110,8 +111,8 @@ class Table:
     def complete(self, indices: Iterable[int]) -> tuple["Table", str]:
         """Return the rows without a missing number, and a remark about the others.
 
-        A cell is missing if it is empty or holds what machines write for no value, such as ``nan``. Other text is
-        a mistake, and `column` says so.
+        A number is missing if its cell is empty or holds what machines write for no value, such as ``nan``. For other
+        text `column` raises an error.
 
         Parameters
         ----------
@@ -152,8 +153,8 @@ def read_table(path: str | Path) -> Table:
         if any(cells[number]) and not lines[number].lstrip().startswith("#")
     ]
     where = tuple(line for line, _ in counted)
-    rows = tuple(_even([row for _, row in counted], where, names, path.name))
-    return _with_points(Table(file=path.name, notes=notes, names=names, rows=rows, lines=where))
+    rows = tuple(_checked_rows([row for _, row in counted], where, names, path.name))
+    return _with_decimal_points(Table(file=path.name, notes=notes, names=names, rows=rows, lines=where))
 
 
 def _cell(row: Sequence[str], index: int) -> str:
@@ -161,7 +162,7 @@ def _cell(row: Sequence[str], index: int) -> str:
 
 
 def _separator(lines: list[str]) -> str | None:
-    """Return the separator that splits most of the lines with a leading number; None means blanks."""
+    """Return the separator that splits most of the lines that begin with a number; None means blanks."""
     bare = [_QUOTED.sub("0", line).strip() for line in lines]  # a comma between quotes splits nothing
     numeric = [line for line in bare if line[:1].isdigit() or line[:1] in ("+", "-", ".", "−")][:200] or bare
     for sign in (";", "\t", ","):
@@ -174,6 +175,7 @@ def _separator(lines: list[str]) -> str | None:
 
 
 def _decimal_commas(line: str) -> bool:
+    """Whether a line is several numbers between blanks."""
     parts = line.split()
     return len(parts) > 1 and all(_NUMBER.fullmatch(part) for part in parts)
 
@@ -192,7 +194,7 @@ def _split(line: str, separator: str | None) -> list[str]:
 
 
 def _first_row(cells: list[list[str]]) -> int | None:
-    """Find the first line that holds nothing but numbers, two at least; names with numbers stand before it."""
+    """Find the first row of numbers: at least two numbers and at most one word, the name of a specimen."""
     for number, row in enumerate(cells):
         looks = [bool(_NUMBER.fullmatch(cell) or _CLOCK.fullmatch(cell)) for cell in row]
         rest = [cell for cell, numeric in zip(row, looks, strict=True) if not numeric]
@@ -204,7 +206,7 @@ def _first_row(cells: list[list[str]]) -> int | None:
 
 
 def _header(above: Sequence[str], separator: str | None, width: int) -> tuple[tuple[str, ...], int]:
-    """Column names from the lines above the numbers, and how many lines they take: units may have one of their own."""
+    """Column names from the lines above the numbers, and how many lines they take: units may have their own line."""
     if not above:
         return (), 0
     last = _split(above[-1].lstrip("# "), separator)
@@ -216,7 +218,7 @@ def _header(above: Sequence[str], separator: str | None, width: int) -> tuple[tu
 
 
 def _are_units(names: Sequence[str]) -> bool:
-    """Whether a header line holds units only: all in brackets, or known ones, with at most one that is not."""
+    """Whether a header line holds units only: all in brackets, or all but at most one known."""
     stated = [name for name in names if name]
     if stated and all(_BRACKETS.fullmatch(name) for name in stated):
         return True
@@ -233,8 +235,10 @@ def _names(line: str, separator: str | None, width: int) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _even(rows: Sequence[Sequence[str]], lines: Sequence[int], names: Sequence[str], file: str) -> Iterator[Cells]:
-    """Rows without empty cells beyond the columns; one with a cell too many or too few is an error: columns move."""
+def _checked_rows(
+    rows: Sequence[Sequence[str]], lines: Sequence[int], names: Sequence[str], file: str
+) -> Iterator[Cells]:
+    """Rows without empty cells beyond the columns; a cell too many or too few is an error, because columns shift."""
     usual = Counter(len(row) for row in rows).most_common(1)[0][0]
     width = max((n + 1 for n, name in enumerate(names) if name), default=usual)
     for row, line in zip(rows, lines, strict=True):
@@ -249,12 +253,12 @@ def _even(rows: Sequence[Sequence[str]], lines: Sequence[int], names: Sequence[s
         yield tuple(row[:end])
 
 
-def _with_points(table: Table) -> Table:
+def _with_decimal_points(table: Table) -> Table:
     """Return the table with decimal points instead of commas; an error if its numbers have both."""
-    comma = _first(table, _COMMA)
+    comma = _first_match(table, _COMMA)
     if comma is None:
         return table
-    point = _first(table, _POINT)
+    point = _first_match(table, _POINT)
     if point is not None:
         raise TurgorError(
             f"'{table.file}': '{comma[0]}' in line {comma[1]} has a decimal comma, '{point[0]}' in line {point[1]} "
@@ -266,8 +270,8 @@ def _with_points(table: Table) -> Table:
     return replace(table, rows=rows)
 
 
-def _first(table: Table, pattern: re.Pattern[str]) -> tuple[str, int] | None:
-    """First cell of a pattern and its line; names of specimens, such as 1.2, are no numbers."""
+def _first_match(table: Table, pattern: re.Pattern[str]) -> tuple[str, int] | None:
+    """First cell that matches a pattern, and its line; names of specimens, such as 1.2, do not count."""
     labels = {n for n, name in enumerate(table.names) if role_of(name) == "specimen"}
     for row, line in zip(table.rows, table.lines, strict=True):
         for index, cell in enumerate(row):

@@ -1,4 +1,4 @@
-"""Checks of fitted laws: range (M01), what the tests leave open (M02), stretch for the order (M03), stability (M06)."""
+"""Checks of fitted laws: range (M01), undetermined constants (M02), stretch for the order (M03), stability (M06)."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -10,7 +10,7 @@ from turgor.materials.laws.laws import StretchLaw
 from turgor.materials.library.doubt_checks import unstable_law
 from turgor.materials.material import Material
 
-#: Advice of M02. The numbers are those of ``tests/validation/fits/test_fit_one_mode.py``.
+#: Advice of M02. The numbers come from ``tests/validation/fits/test_fit_one_mode.py``.
 _MORE_MODES = (
     "Add tests of another mode, equibiaxial or planar. Laws of the first invariant leave nothing open but are no "
     "substitute: fitted to uniaxial tension of three measured rubbers, Yeoh's law is 12 to 48 % off in equibiaxial "
@@ -27,7 +27,7 @@ def check_stretch_range(material: Material, stretch: tuple[float, float]) -> tup
     Parameters
     ----------
     material : Material
-        Its ``stretch_range`` is compared; without one there is no finding.
+        Material with a ``stretch_range``; without a range there is no finding.
     stretch : (float, float) [-]
         Smallest and largest stretch in use.
 
@@ -53,7 +53,7 @@ def check_stretch_range(material: Material, stretch: tuple[float, float]) -> tup
             code="M01",
             severity=Severity.WARNING,
             message=f"The law of '{material.name}' is used {' and '.join(beyond)}.",
-            advice="Do not trust it there: test the rubber over that range, or use the results below it.",
+            advice="Do not trust the law there: test the rubber at these stretches, or use results within the tests.",
         ),
     )
 
@@ -83,7 +83,7 @@ def check_modes(law: Any, modes: Sequence[str]) -> tuple[Finding, ...]:
 
 
 def _one_mode(law: Any, modes: Sequence[str]) -> str:
-    """Sentence about a law with a freedom between the modes that was fitted to one; empty otherwise."""
+    """Sentence about a law that one mode cannot determine and that was fitted to one mode; empty otherwise."""
     paths = {"planar" if mode == "simple_shear" else mode for mode in modes}
     if len(paths) != 1 or paths == {"biaxial"}:
         return ""
@@ -135,7 +135,7 @@ def check_order(law: Any, stretch: float, *, reinforced: bool = False) -> tuple[
     stretch : float [-]
         Largest stretch in use.
     reinforced : bool
-        Whether fibers or chambers prevent ballooning; the finding is then a note, because laws of low order are good to
+        Whether fibers or chambers prevent ballooning; the finding is then a note, because laws of low order hold up to
         larger stretches.
 
     Examples
@@ -159,7 +159,7 @@ def check_order(law: Any, stretch: float, *, reinforced: bool = False) -> tuple[
 
 
 def covered_range(tests: Sequence[MaterialTest], stretch: tuple[float, float]) -> tuple[float, float]:
-    """Return the part of a range that tests cover; the undeformed state belongs to it [-].
+    """Return the part of a range that tests cover, extended to the undeformed state [-].
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def fit_findings(found: Fit, tests: Sequence[MaterialTest]) -> tuple[Finding, ..
     Parameters
     ----------
     found : Fit
-        The fit, for the range of stretch that is wanted.
+        The fit, with the range of stretch that is wanted.
     tests : sequence of MaterialTest
         Whole tests, before points outside the range were left out.
     """

@@ -7,7 +7,7 @@ from scipy.optimize import nnls
 Array = NDArray[np.float64]
 
 #: Tolerance of a constraint, relative to its largest term.
-_KEPT = 1e-9
+_TOLERANCE = 1e-9
 
 
 def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, NDArray[np.bool_]]:
@@ -25,7 +25,7 @@ def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, ND
     G : (k, n) array
         Constraints, one per row.
     h : (k,) array
-        Their lower limits.
+        Lower limits of the constraints.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def solve_constrained(A: Array, b: Array, G: Array, h: Array) -> tuple[Array, ND
     size[size == 0] = 1.0
     G, h = G / size[:, None], h / size
     x = np.linalg.lstsq(A, b, rcond=None)[0]
-    limit = -_KEPT * (np.abs(x).max(initial=0.0) + np.abs(h))
+    limit = -_TOLERANCE * (np.abs(x).max(initial=0.0) + np.abs(h))
     if not (G @ x - h < limit).any():
         return x / scale, np.zeros(len(h), dtype=bool)
     Q, R = np.linalg.qr(A)

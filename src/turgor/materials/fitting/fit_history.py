@@ -27,13 +27,13 @@ STARTS = 6
 #: Smallest long-term share of the instantaneous stress; a rubber does not flow.
 LEAST_LEFT = 1e-3
 
-#: A parameter whose standard error exceeds this share of it counts as not determined.
+#: A parameter whose standard error exceeds this share of its value counts as not determined.
 LOOSE_SHARE = 0.5
 
 
 @dataclass(frozen=True, slots=True)
 class _Search:
-    """Parameters of the search, with their bounds in its variables (logarithms of times and of m, and 1/r)."""
+    """Nonlinear search; its variables are the logarithms of the relaxation times, 1/r, the logarithm of m, and β."""
 
     terms: int
     softening: bool
@@ -58,7 +58,7 @@ class _Search:
         inverse, m, *beta = (float(value) for value in x[self.terms :])
         return Mullins(r=1 / inverse, m=float(np.exp(m)), beta=beta[0] if beta else 0.0), tau.tolist()
 
-    def off(self, x: Array) -> Array:
+    def residual(self, x: Array) -> Array:
         mullins, tau = self.parts(x)
         columns = self.points.columns(mullins, tau)
         return np.asarray(columns @ self.points.shares(columns, self.rescale) - self.points.measured)
@@ -83,7 +83,7 @@ def fit_history(
     law : Law
         Law that was fitted to first loading curves.
     tests : MaterialTest or sequence of MaterialTest
-        With time, in uniaxial, equibiaxial or planar mode. Points at rest, as from `rest_below`, are not used.
+        Tests with time, in uniaxial, equibiaxial or planar mode. Points at rest, as from `rest_below`, are not used.
     terms : int
         Terms of the Prony series; terms that come out as zero are left out.
     stress_softening : bool
@@ -100,7 +100,7 @@ def fit_history(
     Raises
     ------
     TurgorError
-        If nothing is to be fitted, or a test has no time or no such mode.
+        If nothing is to be fitted, or a test has no time or another mode.
 
     Examples
     --------
@@ -120,7 +120,7 @@ def fit_history(
     return HistoryFit(
         material=material,
         values=_of_scaled_law(values),
-        **_trust(search, values),
+        **_uncertainty(search, values),
         largest_softening=_largest_softening(material.stress_softening, search.points.top * values["scale"]),
         quality=quality_of(material, tests),
     )
@@ -140,7 +140,7 @@ def _best(search: _Search) -> Array:
     low, high = search.bounds
     random = np.random.default_rng(0)
     starts = [low + (high - low) * random.uniform(0.1, 0.9, len(low)) for _ in range(STARTS)]
-    found = [least_squares(search.off, start, bounds=(low, high)) for start in starts]
+    found = [least_squares(search.residual, start, bounds=(low, high)) for start in starts]
     return np.asarray(min(found, key=lambda each: each.cost).x)
 
 
@@ -151,7 +151,7 @@ def _values(search: _Search, x: Array) -> dict[str, float]:
     scale = float(shares.sum())
     if not shares[0] > LEAST_LEFT * scale:
         raise TurgorError(
-            "the tests relax without limit: no stress is left at rest. Give a longer test, or fewer terms."
+            "the tests relax without limit: no long-term stress is left. Give a longer test, or fewer terms."
         )
     kept = sorted((float(t), float(b)) for t, b in zip(tau, shares[1:], strict=True) if b > 1e-6 * scale)
     values = {"scale": scale}
@@ -163,7 +163,7 @@ def _values(search: _Search, x: Array) -> dict[str, float]:
 
 
 def _of_scaled_law(values: Mapping[str, float]) -> dict[str, float]:
-    """Parameters of the scaled law: m is an energy density and scales with it."""
+    """Parameters of the scaled law: m is an energy density and scales with the law."""
     return dict(values) | ({"m": values["m"] * values["scale"]} if "m" in values else {})
 
 
@@ -190,9 +190,9 @@ def _material(law: Law, values: Mapping[str, float], search: _Search, tests: Seq
     )
 
 
-def _trust(search: _Search, values: Mapping[str, float]) -> dict[str, Any]:
+def _uncertainty(search: _Search, values: Mapping[str, float]) -> dict[str, Any]:
     """Standard errors, active bounds, and parameters that the tests do not determine."""
-    held = _held(search, values)
+    held = _active_bounds(search, values)
     free = [name for name in values if name not in held and (search.rescale or name != "scale")]
     best = np.array([values[name] for name in free])
     predicted = partial(_predicted, search, dict(values), free)
@@ -209,7 +209,8 @@ def _trust(search: _Search, values: Mapping[str, float]) -> dict[str, Any]:
     return {"errors": errors, "bounds_hit": tuple(held.values()), "undetermined": tuple(loose)}
 
 
-def _held(search: _Search, values: Mapping[str, float]) -> dict[str, str]:
+def _active_bounds(search: _Search, values: Mapping[str, float]) -> dict[str, str]:
+    """Sentence about each parameter that is at a bound of the search, by name."""
     low, high = search.points.span
     edges = {name: (low, 10 * high, "s") for name in values if name.startswith("tau")}
     inverse, m, beta = SOFTENING_BOUNDS
@@ -231,4 +232,5 @@ def _predicted(search: _Search, values: dict[str, float], free: Sequence[str], x
 
 
 def _largest_softening(mullins: Mullins | None, top: float) -> float:
+    """Share of the stress that is lost near rest after the energy density ``top`` [Pa]."""
     return 0.0 if mullins is None else 1.0 - float(softening(mullins, 0.0, top)[0])

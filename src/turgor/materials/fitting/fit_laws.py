@@ -41,15 +41,16 @@ def fit(
 ) -> Fit:
     """Fit a law to one or more tests at once, by least squares of the nominal stress.
 
-    The stress of every law is linear in its coefficients. Linear least squares finds these exactly, with inequality
-    constraints for stability. Only exponents or a limiting stretch need a nonlinear search, from several starts.
+    The stress of every law is linear in its coefficients. Linear least squares finds the coefficients exactly, with
+    inequality constraints for stability. Only exponents or a limiting stretch need a nonlinear search, from several
+    starts.
 
     Parameters
     ----------
     law : str or type
-        Such as ``"yeoh"``, ``"ogden-3"``, ``"rivlin-2"``, or ``Yeoh``.
+        Name or class, such as ``"yeoh"``, ``"ogden-3"``, ``"rivlin-2"``, or ``Yeoh``.
     tests : MaterialTest or sequence of MaterialTest
-        Any modes together. Each point counts the same, so `thin` those that hold many.
+        Tests of any modes. Every point has the same weight, so `thin` tests with many points.
     stretch : (float, float), optional [-]
         Range that is wanted. Points outside are left out, and the law is stable inside, in every mode. By default all
         points count, and each mode is stable up to the first invariant of uniaxial tension at their largest stretch.
@@ -100,7 +101,7 @@ def _used(
         raise TurgorError(f"no test has two points between stretch {stretch[0]:g} and {stretch[1]:g}.")
     points = sum(len(test.measured) for test in used)
     if points <= len(spec.names):
-        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {points} points cannot fit them.")
+        raise TurgorError(f"{spec.name} has {len(spec.names)} parameters; {points} points cannot determine them.")
     return used
 
 
@@ -135,10 +136,10 @@ class _Search:
 
     def __init__(self, spec: LawSpec, points: FitPoints, ranges: ModeRanges, stable: bool) -> None:
         self.spec, self.points, self.stable = spec, points, stable
-        borne = [float((points.F**2).sum(axis=(1, 2)).max())]
+        invariants = [float((points.F**2).sum(axis=(1, 2)).max())]
         if stable:
-            borne += [float((mode(np.array(edges)) ** 2).sum(axis=(1, 2)).max()) for mode, edges in ranges]
-        invariant = max(borne)
+            invariants += [float((mode(np.array(edges)) ** 2).sum(axis=(1, 2)).max()) for mode, edges in ranges]
+        invariant = max(invariants)
         modulus = self._modulus()
         self.bounds = np.array(shape_bounds(spec, invariant)).reshape(-1, 2)
         self.G = np.empty((0, len(spec.coefficients)))
@@ -165,7 +166,7 @@ class _Search:
         modulus = 2 * float(column @ self.points.target / (column @ column))
         if not modulus > 0:
             raise TurgorError(
-                "the stresses point against the stretches: tension shows negative stress, or compression positive; "
+                "the stresses have the wrong sign: tension shows negative stress, or compression positive stress; "
                 "check the sign of the force."
             )
         return modulus
@@ -258,7 +259,7 @@ class _Search:
             names = zip(self.spec.coefficients, coefficients, strict=True)
             hit += [f"{name} is 0: this term is not needed" for name, value in names if value == 0]
         elif len(held):
-            hit.append("stability over the range holds the coefficients back")
+            hit.append("stability over the range limits the coefficients")
         return tuple(hit)
 
 

@@ -23,19 +23,19 @@ class HistoryFit:
     Parameters
     ----------
     material : Material
-        Law times ``scale``, which makes its constants instantaneous ones, with `Prony` series and `Mullins` softening.
+        Law times ``scale``, which makes its constants instantaneous, with `Prony` series and `Mullins` softening.
     values : mapping of str to float
         Parameters in SI: ``scale`` of the law, ``g1``, ``tau1`` and so on, ``r``, ``m``, ``beta``.
     errors : mapping of str to float
-        Their standard errors from the scatter about the curve; 0 for one at a bound. Deviations of neighboring points
-        are correlated, so these errors are too small.
+        Standard errors of the parameters, from the scatter about the curve; 0 for a parameter at a bound. Deviations of
+        neighboring points are correlated, so these errors are too small.
     bounds_hit : tuple of str
         Parameters at a bound, which the tests do not determine.
     undetermined : tuple of str
         Parameters whose standard error exceeds half their value.
     largest_softening : float [-]
-        Share 1 − η of the stress that is lost near rest after the largest stretch of the tests. The tests determine it
-        even where they do not determine r, m and β one by one.
+        Share 1 − η of the stress that is lost near rest after the largest stretch of the tests. The tests determine
+        this share even where they do not determine r, m and β one by one.
     quality : tuple of FitResidual
         Error of every test, over the points with load.
     """
@@ -73,7 +73,7 @@ def quality_of(material: Material, tests: Sequence[MaterialTest]) -> tuple[FitRe
     Parameters
     ----------
     material : Material
-        With its viscoelasticity and stress softening.
+        Rubber with its viscoelasticity and stress softening.
     tests : sequence of MaterialTest
         Tests with time; about `POINTS` points of each are used.
     """

@@ -1,4 +1,4 @@
-"""Points of tests with time as one linear system: the softened stress of a law, and its internal stresses."""
+"""Points of tests with time as one linear system: softened stress of a law, and internal stresses of Prony terms."""
 
 from collections.abc import Sequence
 
@@ -33,11 +33,11 @@ class HistoryPoints:
     Attributes
     ----------
     span : (float, float) [s]
-        Shortest time between points, longest duration of a test.
+        Median time between points, and longest duration of a test.
     top : float [Pa]
         Largest energy density of the law in the tests.
     measured : (n,) array [-]
-        Nominal stresses over the largest of their test.
+        Nominal stresses, divided by the largest stress of their test.
     """
 
     def __init__(self, law: Law, tests: Sequence[MaterialTest], points: int) -> None:
@@ -48,7 +48,7 @@ class HistoryPoints:
         self.top = max(float(part.energy.max()) for part in self._parts)
 
     def columns(self, mullins: Mullins | None, tau: Sequence[float]) -> Array:
-        """Return the softened stress of the law and each internal stress, relative to the largest stress of each test.
+        """Return the softened stress of the law and each internal stress, over the largest stress of each test.
 
         Parameters
         ----------
@@ -69,7 +69,7 @@ class HistoryPoints:
         Parameters
         ----------
         columns : (n, 1 + terms) array [-]
-            As from `columns`.
+            Result of `columns`.
         rescale : bool
             Whether the law may be multiplied by a factor.
         """
@@ -82,7 +82,7 @@ class HistoryPoints:
 
 
 class HistoryPart:
-    """One test: its points with load, and the stress of the law at all of them.
+    """One test: its points with load, and the stress of the law at all of its points.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ class HistoryPart:
 
 
 def _chosen(test: MaterialTest, points: int) -> NDArray[np.intp]:
-    """Evenly spaced points, and those where the stretch reverses."""
+    """Indices of evenly spaced points and of the points where the stretch reverses."""
     count = len(test.stretch)
     stride = max(1, count // points)
     turns = [edge for half in half_cycles(test) for edge in (half.start, half.stop - 1)]

@@ -1,4 +1,4 @@
-"""Find the law that a fit asks for, by its name or its class."""
+"""Laws that can be fitted, found by name or by class."""
 
 import re
 from typing import Any
@@ -13,7 +13,7 @@ LARGEST_ORDER = 6
 
 
 def law_spec(law: str | type[Any] | LawSpec) -> LawSpec:
-    """Find a law by its name or its class.
+    """Find the spec of a law by its name or its class.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def shape_bounds(spec: LawSpec, largest_invariant: float) -> tuple[tuple[float, 
     spec : LawSpec
         The law.
     largest_invariant : float [-]
-        Largest I₁ that the law must bear; Gent's law ends at I₁ − 3 = Jm.
+        Largest I₁ at which the law must have a stress; Gent's law ends at I₁ − 3 = Jm.
     """
     low, high = spec.bounds(largest_invariant) if callable(spec.bounds) else spec.bounds
     return ((low, high),) * len(spec.shapes)
@@ -75,7 +75,7 @@ def _fitted_laws() -> tuple[dict[str, type[Any]], dict[str, type[Any]]]:
 
 
 def _of_series(kind: Any, name: str, order: str) -> LawSpec:
-    """Spec of a law with any number of terms, which its class makes for a given number."""
+    """Spec of a law with a stated number of terms, made by the class of the law."""
     if not order:
         example = f"{kind.series}-3"
         raise TurgorError(f"'{name}' comes with any number of terms; say how many, for example '{example}'.")

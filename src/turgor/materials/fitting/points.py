@@ -15,13 +15,13 @@ from turgor.materials.laws.law_spec import LawSpec
 #: The deformation of each mode with its range of stretch.
 ModeRanges: TypeAlias = Sequence[tuple[Callable[[Any], Array], tuple[float, float]]]
 
-#: Smallest stress for relative weights, as a share of the largest of its test.
+#: Smallest stress for relative weights, as a share of the largest stress of its test.
 WEIGHT_FLOOR = 0.05
 
 #: Smallest exponent of Ogden's law; no test distinguishes smaller ones.
 LEAST_EXPONENT = 0.05
 
-#: Number of stretches in each mode at which stability is required, and the factor by which they exceed the range.
+#: Number of stretches in each mode at which stability is required, and the factor by which these exceed the range.
 STABILITY_POINTS = 240
 BEYOND = 1.005
 
@@ -156,6 +156,7 @@ def within(test: MaterialTest, stretch: tuple[float, float] | None) -> MaterialT
 
 
 def _pull(F: Array, law: Any) -> Array:
+    """Nominal stress of a law along the first axis, (n,) [Pa]."""
     return np.asarray(nominal_stress(law, F)[:, 0, 0])
 
 

@@ -101,7 +101,7 @@ def _on_order(fits: Sequence[Fit]) -> list[str]:
 
 
 def _on_modes(fits: Sequence[Fit]) -> list[str]:
-    """What the tests leave open, once for all laws with the same sentence, and the advice once."""
+    """Sentences of M02, each once with the names of its laws, and the advice once."""
     said: dict[str, list[str]] = {}
     advice = ""
     for each in fits:
@@ -114,7 +114,7 @@ def _on_modes(fits: Sequence[Fit]) -> list[str]:
 
 def _on_range(fits: Sequence[Fit]) -> list[str]:
     low, high = fits[0].stretch_range
-    said = [f"Do not use these constants outside stretch {low:.3g} to {high:.3g}, where the tests lie (M01)."]
+    said = [f"Use these constants only from stretch {low:.3g} to {high:.3g}, the range of the tests (M01)."]
     beyond = [found for found in fits[0].findings if found.code == "M01"]
     if beyond:
         least, most = fits[0].stretch
@@ -132,7 +132,7 @@ def _on_search(fits: Sequence[Fit]) -> list[str]:
         if loose and not each.left_open:
             said.append(f"{each.spec.name}: the tests determine only a combination of {loose[0]} and {loose[1]}.")
         said += [f"{each.spec.name} {_lost(each, mode)}" for mode in each.instability]
-        if not each.instability:  # beyond the range, then
+        if not each.instability:  # M06 then concerns stretches beyond the range
             said += [f"{each.spec.name}: {found.message} (M06)" for found in each.findings if found.code == "M06"]
         if each.bounds_hit:
             said.append(f"{each.spec.name}: {'; '.join(each.bounds_hit)}.")
@@ -140,7 +140,7 @@ def _on_search(fits: Sequence[Fit]) -> list[str]:
 
 
 def _lost(found: Fit, mode: str) -> str:
-    """Where stability is lost in a mode, by the strictest criterion and the others."""
+    """Sentence about where stability is lost in a mode, by the strictest criterion and by the others."""
     low, high = min(found.stretch[0], 1.0), max(found.stretch[1], 1.0)
     first, *others = instabilities(found.law, mode, high, low).items()  # type: ignore[arg-type]
     rest = "".join(f"; {_FAILS[name]} at {at:.4g}" for name, at in others)

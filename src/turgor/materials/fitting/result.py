@@ -15,7 +15,7 @@ from turgor.materials.material import Material
 from turgor.shown import Shown
 from turgor.source import Source
 
-#: Correlation beyond which two parameters count as tied together.
+#: Correlation beyond which the tests determine only a combination of two parameters.
 LOOSE = 0.99
 
 
@@ -32,7 +32,7 @@ class FitResidual:
     points : int
         Number of stresses that were compared.
     relative : float [-]
-        Root mean square of the deviation over the measured stress (at least 5 % of the largest).
+        Root mean square of the deviation divided by the measured stress (at least 5 % of the largest).
     r2 : float [-]
         Coefficient of determination, 1 − Σ deviation² / Σ (measured − mean)²; negative where the mean fits better, NaN
         if all stresses are equal.
@@ -93,11 +93,11 @@ class Fit(Shown):
     quality : tuple of FitResidual
         Error of every test.
     aic : float
-        Akaike's criterion, smaller is better; comparable for the same tests, range and weights only.
+        Akaike's criterion; smaller is better. Comparable only for the same tests, range and weights.
     stretch : (float, float) [-]
         Range that was wanted.
     stretch_range : (float, float) [-]
-        Part of it that the tests cover, in which the law may be used; it includes the undeformed state.
+        Part of the wanted range that the tests cover, in which the law may be used; includes the undeformed state.
     instability : mapping of str to float
         Stretch at which stability is first lost in the wanted range, by mode, according to the strictest of the
         criteria of `turgor.laws.instabilities`; empty where the law is stable.
@@ -164,7 +164,7 @@ class Fit(Shown):
         Parameters
         ----------
         name : str
-            Name of the material; by default it names law and tests.
+            Name of the material; by default the names of law and tests.
         density : float, optional [kg/m³]
             Mass per volume.
         bulk_modulus : float [Pa]
@@ -194,12 +194,12 @@ class Fit(Shown):
     def describe(self) -> str:
         """Write the parameters with their standard errors.
 
-        Moduli are in kPa, shapes without a unit.
+        Moduli are in kPa, shape parameters without a unit.
         """
         return ", ".join(self.parameter(name) for name in self.spec.names)
 
     def parameter(self, name: str) -> str:
-        """Write one parameter with its standard error, or that it is not determined.
+        """Write one parameter with its standard error, or with the words "not determined".
 
         Parameters
         ----------

@@ -16,7 +16,7 @@ from turgor.materials.material import Material
 from turgor.registry import name_in
 from turgor.units import format_quantity
 
-#: Law and convention of files for a law with coefficients Cij that has no form of its own, such as Yeoh's with four.
+#: Law and convention in files for a law with coefficients Cij but without a form of its own, such as Yeoh of 4 terms.
 _POLYNOMIAL = ("generalized_rivlin", "two_index")
 
 
@@ -32,7 +32,7 @@ def can_be_saved(fit: Fit) -> bool:
 
 
 def records_toml(name: str, fits: Sequence[Fit]) -> str:
-    """Write fits as the text of a file of records, which reads back to exactly the same laws.
+    """Write fits as the text of a file of records; reading it returns exactly the same laws.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def records_toml(name: str, fits: Sequence[Fit]) -> str:
 
 
 def save_fits(path: str | Path, name: str, fits: Sequence[Fit]) -> None:
-    """Write fits into a file of records; ``from_library`` with its path and a record's name reads one.
+    """Write fits into a file of records; ``from_library`` reads a record by the path and the name of the law.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def save_material(path: str | Path, material: Material, record: str = "fitted") 
     path : str or Path
         A file ending in ``.toml``.
     material : Material
-        A rubber, such as that of a `HistoryFit`.
+        A rubber, such as the material of a `HistoryFit`.
     record : str
         Name of its record.
 
@@ -92,7 +92,7 @@ def save_material(path: str | Path, material: Material, record: str = "fitted") 
 
 
 def material_toml(material: Material, record: str = "fitted") -> str:
-    """Write a material as the text of a file of records, which reads back to the same law, series and softening.
+    """Write a material as the text of a file of records; reading it returns the same law, series and softening.
 
     Parameters
     ----------

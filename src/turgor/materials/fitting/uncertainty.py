@@ -29,7 +29,7 @@ class Uncertainty:
     covariance : (n, n) array
         Covariance in the directions that the points determine.
     open_directions : (n, k) array
-        Changes of the parameters that no point notices, one per column.
+        Changes of the parameters that change no stress, one per column.
     """
 
     errors: Array
@@ -74,12 +74,13 @@ def uncertainty_of(jacobian: Array, residual: Array, limits: Array) -> Uncertain
     jacobian : (m, n) array
         Derivatives of the residual by the parameters.
     residual : (m,) array
+        Weighted residual at every point.
     limits : (k, n) array
         Gradients of the active constraints, one per row.
 
     Examples
     --------
-    Two columns that are alike leave their difference open:
+    Two equal columns leave the difference of their parameters open:
 
     >>> jacobian = np.column_stack([np.ones(3), np.ones(3), np.arange(3.0)])
     >>> found = uncertainty_of(jacobian, np.array([0.1, -0.2, 0.1]), np.empty((0, 3)))

@@ -1,4 +1,4 @@
-"""Quality of tetrahedra: Jacobian determinant of the curved cells, shape and size."""
+"""Quality of cells: Jacobian determinant of the curved cells, shape and size, with the formulas for tetrahedra."""
 
 from dataclasses import dataclass
 from itertools import product
@@ -185,5 +185,5 @@ def refuse_inverted(mesh: Mesh) -> None:
         x, y, z = mesh.points[mesh.cells[bad[0]]].mean(axis=0) * 1e3
         raise TurgorError(
             f"{len(bad)} of {len(low)} cells are turned inside out, the first around ({x:.4g}, {y:.4g}, {z:.4g}) mm; "
-            "use a smaller mesh size, so that curved faces are followed by more cells."
+            "use a smaller mesh size, so that more cells follow curved faces."
         )

@@ -13,8 +13,8 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Smallest sine of the angle between the surface and an edge through a wall. An edge with a smaller one runs along the
-#: wall: the longest cells accepted are four times as long as a wall is thick.
+#: Smallest sine of the angle between the surface and an edge through a wall. An edge at a smaller angle runs along the
+#: wall. Cells may be four times as long as the wall is thick.
 STEEP = 0.2
 
 
@@ -43,7 +43,7 @@ def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
 
 
 def crossings(mesh: Mesh) -> tuple[Ints, Array]:
-    """Find the edges that connect two surfaces of a wall, so that it has one cell through its thickness.
+    """Find the edges that connect the two surfaces of a wall; there the wall has one cell through its thickness.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def crossings(mesh: Mesh) -> tuple[Ints, Array]:
     edges : (e, 2) int array
         Vertices at the two ends.
     thickness : (e,) array [m]
-        Thickness of the wall at each edge: its length along the surface normal.
+        Thickness of the wall at each edge: length of the edge along the surface normal.
     """
     surface = six_node_triangles(outer_triangles(mesh))
     on_mirror = np.zeros(len(surface), dtype=bool)
@@ -106,11 +106,11 @@ def _thin_walls(mesh: Mesh) -> list[Finding]:
             severity=Severity.WARNING,
             message=f"One cell reaches through the wall in {len(edges)} places; the thinnest of these walls is "
             f"{thinnest / mm:.3g} mm thick, at ({x:.3g}, {y:.3g}, {z:.3g}) mm.",
-            advice="Quadratic cells bend well with one through a wall, but compare with a finer mesh before trusting "
-            "stresses; wall_cells = 2 puts two through every wall, and so does a size near "
+            advice="One quadratic cell through a wall bends well, but compare with a finer mesh before trusting "
+            "stresses; wall_cells = 2 puts two cells through every wall, and so does a size near "
             f"{thinnest / 2 / mm:.2g} mm."
             if tetrahedra
-            else "Quadratic cells bend well with one through a wall, but compare with a finer mesh before trusting "
-            "stresses, or angles to better than 10 %; wall_cells = 2 with a size of twice the wall is one.",
+            else "One quadratic cell through a wall bends well, but before trusting stresses, or angles to better than "
+            "10 %, compare with a finer mesh, such as wall_cells = 2 with a size of twice the wall thickness.",
         )
     ]

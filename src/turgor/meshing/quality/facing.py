@@ -11,13 +11,13 @@ from turgor.meshing.mesh import TRIANGLE_EDGES
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Two triangles face each other if the angle between one normal and the reversed other one is below 45°.
+#: Two triangles face each other if the angle between one normal and the reversed other normal is below 45°.
 OPPOSED = 0.7
 
 #: Triangles that share an edge belong to the same wall when their normals differ by less than 40°.
 SMOOTH = 0.77
 
-#: A triangle continues a wall when its normal is within 20° of the one that it continues.
+#: A triangle extends a wall when its normal is within 20° of the normal at which the extension started.
 CONTINUED = 0.94
 
 #: Rays evaluated together, to bound the memory.
@@ -25,7 +25,7 @@ CHUNK = 2_000
 
 
 def unit_normals(points: Array, triangles: Ints) -> Array:
-    """Unit normals of the flat triangles between the corners, (f, 3)."""
+    """Return the unit normals of the flat triangles between the corners, (f, 3)."""
     corners = points[triangles[:, :3]]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return np.asarray(normal / np.linalg.norm(normal, axis=1, keepdims=True))
@@ -62,7 +62,7 @@ def first_hits(points: Array, triangles: Ints, reach: float) -> Ints:
         for start in range(0, len(active), CHUNK):
             part = active[start : start + CHUNK]
             middle = origin[part] + (k + 0.5) * stride * normal[part]
-            # a hit in this stride is at most half a stride from its middle, and the centroid at most a radius further
+            # a hit in this stride is at most stride / 2 from the middle, the centroid of its triangle radius further
             near = tree.query_ball_point(middle, stride / 2 + radius)
             ray = np.repeat(part, [len(n) for n in near])
             target = np.array([i for n in near for i in n], dtype=np.int64)
@@ -101,7 +101,7 @@ def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
     points : (n, 3) array [m]
     triangles : (f, 6) int array
     hit : (f,) int array
-        Triangle that each one faces, -1 for none.
+        Triangle that each triangle faces, -1 for none.
 
     Returns
     -------
@@ -118,7 +118,7 @@ def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
     left, right = _neighbors(triangles)
     smooth = np.einsum("ij,ij->i", normal[left], normal[right]) > SMOOTH
     left, right = left[smooth], right[smooth]
-    facing = _grown(facing, normal, left, right)
+    facing = _extended(facing, normal, left, right)
     together = facing[left] & facing[right]
     size = len(triangles)
     graph = coo_array((np.ones(int(together.sum())), (left[together], right[together])), shape=(size, size))
@@ -132,10 +132,11 @@ def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
     return wall, pairs[np.array(apart, dtype=bool)]
 
 
-def _grown(facing: NDArray[np.bool_], normal: Array, left: Ints, right: Ints) -> NDArray[np.bool_]:
+def _extended(facing: NDArray[np.bool_], normal: Array, left: Ints, right: Ints) -> NDArray[np.bool_]:
     """Extend walls over the triangles that continue them, because a partner may face a part of a wall only.
 
-    A triangle joins if its normal is near that of the triangle at the start, so that no wall grows around a fillet.
+    A triangle joins if its normal is near the normal at which the extension started, so no wall continues round a
+    fillet.
     """
     facing, start = facing.copy(), normal.copy()
     from_, to = np.concatenate([left, right]), np.concatenate([right, left])

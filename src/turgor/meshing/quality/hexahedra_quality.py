@@ -89,17 +89,17 @@ def hexahedra_jacobian_range(mesh: Mesh) -> tuple[Array, Array]:
 
 
 def hexahedra_volumes(mesh: Mesh) -> Array:
-    """Volume of each curved hexahedron, (c,) [m³]; exact."""
+    """Return the volume of each curved hexahedron, (c,) [m³]; the quadrature is exact."""
     x, w = np.polynomial.legendre.leggauss(GAUSS)
     weights = np.array([np.prod(group) for group in product(w / 2, repeat=3)])
     return determinants(mesh, np.array(list(product((x + 1) / 2, repeat=3)))) @ weights
 
 
 def hexahedra_shapes(mesh: Mesh) -> Array:
-    """Return the scaled Jacobian of each straight hexahedron, (c,): 1 if all corners are square, 0 if one is flat.
+    """Return the scaled Jacobian of each hexahedron with straight edges, (c,): 1 for a box, 0 if a corner is flat.
 
-    It is the smallest of the eight triple products of the unit vectors along the edges of a corner. Long boxes are as
-    good as cubes.
+    The scaled Jacobian is the smallest of the eight triple products of the unit vectors along the edges of a corner.
+    Long boxes are as good as cubes.
     """
     corners = mesh.points[mesh.cells[:, :8]]
     worst = np.ones(len(corners))

@@ -15,10 +15,10 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: A curved cell with a smaller ratio of smallest to largest Jacobian counts as nearly inverted: it would invert as soon
-#: as the actuator deforms. Cells of the mesh generator at fillets as small as the mesh size have 0.15 and more.
+#: as the actuator deforms. Generated cells at fillets as small as the mesh size have a ratio of 0.15 or more.
 LEAST_JACOBIAN_RATIO = 0.1
 
-#: Each round halves the curvature of the edges of a bad cell; after this many rounds they are made straight.
+#: Each round halves the curvature of the edges of a bad cell; after this many rounds the edges are made straight.
 HALVINGS = 4
 
 #: A deviation from the surface above this share of the mean edge is a warning, a smaller one a note.
@@ -26,7 +26,7 @@ NOTABLE_MISS = 0.1
 
 
 def mended(mesh: Mesh) -> Mesh:
-    """Straighten the edges of curved cells that are inverted or nearly so, where straight edges help.
+    """Straighten the edges of curved cells that are inverted or nearly so, as little as possible.
 
     The midside nodes of a bad cell move half of the way to the middle of their straight edge, repeatedly while the cell
     is bad. The mesh deviates from the curved surface there and nowhere else. A finding (G08) states the deviation.
@@ -38,8 +38,8 @@ def mended(mesh: Mesh) -> Mesh:
     Returns
     -------
     Mesh
-        The same mesh if no cell was bad. Cells that are inverted with straight edges too stay so; `refuse_inverted`
-        raises the error.
+        The same mesh if no cell was bad. Cells that are inverted even with straight edges stay inverted;
+        `refuse_inverted` raises the error for them.
 
     Examples
     --------
@@ -98,8 +98,8 @@ def _finding(mesh: Mesh, cells: int, moved: Array, length: Array) -> Finding:
     return Finding(
         code="G08",
         severity=Severity.WARNING if notable else Severity.NOTE,
-        message=f"{cells} of {len(mesh.cells)} curved cells were inside out or nearly so and were mended: their edges "
-        f"were straightened, which misses the surface by up to {missed / mm:.2g} mm, "
+        message=f"{cells} of {len(mesh.cells)} curved cells were inverted or nearly so and were repaired: their "
+        f"edges were straightened, so the mesh deviates from the surface by up to {missed / mm:.2g} mm, "
         f"at ({x:.3g}, {y:.3g}, {z:.3g}) mm.",
-        advice="Where this matters, use a smaller size, or one of its own for the face there (face_sizes).",
+        advice="Where this matters, use a smaller size, or a smaller size for the face there (face_sizes).",
     )

@@ -30,8 +30,9 @@ class MirrorWalls:
     nodes : (k,) int array
         Nodes that do not lie in the plane.
     axis : int
-        The plane is ``x[axis] == level``.
+        Direction of the normal of the plane, which is ``x[axis] == level``.
     level : float [m]
+        Position of the plane.
     side : float
         1 where the body lies above the level, -1 where it lies below.
     """
@@ -49,7 +50,7 @@ def find_mirror_walls(mesh: Mesh, cavity: str | None = None) -> tuple[MirrorWall
     ----------
     mesh : Mesh
     cavity : str, optional
-        Name of a cavity, whose walls are taken instead of those outside.
+        Name of a cavity, whose walls are taken instead of the outside walls.
 
     Returns
     -------
@@ -93,8 +94,8 @@ def mirror_gap(walls: tuple[MirrorWalls, ...], points: Array) -> float:
     Returns
     -------
     float [m]
-        Smallest distance of a node, which is half of that from its image. It is negative once the node has passed
-        through the plane, and infinite without mirror planes.
+        Smallest distance of a node from its plane, which is half of the distance from its image. The distance is
+        negative once the node has passed through the plane, and infinite without mirror planes.
     """
     gaps = [each.side * (points[each.nodes, each.axis] - each.level) for each in walls]
     return float(min((gap.min(initial=inf) for gap in gaps), default=inf))
@@ -138,7 +139,7 @@ def faces_its_image(mesh: Mesh) -> bool:
 
 
 def _apart(triangles: Ints, off: NDArray[np.bool_]) -> bool:
-    """Return whether a connected group of triangles (f, 3) has no corner in the plane."""
+    """Return whether any connected group of triangles (f, 3) has no corner in the plane."""
     nodes, local = np.unique(triangles, return_inverse=True)
     rows, size = local.reshape(-1, 3), len(nodes)
     links = (np.ones(2 * len(rows)), (np.tile(rows[:, 0], 2), rows[:, 1:].T.ravel()))

@@ -17,7 +17,7 @@ Ints = NDArray[np.int64]
 #: Depth below both surfaces, as a share of the edge, of the point where the winding number is evaluated.
 DEEP = 0.1
 
-#: Smallest sum of the two normals for a crossing that counts; walls in contact cross each other at flat angles.
+#: Smallest length of the sum of the two normals at a crossing that counts; walls in contact cross at flat angles.
 STEEP = 0.7
 
 #: Edges evaluated together, to bound the memory.
@@ -41,7 +41,7 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     ----------
     mesh : Mesh
     points : (n, 3) array [m], optional
-        Positions of the nodes; those at rest by default.
+        Positions of the nodes; positions at rest by default.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     several = len(find_bodies(mesh)) > 1
     middle, inner = _samples(x, triangles, normals, SAMPLES if several else 0)
     fine = x[curved[:, QUARTERS].reshape(-1, 3)]
-    inside = np.array([winding(each, fine) > 1.95 for each in (*looked, *inner)], dtype=bool)  # 2 in both
+    inside = np.array([winding(each, fine) > 1.95 for each in (*looked, *inner)], dtype=bool)  # 2 in two walls
     return np.concatenate([found, middle])[inside]
 
 

@@ -27,7 +27,7 @@ MEASURED = 100
 #: The search for the foot point covers the triangles around this many nearest nodes.
 NEAREST = 2
 
-#: Newton iterations to the foot point; each reduces the error by distance times curvature, small near contact.
+#: Newton iterations to the foot point; each multiplies the error by distance times curvature, small near contact.
 STEPS = 6
 
 #: Tolerance of a foot point outside its triangle, in barycentric coordinates. Normals jump between quadratic triangles,
@@ -40,7 +40,7 @@ NODES = np.array([[0, 0], [1, 0], [0, 1], [0.5, 0], [0.5, 0.5], [0, 0.5]])
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Side:
-    """Nodes of one wall of a pair, and the partner nodes and triangles of the other one."""
+    """Nodes of one wall of a pair, and nodes (partners) and triangles of the other wall."""
 
     nodes: Ints
     partners: Ints
@@ -83,9 +83,9 @@ class FacingWalls:
 
 
 def find_facing_walls(mesh: Mesh, reach: float | None = None, cavity: str | None = None) -> FacingWalls:
-    """Find the outside walls that face each other through air, or those of one cavity.
+    """Find the outside walls that face each other through air, or the facing walls of one cavity.
 
-    A ray from every outer triangle follows its normal. If it hits an opposed triangle first, both are facing walls.
+    A ray from every outer triangle follows its normal. If the ray hits an opposed triangle first, both face each other.
     Cavities are left out unless one is named, because pressure pushes their walls apart. Walls that share an edge are
     left out, because their distance is zero from the start. A wall is not compared with its own mirror image.
 
@@ -95,7 +95,7 @@ def find_facing_walls(mesh: Mesh, reach: float | None = None, cavity: str | None
     reach : float [m], optional
         Largest distance; a quarter of the longest side by default.
     cavity : str, optional
-        Name of a cavity, whose walls are taken instead of those outside.
+        Name of a cavity, whose walls are taken instead of the outside walls.
 
     Returns
     -------
@@ -165,7 +165,7 @@ def smallest_gap(walls: FacingWalls, displacement: Array | None = None) -> float
 
 
 def _nearest(x: Array, side: _Side) -> tuple[Array, Ints]:
-    """Nearest partner nodes of each node, and the gap to the tangent plane at the nearest of them."""
+    """Gap of each node to the tangent plane at its nearest partner node, and the nearest partner nodes."""
     partners = x[side.partners]
     count = min(NEAREST, len(partners))
     _, index = cKDTree(partners).query(x[side.nodes], k=count)

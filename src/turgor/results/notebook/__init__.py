@@ -1,1 +1,1 @@
-"""Notebook: values as tables and pictures, as HTML."""
+"""Notebook: values as HTML, with tables and pictures."""

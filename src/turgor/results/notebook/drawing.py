@@ -1,4 +1,4 @@
-"""Drawing: what values call for notebooks, by names that ``turgor/__init__`` looks up here."""
+"""Drawing: HTML and plots of values for notebooks, in functions that ``turgor/__init__`` looks up by name."""
 
 from typing import Any
 
@@ -54,13 +54,14 @@ def html_of(value: Any) -> str:
 
 
 def plot(response: Response, y: str | None, x: str | None, axes: Axes | None) -> Any:
-    """Plot a response as `turgor.response.Response.plot` says.
+    """Plot a response for `turgor.response.Response.plot`.
 
     Parameters
     ----------
     response : Response
     y, x : str or None
     axes : matplotlib.axes.Axes or None
+        See `turgor.response.Response.plot`.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Markup: small pieces of HTML for notebooks, styled in place so that they look alike in every program."""
+"""Markup: small pieces of HTML for notebooks, with inline styles, so that they look alike in every program."""
 
 from base64 import b64encode
 from collections.abc import Sequence
@@ -6,7 +6,7 @@ from html import escape
 
 from turgor.results.report.describe import Rows
 
-#: Styles of the pieces. Colors of the text are those of the notebook, which may be dark.
+#: Styles of the pieces. The text has the colors of the notebook, which may be dark.
 _CARD = "font-size:13px;line-height:1.45;max-width:980px"
 _TABLE = "border-collapse:collapse;margin:6px 0;font-size:13px"
 _CELL = "text-align:left;vertical-align:top;padding:2px 14px 2px 0"
@@ -22,7 +22,7 @@ def card(title: str, *parts: str, line: str = "") -> str:
     Parameters
     ----------
     title : str
-        What it is.
+        Heading of the card.
     *parts : str
         HTML; empty pieces are left out.
     line : str
@@ -42,7 +42,7 @@ def card(title: str, *parts: str, line: str = "") -> str:
 
 
 def facts(rows: Rows) -> str:
-    """Return a table of names and values, without empty ones."""
+    """Return a table of names and values, without rows whose value is empty."""
     told = [
         f'<th style="{_CELL};{_NAME}">{escape(name)}</th><td style="{_CELL}">{_lines(value)}</td>'
         for name, value in rows
@@ -53,7 +53,7 @@ def facts(rows: Rows) -> str:
 
 
 def numbers(head: Sequence[str], rows: Sequence[Sequence[str]], note: str = "") -> str:
-    """Return a table of numbers below their names, with a note about it."""
+    """Return a table of numbers below the names of its columns, with a note below the table."""
     heads = "".join(f'<th style="{_NUMBER};{_HEAD};white-space:normal">{escape(name)}</th>' for name in head)
     lines = ["".join(f'<td style="{_NUMBER}">{escape(text)}</td>' for text in row) for row in rows]
     body = "".join(f"<tr>{line}</tr>" for line in lines)
@@ -68,7 +68,7 @@ def image(png: bytes, what: str) -> str:
     ----------
     png : bytes
     what : str
-        What it shows, for those who cannot see it.
+        What the picture shows, for readers who cannot see it.
     """
     source = f"data:image/png;base64,{b64encode(png).decode()}"
     return f'<img alt="{escape(what)}" style="display:block;max-width:100%;height:auto;margin:6px 0" src="{source}">'

@@ -29,10 +29,10 @@ from turgor.units import mL, mm
 #: Width of pictures [pixels] and resolution of plots [dots per inch].
 WIDTH, DPI = 560, 80
 
-#: Width of the picture of a geometry, which shows it from two sides [pixels].
+#: Width of the picture of a geometry, which has two views [pixels].
 WIDE = 860
 
-#: What a finding of each severity begins with.
+#: Word for each severity of a finding.
 _MARKS = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "error"}
 
 
@@ -67,7 +67,7 @@ def mesh(of: Mesh) -> str:
 
 
 def model(of: Model) -> str:
-    """Show a model: what it is made of, what holds it, what drives it, what may touch."""
+    """Show a model: its materials, supports, loads and contact."""
     made: Rows = []
     for used in describe.materials(of):
         values = ", ".join(f"{name} {value}" if name != "coefficients" else value for name, value in used.values)
@@ -83,11 +83,11 @@ def model(of: Model) -> str:
 
 
 def state(of: State) -> str:
-    """Show a state: its picture and what acts."""
-    return card(caption(of), image(picture(of, title="", width=WIDTH).png, caption(of)), facts(_of_state(of)))
+    """Show a state: its picture, load factor, stability and contact."""
+    return card(caption(of), image(picture(of, title="", width=WIDTH).png, caption(of)), facts(_state_rows(of)))
 
 
-def _of_state(of: State) -> Rows:
+def _state_rows(of: State) -> Rows:
     rows: Rows = [("load factor", f"{of.load_factor:.4g}")]
     if of.unstable_modes is not None:
         rows.append(("equilibrium", f"unstable, {of.unstable_modes} modes" if of.unstable_modes else "stable"))
@@ -121,7 +121,7 @@ def _steps(of: Solution) -> str:
 
 
 def _path(of: Solution) -> str:
-    """Table of the states: the drive, and how far the tip has gone where there is one."""
+    """Table of the states: the drive, and displacement and angle of the tip where the mesh has a tip."""
     if not of.states:
         return ""
     known = {"tip", "fixed"} <= of.model.mesh.faces.keys()
@@ -130,7 +130,7 @@ def _path(of: Solution) -> str:
 
 
 def response(of: Response) -> str:
-    """Show a response: its table, each column in the unit that its head names, and its plot."""
+    """Show a response: its table, each column in the unit that its heading names, and its plot."""
     line = ", ".join(part for part in (of.status.replace("_", " "), str(of.source)) if part)
     drawn = image(png_of(response_figure(of), DPI), "the response against its drive") if _worth_a_plot(of) else ""
     return card(f"Response, {len(of)} rows", _table(of), drawn, line=line)
@@ -147,7 +147,7 @@ def _table(of: Response) -> str:
 
 
 def test(of: MaterialTest) -> str:
-    """Show a test of a material: its points and what was done to them."""
+    """Show a test of a material: its points and its edits."""
     figure = PlotFigure(figsize=(5.0, 3.3))
     plot_test(figure.add_subplot(), of).legend(frameon=False, fontsize=8)
     rows: Rows = [
@@ -165,8 +165,8 @@ def fit(of: Fit) -> str:
     by_mode = [(mode, list(each)) for mode, each in groupby(of.quality, key=lambda test: test.mode)]
     rows: Rows = [
         ("parameters", of.describe()),
-        *((f"off in {mode}", ", ".join(f"{100 * one.relative:.2g} %" for one in each)) for mode, each in by_mode),
-        ("used to stretches", f"{of.stretch_range[0]:.4g} to {of.stretch_range[1]:.4g}"),
+        *((f"error, {mode}", ", ".join(f"{100 * one.relative:.2g} %" for one in each)) for mode, each in by_mode),
+        ("range of stretch", f"{of.stretch_range[0]:.4g} to {of.stretch_range[1]:.4g}"),
         ("findings", "\n".join(map(str, of.findings))),
     ]
     return card(f"Fit of {of.spec.name}", drawn, facts(rows))

@@ -21,7 +21,7 @@ COLORS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#0072b2", "#d55e00", "#f0
 #: Opacity of the outside and of named faces.
 FAINT, CLEAR = 0.08, 0.55
 
-#: Sides shorter than this share of the longest have ticks at their ends only.
+#: Sides of the bounding box that are shorter than this share of the longest have ticks at their ends only.
 SHORT = 0.5
 
 #: The two views: elevation above the horizon and azimuth around z [degrees].
@@ -36,7 +36,7 @@ def write_cad_picture(path: str | Path, part: Inspection) -> None:
     path : str or Path
         File to write.
     part : Inspection
-        What `inspect_cad` found.
+        Result of `inspect_cad`.
     """
     openings = [center for cavity in part.cavities for _, center in cavity.openings]
     faces = [(face.name, face.triangles) for face in part.faces]
@@ -49,11 +49,11 @@ def named_faces_figure(title: str, faces: Sequence[tuple[str, Array]], marks: Se
     Parameters
     ----------
     title : str
-        Line above, before the size.
+        Line above the views; the size follows it.
     faces : sequence of (str, (t, 3, 3) array [m])
         Name and triangles of each face.
     marks : sequence of (3,) [m]
-        Places to mark, such as openings.
+        Points to mark, such as openings.
 
     Returns
     -------

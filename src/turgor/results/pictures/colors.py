@@ -17,14 +17,14 @@ VON_MISES, CONTACT_PRESSURE = "von_mises", "contact_pressure"
 #: Label of the color bar, by the name of the field.
 FIELDS: Mapping[str, str] = MappingProxyType(
     {
-        VON_MISES: "von Mises stress [kPa]; {share} of the volume lie within the bar, the arrow is more",
-        CONTACT_PRESSURE: "contact pressure [kPa]; {share} of the contact area lie within the bar, the arrow is more",
+        VON_MISES: "von Mises stress [kPa]; {share} of the volume lie within the bar (arrow: more)",
+        CONTACT_PRESSURE: "contact pressure [kPa]; {share} of the contact area lie within the bar (arrow: more)",
     }
 )
 
 
 def color_map(field: str) -> Colormap:
-    """Return the color map of a field; its lightness changes evenly, so that equal steps look equal.
+    """Return the color map of a field; its lightness changes evenly, so equal steps of the field look equal.
 
     The map of stress begins with the gray of rubber at rest and continues as Matplotlib's ``magma``. The map of contact
     pressure is ``viridis`` without its lightest end; it is drawn only where surfaces touch.
@@ -50,5 +50,5 @@ def color_map(field: str) -> Colormap:
 
 
 def plain_rubber() -> Colormap:
-    """Return the color of rubber at rest for every value."""
+    """Return a color map that has the color of rubber at rest for every value."""
     return ListedColormap([RUBBER], name="rubber")

@@ -12,7 +12,8 @@ from turgor.results.pictures.skin import Skin
 
 Array = NDArray[np.float64]
 
-#: Pressures below this share of the upper end of the colors are not drawn; they decay over the last cells of a patch.
+#: Smallest pressure that is drawn, as a share of the upper end of the colors. Smaller pressures occur in the last cells
+#: of a patch, where the pressure decays.
 FAINT = 0.06
 
 #: Opacity of a patch behind the actuator.
@@ -22,21 +23,22 @@ THROUGH = 0.72
 def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
     """Return the parts of a skin whose contact pressure exceeds a small share of a limit.
 
-    Walls in contact lie in the same place, so rounding would decide for each sample which of them is in front. The
-    triangles that face the eye are therefore a part of their own, drawn in front of those that face away.
+    Walls in contact lie in the same place, so rounding would decide for each sample which wall is in front. Therefore
+    the triangles that face the camera are a separate part, which is drawn in front of the other triangles.
 
     Parameters
     ----------
     skin : Skin
-        With the contact pressure as its values.
+        Skin whose values are the contact pressure [Pa].
     limit : float [Pa]
         Upper end of the colors.
     eye : Camera
+        Camera of the picture.
 
     Returns
     -------
     tuple of Skin
-        Triangles that face away from the eye, then those that face it; an empty part is left out.
+        Triangles that face away from the camera, then triangles that face the camera; empty parts are left out.
     """
     kept = skin.values[skin.triangles].max(axis=1) > FAINT * limit
     a, b, c = (skin.points[skin.triangles[:, k]] for k in range(3))
@@ -46,7 +48,7 @@ def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
 
 
 def values_seen(skin: Skin, hits: Hits, limit: float) -> Array:
-    """Return the value of the skin in each sample, (h, w); zero where there is no skin or the value is small."""
+    """Return the pressure on the skin in each sample, (h, w) [Pa]; zero where there is no skin or little pressure."""
     out = np.zeros(hits.triangle.shape)
     seen = hits.triangle >= 0
     corners = skin.values[skin.triangles[hits.triangle[seen]]]
@@ -60,9 +62,9 @@ def laid_over(below: tuple[Array, Array], above: tuple[Array, Array], thin: floa
     Parameters
     ----------
     below, above : ((h, w) array [Pa], (h, w) array [m])
-        Pressure in each sample, zero for none, and its distance from the eye.
+        Pressure in each sample, zero where there is no patch, and position of the patch along the view.
     thin : float [m]
-        Layers closer than this lie in the same place.
+        Layers closer to each other than this count as lying in the same place.
 
     Returns
     -------
@@ -85,6 +87,7 @@ def draw_patches(image: Bytes, value: Array, behind: NDArray[np.bool_], colors: 
     behind : (h, w) array
         Samples where the actuator hides the patch.
     colors : Colormap
+        Colors of the pressure.
     limit : float [Pa]
         Upper end of the colors.
     """

@@ -13,12 +13,12 @@ OPACITY = 0.7
 
 
 def visible_threads(scene: Scene, hits: Hits, raster: Raster, threads: Sequence[NDArray[np.float64]]) -> Mask:
-    """Return the samples of a raster in which a thread is visible, on the skin or a little below it.
+    """Return a mask of the samples in which a thread is visible, (h, w), on the skin or a little below it.
 
     Parameters
     ----------
     scene : Scene
-        The skin.
+        Scene of the skin.
     hits : Hits
         First hit of each ray.
     raster : Raster

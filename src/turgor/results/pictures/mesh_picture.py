@@ -22,7 +22,7 @@ from turgor.results.pictures.state_picture import framed
 
 Array = NDArray[np.float64]
 
-#: Colors of the cell shapes 0, 0.2, 0.4 and from 0.6: flat cells stand out, good ones have the color of rubber.
+#: Colors of cells of the shapes 0, 0.2, 0.4, and 0.6 or more: flat cells stand out, good ones have the color of rubber.
 SHAPES = ("#a8202a", "#e07b39", "#f3d78b", RUBBER)
 WORST_GOOD = 0.6
 NOTE = "shape of the cells: 1 is regular, 0 is flat"
@@ -44,7 +44,7 @@ class _AtRest:
 
 
 def write_mesh_picture(path: str | Path, mesh: Mesh, title: str = "", width: int = 1600) -> None:
-    """Draw the cells of the whole actuator with their edges, colored by their mean-ratio shape.
+    """Draw the cells of the whole actuator with their edges, colored by their shape (see `MeshQuality`), as PNG.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def mesh_figure(mesh: Mesh, title: str = "", width: int = 1600) -> Figure:
 
 
 def _cell_skin(mesh: Mesh) -> Skin:
-    """Skin in which the side of each cell is a patch with one value."""
+    """Skin in which each outer side of a cell is a patch with one value."""
     triangles, _ = drawn_triangles(mesh)
     skin = visible_skin(_AtRest(mesh=mesh), np.zeros(len(mesh.points)))
     copies = mesh.symmetry_factor
@@ -99,7 +99,7 @@ def _cell_skin(mesh: Mesh) -> Skin:
 
 
 def _shapes_behind(mesh: Mesh, triangles: NDArray[np.int64]) -> Array:
-    """Shape of the cell of each outer triangle."""
+    """Shape of the cell behind each outer triangle, (f,)."""
     sides = mesh.cells[:, np.array(mesh.cell_type.sides)]
     owner = np.repeat(np.arange(len(mesh.cells)), sides.shape[1] * len(mesh.cell_type.side.triangles))
     keys = corner_keys(six_node_triangles(sides.reshape(-1, sides.shape[2])), len(mesh.points))

@@ -10,7 +10,7 @@ from turgor.model.obstacles import Box, Cylinder, Plane, RigidSurface, Shape, Sp
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Segments of a circle.
+#: Number of segments of a circle.
 AROUND = 96
 
 #: Margin on each side by which infinite shapes exceed the actuator, as a share of its size.
@@ -46,14 +46,14 @@ def outline(shape: Shape, place: Array, extent: Array) -> tuple[Array, Ints]:
     """
     match shape:
         case Plane():
-            points, triangles = _patch(shape, place, extent)
+            points, triangles = _rectangle(shape, place, extent)
         case Sphere():
-            points, triangles = _ball(np.full(3, shape.radius), shape.radius)
+            points, triangles = _rounded_block(np.full(3, shape.radius), shape.radius)
             points = points + shape.center
         case Cylinder():
-            points, triangles = _bar(shape, place, extent)
+            points, triangles = _cylinder(shape, place, extent)
         case Box():
-            points, triangles = _ball(np.array(shape.size) / 2, shape.rounding)
+            points, triangles = _rounded_block(np.array(shape.size) / 2, shape.rounding)
             points = points + shape.center
         case RigidSurface():
             points, triangles = shape.points, shape.triangles
@@ -68,8 +68,8 @@ def _frame(direction: Array) -> tuple[Array, Array]:
     return first, np.cross(direction, first)
 
 
-def _patch(shape: Plane, place: Array, extent: Array) -> tuple[Array, Ints]:
-    """The part of a plane above or below the actuator."""
+def _rectangle(shape: Plane, place: Array, extent: Array) -> tuple[Array, Ints]:
+    """Rectangle of a plane that covers the projection of the actuator, with a margin."""
     normal, origin = np.array(shape.normal), np.array(shape.point) + place
     axes = np.stack(_frame(normal))
     corners = np.array(list(product(*extent.T)))
@@ -80,8 +80,8 @@ def _patch(shape: Plane, place: Array, extent: Array) -> tuple[Array, Ints]:
     return np.array(shape.point) + across @ axes, np.array([[0, 1, 2], [0, 2, 3]])
 
 
-def _bar(shape: Cylinder, place: Array, extent: Array) -> tuple[Array, Ints]:
-    """A cylinder with flat ends; an infinite one ends beyond the actuator."""
+def _cylinder(shape: Cylinder, place: Array, extent: Array) -> tuple[Array, Ints]:
+    """A cylinder with flat ends; an infinite cylinder ends a little beyond the actuator."""
     axis, center = np.array(shape.axis), np.array(shape.center)
     if shape.length is None:
         along = (np.array(list(product(*extent.T))) - center - place) @ axis
@@ -102,7 +102,7 @@ def _bar(shape: Cylinder, place: Array, extent: Array) -> tuple[Array, Ints]:
     return points, np.concatenate([np.stack(face, axis=1) for face in faces])
 
 
-def _ball(half: Array, radius: float) -> tuple[Array, Ints]:
+def _rounded_block(half: Array, radius: float) -> tuple[Array, Ints]:
     """A block of half lengths ``half`` with rounded edges; a sphere if each half length equals the radius."""
     core = half - radius
     angles = np.tan(np.linspace(-np.pi / 4, np.pi / 4, AROUND // 4 + 1))

@@ -31,6 +31,7 @@ def obstacle_skin(at: StateFields, extents: Mapping[str, Array]) -> Skin | None:
     Parameters
     ----------
     at : StateFields
+        The state.
     extents : mapping of str to (2, 3) array [m]
         Bounding boxes of the actuator and its faces, see `turgor.results.fields.contact.extents_of`.
 
@@ -79,6 +80,7 @@ def _mirrored(skin: Skin, facts: MeshFacts) -> Skin:
 
 
 def _own_image(skin: Skin, plane: MirrorPlane) -> bool:
+    """Whether an obstacle is its own image in a mirror plane."""
     across = skin.points[:, plane.axis] - plane.position
     return bool(abs(across.min() + across.max()) < SAME * float(np.ptp(skin.points, axis=0).max()))
 
@@ -97,7 +99,7 @@ def joined(skins: list[Skin]) -> Skin:
 
 
 def draw_obstacles(image: Bytes, skin: Skin, hits: Hits, nearer: NDArray[np.bool_], eye: Camera, width: float) -> None:
-    """Blend obstacles into an image where they are in front.
+    """Blend obstacles into an image where they are in front of the actuator.
 
     Parameters
     ----------
@@ -106,12 +108,13 @@ def draw_obstacles(image: Bytes, skin: Skin, hits: Hits, nearer: NDArray[np.bool
     skin : Skin
         The obstacles.
     hits : Hits
-        First hit of each ray on them.
+        First hit of each ray on the obstacles.
     nearer : (h, w) array
-        Samples in which they are in front.
+        Samples in which the obstacles are in front.
     eye : Camera
+        Camera of the picture.
     width : float
-        Width of their outlines in samples.
+        Width of the outlines of obstacles, in samples.
     """
     seen = hits.triangle >= 0
     corners = skin.triangles[hits.triangle[seen]]

@@ -1,4 +1,4 @@
-"""Pictures of a path: its first and its last state, and what touches."""
+"""Pictures of a path: its first and its last state, and the contact pressure."""
 
 from collections.abc import Iterator
 
@@ -10,26 +10,28 @@ from turgor.results.pictures.colors import CONTACT_PRESSURE
 from turgor.results.pictures.state_picture import picture_title, shared_view, state_figure
 from turgor.solvers.solution import Solution
 
-#: What is to be seen on each picture of a path.
+#: Caption of each picture of a path.
 CAPTIONS = {
     "undeformed": "Undeformed",
     "deformed": "At the last state",
-    "contact": "What touches at the last state, seen through the actuator; colors are not dimmed by light or shadow",
+    "contact": "Contact at the last state, seen through the actuator; colors are not dimmed by light or shadow",
 }
 
 
 def path_figures(of: Solution, response: Response, name: str) -> Iterator[tuple[str, Figure]]:
-    """Draw the first and the last state with the same view, scale and colors, the last one over the first.
+    """Draw the first and the last state with the same view, scale and colors.
 
-    If there is contact in the last state, a third picture shows the contact pressure.
+    The outline of the first state is drawn behind the last. If there is contact in the last state, a third picture
+    shows the contact pressure.
 
     Parameters
     ----------
     of : Solution
+        The path.
     response : Response
-        Its measures, for the titles.
+        Measures of the path, for the titles.
     name : str
-        What the titles call it.
+        Name of the actuator in the titles.
 
     Yields
     ------

@@ -31,9 +31,9 @@ class Picture:
     Parameters
     ----------
     caption : str
-        What it shows.
+        What the picture shows.
     png : bytes
-        The file.
+        Content of the PNG file.
     """
 
     caption: str
@@ -49,7 +49,7 @@ class Picture:
         Parameters
         ----------
         path : str or Path
-            Ends in ``.png``.
+            File to write; ends in ``.png``.
 
         Returns
         -------
@@ -78,8 +78,8 @@ def picture(
     Parameters
     ----------
     of : Solution, State, Model, Mesh or Geometry
-        What to draw. Behind a state of a solution stands the outline of the actuator at rest. Halves and quarters of
-        states and meshes are mirrored.
+        What to draw. The outline of the actuator at rest is drawn behind a state of a solution. States and meshes of a
+        half or a quarter are mirrored.
     path : str or Path, optional
         PNG file to write.
     state : int
@@ -87,7 +87,7 @@ def picture(
     color_by : str
         Colors of a state: ``"von_mises"`` or ``"contact_pressure"``.
     title : str, optional
-        Line above the actuator; by default its name and what acts.
+        Line above the actuator; by default the name of the actuator and, for a state, what acts.
     width : int
         Width in pixels, 400 or more.
 
@@ -139,7 +139,7 @@ def _drawn(
 
 
 def caption(state: State) -> str:
-    """Return the name of the actuator, the stage, and what acts in a state, in one line.
+    """Return one line about a state: name of the actuator, stage, time, and pressures or load factor.
 
     Parameters
     ----------
@@ -159,12 +159,14 @@ def caption(state: State) -> str:
 
 
 def geometry_figure(geometry: Geometry, title: str, width: int) -> Figure:
-    """Draw a geometry from two sides with its named faces; one that was read as a mesh is drawn as such.
+    """Draw a geometry from two sides with its named faces; a geometry that was read as a mesh is drawn as a mesh.
 
     Parameters
     ----------
     geometry : Geometry
+        What to draw.
     title : str
+        Line above the views.
     width : int
         Width in pixels.
 

@@ -29,7 +29,7 @@ class Camera:
     Parameters
     ----------
     right, up, forward : (3,) arrays
-        Unit vectors of the picture, in space; ``forward`` points away from the eye.
+        Unit vectors along the sides of the picture and along the view; ``forward`` points away from the viewer.
     """
 
     right: Array
@@ -58,7 +58,7 @@ class Raster:
     left, top : float [m]
         Upper left corner.
     step : float [m]
-        Distance of samples.
+        Distance between samples.
     rows, columns : int
         Number of samples.
     """
@@ -70,7 +70,7 @@ class Raster:
     columns: int
 
     def band(self, start: int, stop: int) -> "Raster":
-        """Some of the rows."""
+        """Return the rows from ``start`` up to ``stop``."""
         return Raster(
             left=self.left, top=self.top - start * self.step, step=self.step, rows=stop - start, columns=self.columns
         )
@@ -85,7 +85,7 @@ class Hits:
     triangle : (h, w) int array
         Triangle that is hit, -1 for none.
     depth : (h, w) array [m]
-        Distance along the ray, zero where it hits nothing.
+        Distance along the ray, zero where there is no hit.
     u, v : (k,) arrays
         Barycentric coordinates of the second and third corner, for the k samples that hit a triangle, in order.
     """
@@ -127,7 +127,7 @@ class Scene:
         return Hits(triangle=triangle, depth=depth, u=found["u"][seen], v=found["v"][seen])
 
     def depth(self, points: Array) -> Array:
-        """Return the distance along the view of points, (p,) [m], to compare with that of `Hits`."""
+        """Return the distance of points along the view, (p,) [m], to compare with ``depth`` of `Hits`."""
         return np.asarray((points - self._center) @ self.eye.forward + 2 * self._size)
 
     def distance(self, hits: Hits) -> Array:

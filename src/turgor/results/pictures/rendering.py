@@ -25,7 +25,7 @@ SAMPLES = 2
 #: Rows of pixels that are rendered together.
 BAND = 96
 
-#: Direction of the eye. Pictures of contact pressure look further from the side, where walls between chambers show.
+#: Azimuth of the camera, and azimuth for contact pressure: the walls between chambers are visible more from the side.
 FRONT, ASIDE = 20 * deg, 40 * deg
 
 #: Margin around the actuator in pixels.
@@ -48,7 +48,7 @@ class View:
     Parameters
     ----------
     azimuth, elevation : float [rad]
-        Direction of the eye: angle around z from looking along +y, and angle above the horizon.
+        Direction of the camera: angle about z, zero for a view along +y, and angle above the horizon.
     left, right : float [m]
         Horizontal limits of all pictures; top and bottom follow the actuator.
     limit : float [Pa]
@@ -85,7 +85,7 @@ class View:
 
 
 def frame(skins: Sequence[Skin], obstacles: Skin | None, eye: Camera) -> tuple[Array, Array]:
-    """Return the lower left and upper right corner of a picture: all of the skins, and obstacles near them."""
+    """Return the lower left and upper right corner of a picture that shows all skins and the obstacles near them."""
     flat = np.concatenate([eye.project(skin.points)[:, :2] for skin in skins])
     low, high = flat.min(axis=0), flat.max(axis=0)
     if obstacles is not None:
@@ -119,7 +119,19 @@ class Beside:
 def render(
     skins: list[Skin], view: View, colors: Colormap | None = None, beside: Beside | None = None
 ) -> NDArray[np.uint8]:
-    """Return the image of the first skin, with the outlines of the others behind it and all beside it, (h, w, 3)."""
+    """Render a view as an image, (h, w, 3): the first skin, outlines of the others behind it, threads and obstacles.
+
+    Parameters
+    ----------
+    skins : list of Skin
+        The actuator, then the states whose outlines are drawn behind the actuator.
+    view : View
+        Direction, scale and colors.
+    colors : Colormap, optional
+        Colors of the first skin; by default the colors of the field of the view.
+    beside : Beside, optional
+        Threads, obstacles and contact patches.
+    """
     beside = beside or Beside()
     low, high = frame(skins, beside.obstacles, view.eye)
     rows = int(np.ceil((high[1] - low[1]) / view.pixel)) + MARGIN
@@ -158,7 +170,10 @@ class _Others:
         self._patches = [scene(skin) for skin in beside.patches]
 
     def draw(self, image: NDArray[np.uint8], band: Raster, rows: slice, distance: Array) -> None:
-        """Blend them into a band of the image; ``distance`` is that of the actuator, infinite where it is absent."""
+        """Blend obstacles and patches into a band of the image.
+
+        ``distance`` is the position of the actuator along the view, (h, w) [m], infinite where there is no actuator.
+        """
         if self._obstacles is not None:
             scene, near = self._obstacles
             hits = scene.look(band, near[rows])

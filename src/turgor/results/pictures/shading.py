@@ -13,12 +13,15 @@ from turgor.results.pictures.skin import Skin
 Bytes = NDArray[np.uint8]
 Mask = NDArray[np.bool_]
 
+#: Colors of lines, of outlines behind the actuator, and of the background.
 INK = (38, 43, 52)
 GHOST = (176, 182, 190)
 PAPER = (255, 255, 255)
 
 #: Share of the light from the lamp at the upper left; the rest is ambient light, reduced by the ambient occlusion.
 LAMP = 0.45
+
+#: Direction of the lamp along right, up and forward, strength of its highlight, and overall brightness.
 LAMP_PLACE = (-0.45, 0.75, -0.65)
 HIGHLIGHT = 0.10
 BRIGHTNESS = 1.12
@@ -26,6 +29,7 @@ BRIGHTNESS = 1.12
 #: A jump in depth of more than this share of the size of the body is an edge.
 DEPTH_JUMP = 0.006
 
+#: Exponent from stored colors to light.
 GAMMA = 2.2
 
 
@@ -48,7 +52,7 @@ class Look:
 
 
 def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
-    """Return the color of every sample, (h, w, 3): that of the field under lamp and ambient light, white beside it."""
+    """Return the color of every sample, (h, w, 3): the field under lamp and ambient light, white beside the skin."""
     image = np.full((*hits.triangle.shape, 3), PAPER, dtype=np.uint8)
     seen = hits.triangle >= 0
     fields = np.column_stack([skin.values, look.openness, skin.normals]).astype(np.float32)
@@ -78,7 +82,7 @@ def _unit(vector: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def find_lines(skin: Skin, hits: Hits) -> tuple[Mask, Mask]:
-    """Return the samples on the outline of the body, and those on edges within it."""
+    """Return masks of the samples on the outline of the body, and of the samples on edges within the outline."""
     patch = np.where(hits.triangle >= 0, skin.patch.astype(np.int32)[hits.triangle], -1)
     jump = DEPTH_JUMP * float(np.ptp(skin.points, axis=0).max())
     outline, inner = np.zeros(patch.shape, dtype=bool), np.zeros(patch.shape, dtype=bool)
@@ -111,14 +115,14 @@ def _mark(mask: Mask, where: Mask, axis: int) -> None:
 
 
 def draw_lines(image: Bytes, lines: tuple[Mask, Mask], ink: tuple[int, int, int], width: float) -> None:
-    """Draw outline and inner edges into an image; ``width`` in samples is that of the outline."""
+    """Draw outline and inner edges into an image; the outline is ``width`` samples wide."""
     for mask, share, opacity in zip(lines, (1.0, 0.6), (0.95, 0.6), strict=True):
         place = thickened(mask, width * share / 2)
         image[place] = (image[place] * (1 - opacity) + np.array(ink) * opacity).astype(np.uint8)
 
 
 def thickened(mask: Mask, radius: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return rows and columns of all samples within a radius of those that are set, each once."""
+    """Return rows and columns of all samples within a radius of a set sample, each once."""
     rows, columns = np.nonzero(mask)
     reach = int(np.ceil(radius))
     wide = np.zeros(mask.shape, dtype=bool)

@@ -43,12 +43,12 @@ class Drawn(Protocol):
 
     @property
     def facts(self) -> MeshFacts:
-        """The mirror planes."""
+        """Facts about the mesh, such as its mirror planes."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Skin:
-    """Flat triangles with normals, values and the number of their smooth patch.
+    """Flat triangles with normals, values, and the number of the smooth patch of each.
 
     Parameters
     ----------
@@ -85,7 +85,8 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
     at : Drawn
         The state.
     values : (n,) or (d,) array
-        Values at the nodes of the mesh, or at those of its regions; a triangle takes those of the region behind it.
+        Values at the nodes of the mesh, or at the nodes of its regions. In the second case a triangle takes the values
+        of the region behind it.
     """
     mesh = at.mesh
     triangles, region = drawn_triangles(mesh)
@@ -124,7 +125,7 @@ def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
     touching = np.zeros((len(mesh.regions), count), dtype=bool)
     for number, cells in enumerate(mesh.regions.values()):
         touching[number, mesh.cells[cells]] = True
-    # only one of the regions that hold all six nodes owns the triangle
+    # the region behind a triangle holds all six nodes; if several do, the first of them counts
     return triangles, touching[:, triangles].all(axis=2).argmax(axis=0)
 
 

@@ -1,4 +1,4 @@
-"""Pictures: the whole actuator at true scale, colored by von Mises stress or by contact pressure, as PNG."""
+"""Pictures of states: the whole actuator at true scale, colored by von Mises stress or contact pressure, as PNG."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -114,7 +114,7 @@ def state_figure(
     state : State or StateFields
         What to draw; a half or quarter model is mirrored.
     view : View
-        Direction, scale and colors; made for this state (and the ghost) if it is not given. One made by
+        Direction, scale and colors; by default a view of this state and the ghost. A view made by
         ``shared_view(states, color_by="contact_pressure")`` gives a picture of the contact pressure.
     title : str
         Line above the actuator, see `picture_title`.
@@ -190,7 +190,7 @@ def framed(picture: NDArray[np.uint8], view: View, texts: tuple[str, str], color
     picture : (h, w, 3) array
         The image.
     view : View
-        The view of it; letters are smaller in narrow pictures.
+        View of the picture; letters are smaller in narrow pictures.
     texts : (str, str)
         Title, and what the colors mean.
     colors : ScalarMappable

@@ -50,7 +50,7 @@ def plot_convergence(axes: Axes, study: Convergence) -> Axes:
         axes.plot(places, fitted / unit, ":", color=QUIET, lw=1.2)
         axes.plot([0], [found.value / unit], "D", color=INK, ms=5, clip_on=False, label=label)
     for x, y, count in zip(study.effective_sizes / mm, study.values / unit, study.unknowns, strict=True):
-        shift = (5, 7) if count in study.unknowns[::2] else (5, -13)  # neighbors may be near each other
+        shift = (5, 7) if count in study.unknowns[::2] else (5, -13)  # labels of neighbors may overlap
         axes.annotate(f"{count:,} unknowns", (x, y), shift, textcoords="offset points", fontsize=8, color=INK)
     axes.set_xlim(0, 1.25 * study.effective_sizes[0] / mm)
     axes.margins(y=0.2)

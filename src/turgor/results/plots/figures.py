@@ -1,4 +1,4 @@
-"""Figures that a notebook shows without further ado."""
+"""Figures that a notebook shows, and figures as PNG."""
 
 from io import BytesIO
 
@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 
 class PlotFigure(Figure):
-    """A white figure that draws itself; no list of open figures keeps it alive.
+    """A white figure that a notebook shows as PNG; unlike a figure of pyplot, it need not be closed.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def png_of(figure: Figure, dpi: float | None = None) -> bytes:
     ----------
     figure : matplotlib.figure.Figure
     dpi : float, optional
-        Dots per inch; by default those of the figure.
+        Dots per inch; by default the resolution of the figure.
     """
     stream = BytesIO()
     figure.savefig(stream, format="png", dpi=dpi or figure.dpi, metadata={"Software": None})

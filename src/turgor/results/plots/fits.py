@@ -1,4 +1,4 @@
-"""Plots of material tests and fitted laws: what was measured, used and removed, and what the laws make of it."""
+"""Plots of material tests and fitted laws: measured, used and removed points, and the curves of the laws."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,7 +15,7 @@ from turgor.materials.fitting.result import Fit
 from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.results.plots.response_plots import INK, QUIET
 
-#: Colors that stay apart for color-blind readers (Okabe and Ito), for laws in turn.
+#: Colors of laws, in turn, distinct for color-blind readers too (mostly Okabe and Ito 2008).
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6d4c41", "#000000")
 
 #: Headings of panels.
@@ -29,10 +29,10 @@ TITLES = {
 MPA = 1e6
 _POINTS = 200
 
-#: How far a panel shows stretches beyond those that were used, as a multiple of their strain.
+#: Largest strain that a panel shows, as a multiple of the largest strain that was used.
 WIDEST = 2.0
 
-#: Crosses of removed points that are drawn at most; thousands would be a bar.
+#: Largest number of crosses for removed points; thousands of crosses would merge into a bar.
 MOST_CROSSES = 150
 
 
@@ -44,7 +44,7 @@ def plot_test(axes: Axes, test: MaterialTest, *, color: str = INK) -> Axes:
     axes : matplotlib.axes.Axes
         Where to draw.
     test : MaterialTest
-        The test; what was done to it stands in its edits.
+        The test; its edits hold the removed points.
     color : str
         Color of the points that are used.
     """
@@ -104,7 +104,7 @@ def plot_law(axes: Axes, fit: Fit, mode: str, upto: float, *, color: str) -> Axe
 
 
 def plot_biaxial(axes: Axes, fit: Fit, test: MaterialTest, *, color: str) -> Axes:
-    """Plot predicted against measured stress of a biaxial test, where no single curve can show a field of points.
+    """Plot predicted against measured stress of a biaxial test, because no single curve shows a field of points.
 
     Parameters
     ----------
@@ -126,14 +126,14 @@ def plot_biaxial(axes: Axes, fit: Fit, test: MaterialTest, *, color: str) -> Axe
 
 
 def fit_figure(fits: Sequence[Fit], tests: Sequence[MaterialTest] = (), *, title: str = "") -> Figure:
-    """Draw fits against their tests, one panel a mode.
+    """Draw fits against their tests, one panel for each mode.
 
     Parameters
     ----------
     fits : sequence of Fit
         Fits to the same tests, one color each.
     tests : sequence of MaterialTest
-        Tests to show besides those that were fitted, to see what the laws predict there.
+        Tests to show besides the fitted ones, to see what the laws predict there.
     title : str
         Line above the panels.
     """
@@ -167,7 +167,7 @@ def write_fit_plot(path: str | Path, figure: Figure) -> None:
     path : str or Path
         Ends in ``.png`` or ``.svg``.
     figure : matplotlib.figure.Figure
-        As from `fit_figure`.
+        The figure, such as one from `fit_figure`.
     """
     ending = Path(path).suffix.lower()
     if ending not in (".png", ".svg"):
@@ -191,7 +191,7 @@ def _panel(axes: Axes, fits: Sequence[Fit], tests: Sequence[MaterialTest], mode:
         upto = max(upto, fits[0].stretch[1])
     left, _, bottom, top = *axes.get_xlim(), *axes.get_ylim()
     end = min(upto, 1 + WIDEST * (used - 1)) if mode != "simple_shear" else upto
-    if end < upto:  # what was used must not be squeezed into a corner by what was removed
+    if end < upto:  # removed points must not squeeze the used ones into a corner
         further = f"tests go on to {upto:.3g} →"
         axes.text(1.0, 1.0, further, transform=axes.transAxes, ha="right", va="bottom", fontsize=8, color=INK)
         raws = [test.raw or test for test in tests]
@@ -199,7 +199,7 @@ def _panel(axes: Axes, fits: Sequence[Fit], tests: Sequence[MaterialTest], mode:
         bottom = 1.05 / MPA * min(0.0, *(float(raw.nominal_stress.min()) for raw in raws))
     for fit, color in zip(fits, _colors(fits), strict=True):
         plot_law(axes, fit, mode, upto, color=color)
-    # a law that runs away outside its range must not hide the measurements
+    # a law that grows fast outside its range must not squeeze the measurements
     axes.set_xlim(left, end + 0.02 * (end - left))
     axes.set_ylim(min(bottom, -0.03 * top), max(min(axes.get_ylim()[1], 1.4 * top), top))
 

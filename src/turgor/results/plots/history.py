@@ -1,4 +1,4 @@
-"""Plots of rubbers over time: loops of cyclic tests, relaxation, and the difference from the law alone."""
+"""Plots of rubbers over time: loops of cyclic tests, relaxation, and the difference from the hyperelastic law alone."""
 
 from collections.abc import Sequence
 
@@ -17,7 +17,7 @@ from turgor.results.plots.response_plots import INK, QUIET
 
 KPA = 1e3
 
-#: Points of each test that are drawn at most.
+#: Approximate number of points that are drawn of each test.
 _POINTS = 3000
 
 
@@ -64,7 +64,7 @@ def _row(row: Sequence, material: Material, test: MaterialTest) -> None:
         axes.set_ylabel("nominal stress [kPa]", color=INK)
     row[2].plot(stretch[shown], (measured - bare) / KPA, ".", color=QUIET, ms=3, mew=0)
     row[2].plot(along, (line - alone.nominal_stress) / KPA, "-", color=COLORS[0], lw=0.9)
-    row[2].set_ylabel("less that of the law alone [kPa]", color=INK)
+    row[2].set_ylabel("difference from the law alone [kPa]", color=INK)
     labels = ("stretch [-]", "time [s]", "stretch [-]")
     for axes, label in zip(row, labels, strict=True):
         axes.set_xlabel(label, color=INK)

@@ -1,4 +1,4 @@
-"""Plot of a law: nominal stress over stretch in the three tests that tell laws apart."""
+"""Plot of a law: nominal stress over stretch in uniaxial, planar and equibiaxial tension."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -52,7 +52,7 @@ def _curves(axes: Axes, material: Material) -> None:
     known = material.stretch_range is not None and material.stretch_range[1] > 1
     reach = material.stretch_range[1] if material.stretch_range is not None and known else REACH
     across = np.linspace(1.0, reach, _POINTS)
-    with np.errstate(all="ignore"):  # laws that lock have no stress beyond
+    with np.errstate(all="ignore"):  # no stress beyond a limiting stretch
         curves = {mode: nominal_stress(law, DEFORMATIONS[mode](across))[..., 0, 0] for mode in MODES}
     most = max(float(np.nanmax(np.where(np.isfinite(each), each, 0.0))) for each in curves.values())
     unit, name = (MPa, "MPa") if most >= MPa else (kPa, "kPa")

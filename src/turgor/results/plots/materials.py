@@ -27,23 +27,23 @@ Array = NDArray[np.float64]
 #: Modes that have a panel, in this order.
 MODES = ("uniaxial", "planar", "equibiaxial")
 
-#: Largest stretch where no test says more; stiff parts, which are linear, are drawn to 1 % strain.
+#: Largest stretch that is drawn by default; stiff parts, which are linear elastic, are drawn to 1 % strain.
 REACH, STIFF_REACH = 4.0, 1.01
 
 
 def plot_records(axes: Axes, chosen: Sequence[Record], stretch: Array, mode: str = "uniaxial") -> Axes:
     """Plot nominal stress over stretch for each record that has a law: solid where it was fitted, dashed beyond.
 
-    Where the fitted range is unknown the whole line is solid and thinner.
+    Where the fitted range is unknown, or covers all stretches, the whole line is solid and thinner.
 
     Parameters
     ----------
     axes : matplotlib.axes.Axes
         Where to draw.
     chosen : sequence of Record
-        What to draw; those that have no law stand in the legend only.
+        What to draw; records without a law appear in the legend only.
     stretch : (n,) array [-]
-        At which stretches.
+        Stretches of the curves.
     mode : str
         ``"uniaxial"``, ``"planar"`` or ``"equibiaxial"``.
 
@@ -83,16 +83,16 @@ def plot_records(axes: Axes, chosen: Sequence[Record], stretch: Array, mode: str
 
 
 def curve(record: Record, stretch: Array, mode: str = "uniaxial") -> Array | None:
-    """Nominal stress [MPa] of a record at some stretches; None where no law can have its constants.
+    """Return the nominal stress of a record, (n,) [MPa]; None where no law can have its constants.
 
     Parameters
     ----------
     record : Record
-        A rubber, or a stiff part, whose stress is E (stretch − 1) for the small strains it is good for.
+        A rubber, or a stiff part at small strains, whose stress is E (stretch − 1).
     stretch : (n,) array [-]
         Positive stretches.
     mode : str
-        ``"uniaxial"``, ``"planar"`` or ``"equibiaxial"``; a linear elastic record is drawn in the first only.
+        ``"uniaxial"``, ``"planar"`` or ``"equibiaxial"``; a linear elastic record has a curve in the first only.
 
     Examples
     --------
@@ -115,7 +115,7 @@ def material_figure(
     tests: Sequence[MaterialTest] = (),
     stretch: tuple[float, float] | None = None,
 ) -> Figure:
-    """Draw every record of a library material, or one, and measured tests of one mode.
+    """Draw the curves of every record of a library material, or of one record, with measured tests of one mode.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def material_figure(
     tests : sequence of MaterialTest
         Measured tests to compare with; they set the mode.
     stretch : (float, float), optional
-        Smallest and largest stretch to show; by default what the tests cover up to 4.
+        Smallest and largest stretch to show; by default the range of the tests, up to 4.
     """
     chosen = records(name) if record is None else (find_record(name, record),)
     modes = {test.mode for test in tests} or {"uniaxial"}
@@ -184,7 +184,7 @@ def _stiff(record: Record) -> bool:
 
 
 def _limits(chosen: Sequence[Record], stretch: Array, mode: str, tests: Sequence[MaterialTest]) -> tuple[float, float]:
-    """Lower and upper stress [MPa]: such that tests and most curves are seen, and those far off leave the picture."""
+    """Lower and upper stress [MPa] such that the tests and most curves are visible; curves far above are cut off."""
     curves = [stress for record in chosen if (stress := curve(record, stretch, mode)) is not None]
     tops = [float(np.nanmax(stress)) for stress in curves if np.isfinite(stress).any()]
     if tests:

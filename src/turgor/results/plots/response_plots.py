@@ -1,4 +1,4 @@
-"""Plots of a response: a function takes axes and returns them; no global state of matplotlib is touched."""
+"""Plots of a response, without global state of matplotlib: functions take axes and return them, or make a figure."""
 
 from io import StringIO
 from itertools import cycle
@@ -17,13 +17,13 @@ from turgor.results.plots.figures import PlotFigure
 
 BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
 
-#: Lines that share a panel, in this order; told apart by people who see few colors too (Okabe and Ito 2008).
+#: Colors of lines that share a panel, in this order, distinct for color-blind readers too (Okabe and Ito 2008).
 COLORS = (BLUE, "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 
-#: Names of stages with more letters than this in all are turned, so that they do not meet below a panel.
+#: Names of stages that have more letters in total than this are turned, so that they do not overlap below a panel.
 MOST_LETTERS = 36
 
-#: Headlines without a panel of their own: the angle says more than the way of the tip.
+#: Headlines without a panel of their own: the bending angle tells more than the displacement of the tip.
 LEFT_OUT = ("tip_displacement",)
 
 
@@ -79,7 +79,7 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
 
 
 def _name_stages(axes: Axes, names: list[str]) -> None:
-    """Write the names of stages below their parts of the axis, with a line of the grid where one ends."""
+    """Write the names of stages below their parts of the axis, with a grid line where a stage ends."""
     axes.set_xticks(range(len(names) + 1), labels=[""] * (len(names) + 1))
     turned = sum(map(len, names)) > MOST_LETTERS
     how = {"rotation": 30, "ha": "right", "rotation_mode": "anchor"} if turned else {}
@@ -90,8 +90,8 @@ def _name_stages(axes: Axes, names: list[str]) -> None:
 def response_figure(response: Response, title: str = "") -> Figure:
     """Draw the response against its drive: bending angle, cavity volume, stretch and von Mises stress (99 % of volume).
 
-    Panels whose column is missing are left out; if none is there, every measured column gets one. Several pressures
-    share a panel of their own, which comes first; the others are drawn against the load factor then.
+    Panels whose column is missing are left out; if no panel is left, every measured column gets a panel. Several
+    pressures share a panel of their own, which comes first; the other panels are then drawn against the load factor.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def response_figure(response: Response, title: str = "") -> Figure:
 
 
 def contact_figure(response: Response) -> Figure | None:
-    """Draw the force on each obstacle and the areas that touch against the drive.
+    """Draw the force on each obstacle and the contact areas, both over the drive.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def contact_figure(response: Response) -> Figure | None:
     Figure or None
         None where the response has no such column.
     """
-    kinds = {"_force": "force on the obstacle", "_contact_area": "area that touches"}
+    kinds = {"_force": "force on the obstacle", "_contact_area": "contact area"}
     panels = {end: [name.removesuffix(end) for name in response.names if name.endswith(end)] for end in kinds}
     shown = {end: names for end, names in panels.items() if names}
     if not shown:

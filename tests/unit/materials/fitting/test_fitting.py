@@ -199,7 +199,7 @@ def test_a_softening_curve_gives_a_stable_law_when_wanted():
     assert any(first_instability(free.law, mode, 3.0, 1.0) for mode in modes)
     assert free.instability
     assert not any(first_instability(stable.law, mode, 3.0, 1.0) for mode in modes)
-    assert stable.bounds_hit == ("stability over the range holds the coefficients back",)
+    assert stable.bounds_hit == ("stability over the range limits the coefficients",)
     assert stable.relative > free.relative
 
 
@@ -319,7 +319,7 @@ def test_ranking_orders_and_explains():
     words = " ".join(ranking.words)
     assert "neo-hooke suits strains up to 50 %; over the 400 % wanted" in words
     assert "ogden-2: Uniaxial tests alone do not determine Ogden constants" in words
-    assert "Do not use these constants outside stretch 1 to 5" in words
+    assert "Use these constants only from stretch 1 to 5" in words
     with pytest.raises(TurgorError, match="no law was given"):
         rank([], made(YEOH))
     with pytest.raises(TurgorError, match="unknown law"):

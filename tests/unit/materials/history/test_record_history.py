@@ -205,8 +205,8 @@ TABLE = "Time (min),stretch,nominal stress (kPa)\n0.5,1.0,0\n1,1.5,80\n1.5,1.5,7
         (TABLE, [0, 30, 60], "time from 'Time (min)'"),
         (TABLE.replace("Time (min)", "time_s"), [0, 0.5, 1.0], "time from 'time_s'"),
         (TABLE.replace("Time (min)", "Time"), None, ""),
-        (TABLE.replace("\n1.5,1.5", "\n0.2,1.5"), None, "'Time (min)' left out, it runs backwards at line 4"),
-        (TABLE.replace("\n1,", "\n10:30,"), None, "left out, not all of it are times"),
+        (TABLE.replace("\n1.5,1.5", "\n0.2,1.5"), None, "'Time (min)' left out, because it runs backwards at line 4"),
+        (TABLE.replace("\n1,", "\n10:30,"), None, "left out, because it does not hold times only"),
     ],
 )
 def test_time_is_read_where_it_is_one(write, text, time, said):

@@ -43,9 +43,9 @@ def test_fillets_and_an_inlet_meshed_too_coarsely_are_mended(as_generated, curva
     assert set(moved) <= set(np.unique(bent.cells[bad][:, 4:]))  # mid-side nodes of bad cells only
     (finding,) = check_mesh(made)[:1]
     assert finding.code == "G08"
-    assert finding.message.startswith(f"{bad.sum()} of {len(bad)} curved cells were inside out or nearly so")
+    assert finding.message.startswith(f"{bad.sum()} of {len(bad)} curved cells were inverted or nearly so")
     missed = np.linalg.norm(made.points - bent.points, axis=1).max() / mm
-    assert f"misses the surface by up to {missed:.2g} mm" in finding.message
+    assert f"deviates from the surface by up to {missed:.2g} mm" in finding.message
     assert finding.severity is (Severity.WARNING if curvature < 1 else Severity.NOTE)
     assert cell_volumes(made).sum() == pytest.approx(geometry.solid_volume, rel=1e-3)
 
