@@ -1,8 +1,9 @@
 """Generate a mesh: curved ten-node tetrahedra from a geometry, with its names."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
@@ -12,10 +13,13 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
+from turgor.geometry.cad.facets import find_facets
+from turgor.geometry.cad.surface.shape import SurfaceFace, SurfaceShape
 from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.bodies.assemble import Raw, assemble
 from turgor.meshing.chosen import chosen_settings
+from turgor.meshing.enveloped.tetrahedra import enveloped_cells
 from turgor.meshing.foreign import meshing
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
@@ -125,7 +129,45 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
     chosen = chosen_settings(geometry, settings)
     if not geometry.file:
         return _meshed(geometry, chosen)
-    return in_child(meshing(geometry.name), _meshed, geometry, replace(chosen, face_sizes=dict(chosen.face_sizes)))
+    chosen = replace(chosen, face_sizes=dict(chosen.face_sizes))
+    try:
+        return in_child(meshing(geometry.name), _meshed, geometry, chosen)
+    except TurgorError as error:
+        if len(geometry.regions) > 1 or isinstance(geometry._shape, SurfaceShape) or chosen.cells == "hexahedra":
+            raise
+        try:
+            result = in_child(meshing(geometry.name), _meshed_by_facets, geometry, chosen)
+        except TurgorError:
+            raise error from None
+        return replace(result, findings=(*result.findings, _by_facets(error, result, geometry)))
+
+
+def _meshed_by_facets(geometry: Geometry, chosen: MeshSettings) -> Mesh:
+    """Mesh the facets of a CAD shape of one body, whose faces are too small or too odd for the mesh generator."""
+    shape = geometry._shape
+    faces = list(dict.fromkeys(shape.faces))
+    facets = find_facets(shape, faces)
+    surface = SurfaceShape(
+        points=facets.points,
+        triangles=facets.triangles,
+        face=facets.face,
+        faces=tuple(SurfaceFace(name=str(face.name), mass=float(face.mass)) for face in faces),
+    )
+    filled = surface.mass * geometry.length_scale**3
+    return _meshed(replace(geometry, _shape=surface, solid_volume=filled), chosen)
+
+
+def _by_facets(error: TurgorError, result: Mesh, geometry: Geometry) -> Finding:
+    lost = 1 - float(cell_volumes(result).sum()) / geometry.solid_volume
+    return Finding(
+        code="G10",
+        severity=Severity.NOTE,
+        message="The part was meshed from flat facets of its faces, because the faces themselves could not be meshed: "
+        f"{str(error).split(';')[0].rstrip('.')}. The cells fill {abs(lost):.2%} {'less' if lost > 0 else 'more'} than "
+        "the part.",
+        advice="Faces far smaller than the cells are the usual cause; leave them out in the CAD program to get cells "
+        "on the true faces.",
+    )
 
 
 def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
@@ -137,6 +179,8 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
         _check_result(result, geometry)
         refuse_inverted(result)
         return result
+    if isinstance(geometry._shape, SurfaceShape):
+        return refine_walls(_sound(geometry, partial(enveloped_cells, geometry, chosen)), chosen.wall_cells)
     sizes = _Sizes(size=size, grading=grading, local=local_sizes(geometry, size, chosen.face_sizes))
     with _sizes_on_faces(geometry, sizes.local.faces):
         try:
@@ -163,7 +207,7 @@ class _Sizes:
 
 def _fitting_walls(geometry: Geometry, sizes: _Sizes) -> Mesh:
     """A valid mesh whose cells suit their walls: made again with smaller sizes at walls that are too thin."""
-    result = _sound(geometry, sizes)
+    result = _sound(geometry, partial(_generate, geometry, sizes))
     if sizes.size <= LARGEST_SIZE_PER_WALL * geometry.smallest_wall * (1 + 1e-9):
         return result  # the size suits every wall
     for _ in range(ROUNDS):
@@ -171,16 +215,16 @@ def _fitting_walls(geometry: Geometry, sizes: _Sizes) -> Mesh:
         if not len(walls.points):
             return result
         sizes = replace(sizes, places=(*sizes.places, walls))
-        result = _sound(geometry, sizes)
+        result = _sound(geometry, partial(_generate, geometry, sizes))
     walls = find_thin_walls(result, sizes.size)
     if len(walls.points):
         result = replace(result, findings=(*result.findings, thin_walls_left(walls)))
     return result
 
 
-def _sound(geometry: Geometry, sizes: _Sizes) -> Mesh:
+def _sound(geometry: Geometry, generate: Callable[[], Raw]) -> Mesh:
     """A valid mesh, or the reason why there is none."""
-    result = mended(assemble(_generate(geometry, sizes), geometry))
+    result = mended(assemble(generate(), geometry))
     _check_result(result, geometry)
     refuse_inverted(result)
     return result

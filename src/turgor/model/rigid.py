@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry.cad.facets import WELD, weld
-from turgor.geometry.cad.stl import crossings, read_stl, winding
+from turgor.geometry.cad.stl import read_stl
+from turgor.geometry.cad.surface.crossing import crossings, winding
 from turgor.meshing.exchange.formats.stl import Triangles
 from turgor.model.obstacles import RigidSurface
 from turgor.units import UNITS

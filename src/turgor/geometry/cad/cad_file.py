@@ -20,7 +20,7 @@ class CadFile:
     Parameters
     ----------
     file : Path
-        STEP, BREP or closed STL.
+        STEP, BREP or STL.
     unit : str, optional
         Unit of the numbers in the file; it overrides that of the file.
     faces : mapping of str to Selector

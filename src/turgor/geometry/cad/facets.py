@@ -89,13 +89,15 @@ def named_facets(shape: Any) -> list[tuple[str, Array]]:
 
     Parameters
     ----------
-    shape : CAD shape
+    shape : CAD shape or SurfaceShape
         Glued bodies with named faces.
 
     Returns
     -------
     list of (str, array)
     """
+    if hasattr(shape, "corners"):  # facets are all there is
+        return [(face.name, shape.corners[shape.face == i]) for i, face in enumerate(shape.faces)]
     data = OCCGeometry(shape)._visualizationData()
     corners = data["vertices"].reshape(-1, 3, 3).astype(np.float64)
     number = data["indices"].astype(np.int64)
@@ -182,7 +184,7 @@ def _outward(points: Array, triangles: Ints, body: str) -> Ints:
     count = len(triangles)
     graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count)).tocsr()
     shells, shell = connected_components(graph, directed=False)
-    turned = _turned(triangles, pairs, coherent, [int(np.argmax(shell == i)) for i in range(shells)])
+    turned = turned_alike(triangles, pairs, coherent, [int(np.argmax(shell == i)) for i in range(shells)])
     origin = points[triangles].mean(axis=(0, 1))
     volumes = np.array([flux(points, turned[shell == i], origin) for i in range(shells)])
     if not np.abs(volumes).max() > 0:
@@ -192,7 +194,7 @@ def _outward(points: Array, triangles: Ints, body: str) -> Ints:
     return np.asarray(np.where(wrong[:, None], turned[:, ::-1], turned))
 
 
-def _turned(triangles: Ints, pairs: Ints, coherent: NDArray[np.bool_], starts: list[int]) -> Ints:
+def turned_alike(triangles: Ints, pairs: Ints, coherent: NDArray[np.bool_], starts: list[int]) -> Ints:
     """Orient triangles alike: neighbors have opposite directions along their common edge."""
     pairs, first = np.unique(pairs, axis=0, return_index=True)
     sign = np.where(coherent[first], 1.0, 2.0)  # no entry of a sparse matrix may be zero

@@ -11,7 +11,9 @@ from typing import Any
 from netgen.occ import OCCGeometry, Pnt
 
 from turgor.errors import TurgorError, near_match
-from turgor.geometry.cad.stl import stl_solids
+from turgor.finding import Finding
+from turgor.geometry.cad.stl import stl_bodies
+from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.child import Work
 from turgor.geometry.quiet import captured_output
 from turgor.units import UNITS, mm
@@ -42,18 +44,21 @@ class FileContents:
     ----------
     kind : str
         STEP, BREP or STL.
-    bodies : list of CAD solids
+    bodies : list of CAD solids, or one SurfaceShape
         In millimeters, not yet glued.
     names : list of str
         Name of each body, empty where the file has none.
     unit : str
         Unit and where it is stated, for the report.
+    findings : tuple of Finding
+        What was repaired on the way.
     """
 
     kind: str
     bodies: list[Any]
     names: list[str]
     unit: str
+    findings: tuple[Finding, ...] = ()
 
 
 def load_file(path: str | Path, unit: str | None = None) -> FileContents:
@@ -75,17 +80,22 @@ def load_file(path: str | Path, unit: str | None = None) -> FileContents:
     path = Path(path)
     kind = check_file(path, unit)
     if kind == "STL":
-        bodies = stl_solids(path)
-        names = [""] * len(bodies)
+        read = stl_bodies(path)
+        bodies, names, findings = read.bodies, [""] * len(read.bodies), read.findings
     else:
         bodies, names = _read(path, kind)
+        findings = ()
     stated = _stated_unit(path) if kind == "STEP" else None
     factor = 1.0 if unit is None else UNITS["length"][unit] / (stated or mm)
     if factor != 1.0:
-        bodies = [body.Scale(Pnt(0, 0, 0), factor) for body in bodies]
+        bodies = [_scaled(body, factor) for body in bodies]
     _check_size(path, bodies, stated if unit is None else None, unit)
     how = f"{unit}, as given" if unit else f"{_unit_name(stated)}, from the file" if stated else "mm, assumed"
-    return FileContents(kind=kind, bodies=bodies, names=names, unit=how)
+    return FileContents(kind=kind, bodies=bodies, names=names, unit=how, findings=findings)
+
+
+def _scaled(body: Any, factor: float) -> Any:
+    return body.scaled(factor) if isinstance(body, SurfaceShape) else body.Scale(Pnt(0, 0, 0), factor)
 
 
 def reading(path: str | Path) -> Work:

@@ -15,6 +15,7 @@ from turgor.geometry.cad.naming import Naming, name_faces, scaled
 from turgor.geometry.cad.part import Part, as_vector, load_part
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
+from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.cad.walls import smallest_wall
 from turgor.geometry.child import in_child
 from turgor.geometry.directions import Vector
@@ -140,14 +141,15 @@ def inspect_here(
         bodies=_bodies(part),
         faces=_faces(part, naming),
         cavities=_cavities(naming),
-        findings=naming.findings,
+        findings=(*part.file.findings, *naming.findings),
     )
 
 
 def _bodies(part: Part) -> tuple[BodyFacts, ...]:
     number = {face: i for i, face in enumerate(part.faces)}
+    solids = [part.shape] if isinstance(part.shape, SurfaceShape) else list(part.shape.solids)
     bodies = []
-    for body, region in zip(part.shape.solids, part.regions, strict=True):
+    for body, region in zip(solids, part.regions, strict=True):
         own = [part.items[number[face]] for face in body.faces]
         color = Counter(item.color for item in own).most_common(1)[0][0]
         corners = np.concatenate([item.triangles.reshape(-1, 3) for item in own])

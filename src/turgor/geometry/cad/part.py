@@ -16,6 +16,8 @@ from turgor.geometry.cad.facets import Facets, find_facets
 from turgor.geometry.cad.files import FileContents, load_file
 from turgor.geometry.cad.selectors import Item, Selector
 from turgor.geometry.cad.split import SplitPlane, split_bodies
+from turgor.geometry.cad.surface.part import body_item, surface_facets, surface_items
+from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.directions import Vector
 from turgor.units import mm
 
@@ -38,11 +40,11 @@ class Part:
         Path of the file.
     file : FileContents
         Content of the file.
-    shape : CAD shape
+    shape : CAD shape or SurfaceShape
         The glued bodies, in millimeters.
     regions : tuple of str
         Region of each body.
-    faces : list of CAD faces
+    faces : list of CAD faces or SurfaceFace
         Each once.
     facets : Facets
         Their triangles.
@@ -86,6 +88,8 @@ def load_part(
     """
     file = load_file(path, unit)
     bodies, names = file.bodies, _region_names(file, regions or {})
+    if isinstance(bodies[0], SurfaceShape):
+        return _surface_part(Path(path), file, names[0], split)
     before = sum(body.mass for body in bodies)
     if split is not None:
         bodies, names = split_bodies(bodies, names, split)
@@ -115,8 +119,30 @@ def load_part(
     )
 
 
+def _surface_part(path: Path, file: FileContents, region: str, split: SplitPlane | None) -> Part:
+    """Part of one body that is given by facets."""
+    if split is not None:
+        raise TurgorError(
+            f"split: the walls of '{path}' are curved or rough, and such a part cannot be cut into regions; export the "
+            "regions as bodies of one STEP file."
+        )
+    (shape,) = file.bodies
+    return Part(
+        path=path,
+        file=file,
+        shape=shape,
+        regions=(region,),
+        faces=list(shape.faces),
+        facets=surface_facets(shape),
+        items=surface_items(shape),
+        between=np.zeros(len(shape.faces), dtype=bool),
+    )
+
+
 def body_items(bodies: list[Any], names: list[str]) -> tuple[Item, ...]:
     """Return the properties of each body for selectors."""
+    if isinstance(bodies[0], SurfaceShape):
+        return (body_item(bodies[0]),)
     return tuple(
         _item(body, find_facets(body, list(dict.fromkeys(body.faces))).corners() * mm, name)
         for body, name in zip(bodies, names, strict=True)

@@ -9,6 +9,7 @@ from turgor.geometry.cad.naming import Naming, name_faces
 from turgor.geometry.cad.part import Part, load_part
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
+from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.cad.walls import smallest_wall
 from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
@@ -24,7 +25,7 @@ def read_cad(
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
 ) -> Geometry:
-    """Read a STEP, BREP or closed STL file as a geometry.
+    """Read a STEP, BREP or STL file as a geometry.
 
     The CAD kernel reads the file in a child process, because a damaged file may crash it. Bodies that touch are joined.
     Closed voids and pockets with one opening become cavities: one is named ``cavity``, several are ``cavity_1``,
@@ -87,6 +88,8 @@ def read_here(
     part = load_part(path, unit, regions or {}, split)
     naming = name_faces(part, faces or {}, split.interface if split is not None else None)
     geometry = _geometry(Path(path), part, naming)
+    if isinstance(part.shape, SurfaceShape):
+        return geometry
     again = packed(geometry._shape).shape()
     again.MakeTriangulation()
     assert again.bounding_box and all(face.mass >= 0 for face in again.faces)
@@ -95,18 +98,23 @@ def read_here(
 
 def _geometry(path: Path, part: Part, naming: Naming) -> Geometry:
     """Write the names into the shape and return it as a geometry."""
-    for face, face_name in zip(part.faces, naming.names, strict=True):
-        face.name = face_name
+    shape, solids = part.shape, [part.shape]
+    if isinstance(shape, SurfaceShape):
+        shape = shape.named(naming.names)
+    else:
+        solids = list(shape.solids)
+        for face, face_name in zip(part.faces, naming.names, strict=True):
+            face.name = face_name
     return Geometry(
         name=path.stem,
         smallest_wall=smallest_wall(part.facets) * mm,
         cavity_volumes={name: hollow.volume * mm**3 for name, hollow in naming.cavities.items()},
-        solid_volume=sum(float(solid.mass) for solid in part.shape.solids) * mm**3,
+        solid_volume=sum(float(solid.mass) for solid in solids) * mm**3,
         regions=tuple(dict.fromkeys(part.regions)),
         faces=tuple(sorted(set(naming.names))),
-        findings=naming.findings,
+        findings=(*part.file.findings, *naming.findings),
         file=str(path),
-        _shape=part.shape,
+        _shape=shape,
     )
 
 

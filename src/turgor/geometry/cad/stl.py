@@ -1,6 +1,7 @@
 """Reading of STL files, which hold triangles without names, as CAD bodies."""
 
 import re
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -9,17 +10,42 @@ from netgen.occ import Face, Pnt, Segment, Sew, Solid, Wire
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
-from turgor.geometry.cad.facets import find_facets, weld
+from turgor.finding import Finding
+from turgor.geometry.cad.facets import find_facets, flux
+from turgor.geometry.cad.surface.crossing import winding
+from turgor.geometry.cad.surface.orientation import shells_of
+from turgor.geometry.cad.surface.part import is_flat, surface_items
+from turgor.geometry.cad.surface.repair import repaired
+from turgor.geometry.cad.surface.shape import SurfaceShape, surface_shape
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Largest number of triangles; sewing more takes minutes, and each triangle would get cells of its own.
-MOST_TRIANGLES = 20_000
+#: Most triangles that are read, and most of a body whose plane walls are sewn together.
+MOST_TRIANGLES, MOST_SEWN = 400_000, 20_000
+
+#: A body is sewn where it has at most this many faces, of which plane ones make at least this share of the area.
+MOST_FACES, PLANE_SHARE = 150, 0.999
 
 
-def stl_solids(path: Path) -> list[Any]:
-    """Read a closed STL file as bodies; triangles in one plane become one face.
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class StlBodies:
+    """Bodies of an STL file.
+
+    Parameters
+    ----------
+    bodies : list
+        CAD solids where all walls are plane; one `SurfaceShape` where some are curved or rough.
+    findings : tuple of Finding
+        What was repaired.
+    """
+
+    bodies: list[Any]
+    findings: tuple[Finding, ...]
+
+
+def stl_bodies(path: Path) -> StlBodies:
+    """Read an STL file as bodies. Its surface is repaired; walls that are plane become one CAD face each.
 
     Parameters
     ----------
@@ -29,25 +55,49 @@ def stl_solids(path: Path) -> list[Any]:
     Raises
     ------
     TurgorError
-        If it is damaged, open or flat, intersects itself, or has too many triangles.
+        If it is damaged, open in a way that cannot be repaired, flat, crosses itself, or has too many triangles.
     """
     corners = read_stl(path)
     if len(corners) > MOST_TRIANGLES:
         raise TurgorError(
-            f"'{path}' has {len(corners)} triangles; at most {MOST_TRIANGLES} can be made a body. Export STEP, which "
-            "keeps curved walls, or a coarser STL."
+            f"'{path}' has {len(corners)} triangles; at most {MOST_TRIANGLES} can be read. Export STEP, which keeps "
+            "curved walls, or a coarser STL."
         )
-    points, triangles = weld(corners.reshape(-1, 3))
-    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
-    if not len(triangles):
-        raise TurgorError(f"'{path}' has no body: all of its triangles are flat; export it again.")
-    _check_closed(path, points, triangles)
-    _check_crossing(path, points, triangles)
+    fixed = repaired(corners, path.name)
+    shape = surface_shape(fixed.points, fixed.triangles)
+    bodies = _sewn(fixed.points, fixed.triangles) if _is_plane(shape) and not fixed.crossing else []
+    if not bodies:
+        _check_single(path, shape)
+    return StlBodies(bodies=bodies or [shape], findings=fixed.findings)
+
+
+def _is_plane(shape: SurfaceShape) -> bool:
+    """Whether a surface consists of few plane walls."""
+    if len(shape.faces) > MOST_FACES or len(shape.triangles) > MOST_SEWN:
+        return False
+    plane = sum(face.mass for face, item in zip(shape.faces, surface_items(shape), strict=True) if is_flat(item))
+    return plane >= PLANE_SHARE * sum(face.mass for face in shape.faces)
+
+
+def _check_single(path: Path, shape: SurfaceShape) -> None:
+    """Refuse bodies apart from each other."""
+    shell = shells_of(shape.triangles)
+    origin = shape.points.mean(axis=0)
+    volumes = [flux(shape.points, shape.triangles[shell == i], origin) for i in range(int(shell.max()) + 1)]
+    solids = [number for number, volume in enumerate(volumes) if volume > 0]
+    if len(solids) > 1:
+        places = [shape.corners[shell == number].mean(axis=(0, 1)) for number in solids[:3]]
+        listed = ", ".join(f"({x:.4g}, {y:.4g}, {z:.4g})" for x, y, z in places)
+        raise TurgorError(
+            f"'{path}' has {len(solids)} bodies that are not joined to each other, around {listed} in units of the "
+            "file: nothing would hold them; move them together in the CAD program, or export one body."
+        )
+
+
+def _sewn(points: Array, triangles: Ints) -> list[Any]:
+    """CAD solids of plane triangles; none where the CAD kernel cannot sew them."""
     shells = list(Sew([_face(points[triangle]) for triangle in triangles]).shells)
-    if not shells:
-        raise TurgorError(f"'{path}' has no body: its triangles could not be sewn to one; export STEP instead.")
-    solids = sorted((_positive(shell) for shell in shells), key=lambda solid: -solid.mass)
-    return _nested(solids)
+    return _nested(sorted((_positive(shell) for shell in shells), key=lambda solid: -solid.mass)) if shells else []
 
 
 def read_stl(path: Path) -> Array:
@@ -100,82 +150,3 @@ def _nested(solids: list[Any]) -> list[Any]:
 
 def _triangles(solid: Any) -> Array:
     return find_facets(solid, list(dict.fromkeys(solid.faces))).corners()
-
-
-def winding(point: Array, triangles: Array) -> float:
-    """Return the winding number of a closed surface about a point, 1 inside, 0 outside (van Oosterom, Strackee 1983).
-
-    Examples
-    --------
-    >>> corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
-    >>> tetrahedron = corners[np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])]
-    >>> round(winding(np.full(3, 0.2), tetrahedron), 12)
-    1.0
-    """
-    a, b, c = (triangles[:, i] - point for i in range(3))
-    la, lb, lc = (np.linalg.norm(v, axis=1) for v in (a, b, c))
-    volume = np.einsum("ti,ti->t", a, np.cross(b, c))
-    dots = [np.einsum("ti,ti->t", u, v) * w for u, v, w in ((a, b, lc), (b, c, la), (c, a, lb))]
-    return float(np.arctan2(volume, la * lb * lc + sum(dots)).sum() / (2 * np.pi))
-
-
-def _check_closed(path: Path, points: Array, triangles: Ints) -> None:
-    directed = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    edges, count = np.unique(np.sort(directed, axis=1), axis=0, return_counts=True)
-    loose = edges[count != 2]
-    if len(loose):
-        x, y, z = points[loose].mean(axis=(0, 1))
-        single, many = int((count == 1).sum()), int((count > 2).sum())
-        raise TurgorError(
-            f"'{path}' is no closed surface: {single} edges belong to one triangle only and {many} to more than two, "
-            f"around ({x:.4g}, {y:.4g}, {z:.4g}) in units of the file; repair it, or export STEP instead."
-        )
-
-
-def _check_crossing(path: Path, points: Array, triangles: Ints) -> None:
-    crossing = crossings(points, triangles)
-    if len(crossing):
-        x, y, z = points[triangles[crossing[0]]].mean(axis=(0, 1))
-        raise TurgorError(
-            f"'{path}' crosses itself: {len(crossing)} pairs of triangles cut through each other, the first around "
-            f"({x:.4g}, {y:.4g}, {z:.4g}) in units of the file; join the bodies in the CAD program (a union), or "
-            "export STEP instead."
-        )
-
-
-def crossings(points: Array, triangles: Ints) -> Ints:
-    """Find pairs of triangles without a common corner of which an edge of one pierces the other, (p, 2)."""
-    low, high = points[triangles].min(axis=1), points[triangles].max(axis=1)
-    order = np.argsort(low[:, 0], kind="stable")
-    ends = np.searchsorted(low[order, 0], high[order, 0], side="right")
-    found = []
-    for i in range(len(order)):
-        one, others = order[i], order[i + 1 : ends[i]]
-        near = ((low[others] <= high[one]) & (high[others] >= low[one])).all(axis=1)
-        others = others[near]
-        apart = ~np.isin(triangles[others], triangles[one]).any(axis=1)
-        found += [(one, other) for other in others[apart]]
-    pairs = np.array(found, dtype=np.int64).reshape(-1, 2)
-    pierced = np.zeros(len(pairs), dtype=bool)
-    for edges_of, walls in ((0, 1), (1, 0)):
-        a, b, c = (points[triangles[pairs[:, walls], i]] for i in range(3))
-        for i in range(3):
-            p = points[triangles[pairs[:, edges_of], i]]
-            q = points[triangles[pairs[:, edges_of], (i + 1) % 3]]
-            pierced |= _pierces(p, q, a, b, c)
-    return pairs[pierced]
-
-
-def _pierces(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
-    """Whether each segment from p to q intersects the interior of its triangle."""
-
-    def side(u: Array, v: Array, w: Array, x: Array) -> Array:
-        return np.asarray(np.einsum("pi,pi->p", np.cross(v - u, w - u), x - u))
-
-    size = np.linalg.norm(b - a, axis=1) * np.linalg.norm(c - a, axis=1) * np.linalg.norm(q - p, axis=1)
-    slack = 1e-9 * size
-    s, t = side(a, b, c, p), side(a, b, c, q)
-    through = (np.minimum(s, t) < -slack) & (np.maximum(s, t) > slack)
-    u, v, w = side(p, q, a, b), side(p, q, b, c), side(p, q, c, a)
-    inside = (np.minimum(np.minimum(u, v), w) > slack) | (np.maximum(np.maximum(u, v), w) < -slack)
-    return through & inside

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.geometry.cad.cavities import Hollow, Opening, chains, rim
 from turgor.geometry.cad.facets import Facets, Mirror, flux
+from turgor.geometry.cad.surface.shape import SurfaceFace
 
 Array = NDArray[np.float64]
 
@@ -40,14 +41,16 @@ def measured(hollow: Hollow, facets: Facets, faces: Sequence[Any], mirrors: Sequ
     """
     chosen = [faces[i] for i in hollow.faces]
     triangles = facets.triangles[np.isin(facets.face, hollow.faces)]
-    origin = _mean_vertex(chosen)
+    edges = rim(triangles)
+    if isinstance(chosen[0], SurfaceFace):  # facets are all there is
+        origin, exact, loops = facets.points.mean(axis=0), None, _facet_loops(facets, edges)
+    else:
+        origin, exact, loops = _mean_vertex(chosen), _kernel_flux(chosen), rim_loops(chosen)
     walls = drawn = flux(facets.points, triangles, origin)
-    exact = _kernel_flux(chosen)
     if exact is not None:
         walls = min((exact, -exact), key=lambda value: abs(value - drawn))
     total, drawn_total, openings = walls, drawn, []
-    edges = rim(triangles)
-    for loop in rim_loops(chosen):
+    for loop in loops:
         apex, free = _apex(loop, mirrors)
         cap = _fan(loop, apex)
         near = edges[_chain_at(facets, edges, loop)]
@@ -80,6 +83,12 @@ def rim_loops(chosen: Sequence[Any]) -> list[Array]:
     for chain in chains(pairs, closed=False):
         loops.append(_joined([samples[i] for i in chain], pairs[chain]))
     return loops
+
+
+def _facet_loops(facets: Facets, edges: NDArray[np.int64]) -> list[Array]:
+    """The loops that bound some facets, of straight pieces."""
+    ends = facets.points[edges]
+    return [_straight(ends[chain, 0], ends[chain, 1]) for chain in chains(edges, closed=False)]
 
 
 def _joined(lines: list[Array], pairs: NDArray[np.int64]) -> Array:

@@ -90,7 +90,7 @@ class CadFileTable(Table):
     Keys
     ----
     file : str
-        STEP, BREP or closed STL file; its path counts from the folder of the job file.
+        STEP, BREP or STL file; its path counts from the folder of the job file.
     """
 
     type: str

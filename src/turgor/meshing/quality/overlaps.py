@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from turgor.geometry.cad.stl import winding
+from turgor.geometry.cad.surface.crossing import winding
 from turgor.meshing.bodies.bodies import find_bodies
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh

@@ -6,6 +6,7 @@ from numbers import Integral, Real
 from typing import Any
 
 from turgor.errors import TurgorError, unknown
+from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
@@ -118,7 +119,8 @@ def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: fl
 
 def extent_of(geometry: Geometry) -> float:
     """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
-    geometry._shape.MakeTriangulation()
+    if not isinstance(geometry._shape, SurfaceShape):
+        geometry._shape.MakeTriangulation()
     return geometry.extent
 
 

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.contact.shapes import signed_distance
 from turgor.finding import Finding, Severity
-from turgor.geometry.cad.stl import winding
+from turgor.geometry.cad.surface.crossing import winding
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
 from turgor.model.model import Model

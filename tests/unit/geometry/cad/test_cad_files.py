@@ -10,7 +10,8 @@ from turgor.errors import TurgorError
 from turgor.geometry.cad.facets import find_facets
 from turgor.geometry.cad.files import load_file
 from turgor.geometry.cad.read import read_here as read_cad
-from turgor.geometry.cad.stl import crossings, read_stl
+from turgor.geometry.cad.stl import read_stl
+from turgor.geometry.cad.surface.crossing import crossings
 from turgor.meshing.exchange.fill import mesh_surfaces
 from turgor.units import mm
 
@@ -114,7 +115,10 @@ FLAT = np.tile(np.array([[0, 0, 0], [10, 0, 0], [10, 0, 0.0]]), (4, 1, 1))
 TWICE = np.array([[[0, 0, 0], [10, 0, 0], [0, 10, 0]], [[0, 0, 0], [0, 10, 0], [10, 0, 0.0]]])
 
 
-@pytest.mark.parametrize(("triangles", "said"), [(FLAT, "has no body: all of its tri"), (TWICE, "encloses no volume")])
+@pytest.mark.parametrize(
+    ("triangles", "said"),
+    [(FLAT, "has no body: all of its triangles are flat"), (TWICE, "or lie on each other")],
+)
 def test_triangles_without_a_body_are_told(triangles, said, tmp_path):
     path = cases.write_stl(tmp_path / "flat.stl", triangles)
     assert said in refused(path)
@@ -172,27 +176,27 @@ def test_a_closed_stl_becomes_a_body_with_plane_walls(text, tmp_path):
     assert read_cad(turned).cavity_volume == pytest.approx(part.cavity_volume, rel=1e-6)
 
 
-def test_an_open_stl_is_told_with_the_place(tmp_path):
+def test_an_open_stl_is_closed_and_tells_where(tmp_path):
     triangles = triangles_of(hollow_box())
-    path = cases.write_stl(tmp_path / "part.stl", triangles[1:])
-    message = refused(path)
-    assert "is no closed surface: 3 edges belong to one triangle only" in message
+    part = read_cad(cases.write_stl(tmp_path / "part.stl", triangles[1:]))
+    assert part.solid_volume / mm**3 == pytest.approx(2000 - 16 * 36, rel=1e-6)
+    (found,) = [finding for finding in part.findings if finding.code == "D06"]
+    assert "1 hole closed, around (" in found.message
 
 
-def test_an_stl_that_crosses_itself_is_told_with_the_place(tmp_path):
+def test_bodies_that_cut_through_each_other_are_united(tmp_path):
     triangles = triangles_of(Box(Pnt(0, 0, 0), Pnt(10, 10, 10)))
     both = np.concatenate([triangles, triangles + [5.3, 4.1, 3.7]])
-    message = refused(cases.write_stl(tmp_path / "part.stl", both))
-    assert "crosses itself" in message
-    assert "join the bodies in the CAD program" in message
+    part = read_cad(cases.write_stl(tmp_path / "part.stl", both))
+    assert part.solid_volume / mm**3 == pytest.approx(2000 - 4.7 * 5.9 * 6.3, rel=1e-5)
     apart = np.concatenate([triangles, triangles + [25.3, 4.1, 3.7]])
     assert "not joined to the others" in refused(cases.write_stl(tmp_path / "part.stl", apart))
 
 
 def test_an_stl_of_impossible_fineness_is_refused(tmp_path):
-    path = cases.write_stl(tmp_path / "part.stl", np.random.default_rng(1).random((20_001, 3, 3)))
-    assert "20001 triangles; at most 20000" in refused(path)
-    assert len(read_stl(path)) == 20_001
+    path = cases.write_stl(tmp_path / "part.stl", np.random.default_rng(1).random((400_001, 3, 3)))
+    assert "400001 triangles; at most 400000" in refused(path)
+    assert len(read_stl(path)) == 400_001
 
 
 def test_crossings_finds_a_needle_through_a_triangle_and_nothing_beside_it():

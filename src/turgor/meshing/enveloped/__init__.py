@@ -1,0 +1,1 @@
+"""Tetrahedra in a part that is given by facets: made within an envelope of its surface, then drawn onto it."""
