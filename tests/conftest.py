@@ -6,7 +6,7 @@ of the files that were run as a whole and passed; every other run leaves the wor
 """
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -15,6 +15,14 @@ from verification_page import COUNT, ROW, Renewal, Row, table_line
 
 PAGE = Path(__file__).parent.parent / "docs" / "verification.md"
 FOLDER = Path(__file__).parent / "verification"
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Keep meshes in a folder of the test run, so that no test depends on what an earlier run left."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TURGOR_CACHE", str(tmp_path_factory.mktemp("cache")))
+        yield
 
 
 @pytest.fixture

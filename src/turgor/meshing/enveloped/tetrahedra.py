@@ -4,6 +4,7 @@ fTetWild fills any surface: its boundary stays within an envelope around the fac
 them. The nodes are then drawn onto the facets, sharp edges onto edges, and the sides are curved like the surface.
 """
 
+from collections.abc import Mapping
 from contextlib import chdir
 from tempfile import TemporaryDirectory
 
@@ -19,6 +20,7 @@ from turgor.geometry.geometry import Geometry
 from turgor.meshing.bodies.assemble import Raw
 from turgor.meshing.enveloped.background import background
 from turgor.meshing.enveloped.boundary import boundary_of, faces_of
+from turgor.meshing.enveloped.kept import kept_cells
 from turgor.meshing.enveloped.nearest import NearestPlaces, sharp_edges
 from turgor.meshing.enveloped.snapping import faces_at, snapped, unspoiled
 from turgor.meshing.mesh import TETRAHEDRON_EDGES
@@ -85,28 +87,31 @@ def enveloped_cells(geometry: Geometry, settings: MeshSettings) -> Raw:
 
 def _filled(shape: SurfaceShape, settings: MeshSettings, size: float, envelope: float, name: str) -> tuple[Array, Ints]:
     """Corners and cells of fTetWild, of positive volume, in one piece."""
-    field = {}
+    inputs: dict[str, object] = {}
     if settings.face_sizes:
         sizes = {face: value / mm for face, value in settings.face_sizes.items()}
         made = background(shape, size, sizes, float(settings.grading))
-        field = {"bg_vertices": made.points, "bg_tets": made.cells.astype(np.int32), "bg_values": made.values}
-    diagonal = float(np.linalg.norm(np.ptp(shape.points, axis=0)))
-    with TemporaryDirectory() as folder, chdir(folder):  # fTetWild leaves a file where it runs
-        points, cells = tetrahedralize(
-            shape.points,
-            shape.triangles.astype(np.int32),
-            edge_length_abs=size,
-            epsilon=envelope / diagonal,
-            stop_energy=STOP_ENERGY,
-            coarsen=not field,
-            num_threads=1,  # with several, the same part gets another mesh every time
-            quiet=True,
-            **field,
-        )
-    cells = np.asarray(cells, dtype=np.int64)[:, [0, 2, 1, 3]]
+        inputs |= {"bg_vertices": made.points, "bg_tets": made.cells.astype(np.int32), "bg_values": made.values}
+    inputs |= {
+        "vertices": shape.points,
+        "faces": shape.triangles.astype(np.int32),
+        "edge_length_abs": size,
+        "epsilon": envelope / float(np.linalg.norm(np.ptp(shape.points, axis=0))),
+        "stop_energy": STOP_ENERGY,
+        "coarsen": not settings.face_sizes,
+    }
+    points, cells = kept_cells(inputs, lambda: _tetrahedralized(inputs))
     if not len(cells):
         raise TurgorError(f"'{name}' could not be meshed: nothing lies within its surface; is the STL file closed?")
-    return _whole(np.asarray(points, dtype=np.float64), cells)
+    return _whole(points, cells)
+
+
+def _tetrahedralized(inputs: Mapping[str, object]) -> tuple[Array, Ints]:
+    """Call fTetWild; the cells have positive volumes."""
+    with TemporaryDirectory() as folder, chdir(folder):  # fTetWild leaves a file where it runs
+        points, cells = tetrahedralize(**inputs, num_threads=1, quiet=True)
+    cells = np.asarray(cells, dtype=np.int64).reshape(-1, 4)[:, [0, 2, 1, 3]]
+    return np.asarray(points, dtype=np.float64), cells
 
 
 def _whole(points: Array, cells: Ints) -> tuple[Array, Ints]:
