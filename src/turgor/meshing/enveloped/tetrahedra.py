@@ -10,7 +10,6 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 from numpy.typing import NDArray
-from pytetwild import tetrahedralize
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
@@ -108,6 +107,8 @@ def _filled(shape: SurfaceShape, settings: MeshSettings, size: float, envelope: 
 
 def _tetrahedralized(inputs: Mapping[str, object]) -> tuple[Array, Ints]:
     """Call fTetWild; the cells have positive volumes."""
+    from pytetwild import tetrahedralize  # imports pyvista where that is installed: half a second
+
     with TemporaryDirectory() as folder, chdir(folder):  # fTetWild leaves a file where it runs
         points, cells = tetrahedralize(**inputs, num_threads=1, quiet=True)
     cells = np.asarray(cells, dtype=np.int64).reshape(-1, 4)[:, [0, 2, 1, 3]]
