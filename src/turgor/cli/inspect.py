@@ -51,6 +51,8 @@ def _show(found: "Inspection") -> None:
         f"{_count(found.bodies, 'body', 'bodies')}, {_count(found.faces, 'face', 'faces')}, "
         f"{_count(found.cavities, 'cavity', 'cavities')}."
     )
+    if found.symmetry:
+        typer.echo(f"Symmetry: {found.symmetry}.")
     _table(
         "Bodies",
         ("region", "color", "volume [mm³]", "from [mm]", "to [mm]"),

@@ -20,6 +20,7 @@ from turgor.job.tables.sections import read_actuator, read_engine, read_mesh, re
 from turgor.job.tables.setups import SETUPS, read_setup, setup_type
 from turgor.job.tables.stages import STAGES, Around, first_duration, read_stages, with_names
 from turgor.job.tables.supports import read_supports
+from turgor.job.tables.symmetry import with_broken_planes
 from turgor.job.text.changes import changed, changed_places
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError, Problems
@@ -147,6 +148,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     given = _given(content, problems)
     name = _name(content.get("name", stem), problems)
     actuator = read_actuator(given["actuator"], problems) if given["actuator"] is not None else None
+    actuator = with_broken_planes(actuator, given)
     geometry = _build(actuator, problems)
     mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}

@@ -183,6 +183,8 @@ class InspectResult:
         ``name``, ``name_in_file``, ``color``, ``area`` [m²], ``center`` [m], and ``normal`` of a plane face.
     cavities : list of tables
         ``name``, ``closed``, ``volume`` [m³], and ``openings``: area [m²] and center [m] of each.
+    symmetry : str
+        What maps the part onto itself, in words.
     """
 
     name: str
@@ -192,6 +194,7 @@ class InspectResult:
     bodies: Sequence[Any]
     faces: Sequence[Any]
     cavities: Sequence[Any]
+    symmetry: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -319,6 +322,7 @@ def inspect_result(found: "Inspection") -> InspectResult:
         bodies=found.bodies,
         faces=faces,
         cavities=found.cavities,
+        symmetry=found.symmetry,
     )
 
 

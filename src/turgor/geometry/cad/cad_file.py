@@ -10,6 +10,7 @@ from turgor.errors import TurgorError
 from turgor.geometry.cad.read import read_cad
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
+from turgor.geometry.cad.symmetry.wanted import NONE, WantedSymmetry
 from turgor.geometry.geometry import Geometry
 
 
@@ -29,6 +30,8 @@ class CadFile:
         Names for bodies.
     split : SplitPlane, optional
         A plane that cuts off the bottom as a region of its own.
+    symmetry : str or WantedSymmetry
+        Mirror planes to cut the part at, as for `read_cad`.
     sha256 : str
         Checksum of the file, as a lock file states it; computed if it is empty.
 
@@ -49,6 +52,7 @@ class CadFile:
     faces: Mapping[str, Selector] = field(default_factory=dict)
     regions: Mapping[str, Selector] = field(default_factory=dict)
     split: SplitPlane | None = None
+    symmetry: str | WantedSymmetry = NONE
     sha256: str = ""
 
     def __post_init__(self) -> None:
@@ -61,11 +65,19 @@ class CadFile:
                 "changed since; take the old one, or remove the key to go on with the new one."
             )
         object.__setattr__(self, "sha256", found)
+        object.__setattr__(self, "symmetry", self.wanted_symmetry)
 
     def build(self) -> Geometry:
         """Read the file with `read_cad`, once: a job builds its actuator several times."""
         names = tuple(self.faces.items()), tuple(self.regions.items())
-        return _built(self.file, self.sha256, self.unit, *names, self.split)
+        wanted = self.wanted_symmetry
+        symmetry = (wanted.planes, tuple(sorted(wanted.broken.items())))
+        return _built(self.file, self.sha256, self.unit, *names, self.split, symmetry)
+
+    @property
+    def wanted_symmetry(self) -> WantedSymmetry:
+        """What is asked for, with what forbids it."""
+        return self.symmetry if isinstance(self.symmetry, WantedSymmetry) else WantedSymmetry(self.symmetry)
 
 
 @lru_cache(maxsize=8)
@@ -76,6 +88,8 @@ def _built(
     faces: tuple[tuple[str, Selector], ...],
     regions: tuple[tuple[str, Selector], ...],
     split: SplitPlane | None,
+    symmetry: tuple[str, tuple[tuple[str, str], ...]],
 ) -> Geometry:
     """Read a file; the checksum makes another call of it when its content changes."""
-    return read_cad(file, unit=unit, faces=dict(faces), regions=dict(regions), split=split)
+    wanted = WantedSymmetry(symmetry[0], dict(symmetry[1]))
+    return read_cad(file, unit=unit, faces=dict(faces), regions=dict(regions), split=split, symmetry=wanted)

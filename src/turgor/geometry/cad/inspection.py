@@ -16,6 +16,7 @@ from turgor.geometry.cad.part import Part, as_vector, load_part
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.surface.shape import SurfaceShape
+from turgor.geometry.cad.symmetry.find import find_symmetry
 from turgor.geometry.cad.walls import smallest_wall
 from turgor.geometry.child import in_child
 from turgor.geometry.directions import Vector
@@ -80,6 +81,8 @@ class Inspection:
         Facts about its parts.
     findings : tuple of Finding
         Findings about cavities and names.
+    symmetry : str
+        Mirror planes and rotations that map the part onto itself, in words; empty for a part that is given by facets.
     """
 
     name: str
@@ -90,6 +93,7 @@ class Inspection:
     faces: tuple[FaceFacts, ...]
     cavities: tuple[CavityFacts, ...]
     findings: tuple[Finding, ...]
+    symmetry: str = ""
 
     __repr__ = brief
 
@@ -142,6 +146,7 @@ def inspect_here(
         faces=_faces(part, naming),
         cavities=_cavities(naming),
         findings=(*part.file.findings, *naming.findings),
+        symmetry="" if isinstance(part.shape, SurfaceShape) else str(find_symmetry(part, naming.names)),
     )
 
 

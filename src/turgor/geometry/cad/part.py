@@ -104,7 +104,7 @@ def load_part(
             "the CAD program, or join them."
         )
     faces = list(dict.fromkeys(shape.faces))
-    count = _owners(solids, faces)
+    count = owners(solids, faces)
     _check_touching(path, solids)
     facets = find_facets(shape, faces)
     return Part(
@@ -114,7 +114,7 @@ def load_part(
         regions=tuple(str(solid.name) for solid in solids),
         faces=faces,
         facets=facets,
-        items=tuple(_item(face, facets.corners(np.array([i])) * mm) for i, face in enumerate(faces)),
+        items=tuple(shape_item(face, facets.corners(np.array([i])) * mm) for i, face in enumerate(faces)),
         between=count > 1,
     )
 
@@ -144,7 +144,7 @@ def body_items(bodies: list[Any], names: list[str]) -> tuple[Item, ...]:
     if isinstance(bodies[0], SurfaceShape):
         return (body_item(bodies[0]),)
     return tuple(
-        _item(body, find_facets(body, list(dict.fromkeys(body.faces))).corners() * mm, name)
+        shape_item(body, find_facets(body, list(dict.fromkeys(body.faces))).corners() * mm, name)
         for body, name in zip(bodies, names, strict=True)
     )
 
@@ -170,7 +170,8 @@ def _attempt(what: str, selector: Selector, items: tuple[Item, ...]) -> list[int
         raise TurgorError(f"{what}: {error}") from error
 
 
-def _item(shape: Any, triangles: Array, name: str | None = None) -> Item:
+def shape_item(shape: Any, triangles: Array, name: str | None = None) -> Item:
+    """Return the properties of a face or a body for selectors; its triangles are in meters."""
     color = shape.col if str(shape.type).endswith("FACE") else _body_color(shape)
     low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
     area = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]) / 2
@@ -200,7 +201,8 @@ def as_vector(values: Array) -> Vector:
     return float(values[0]), float(values[1]), float(values[2])
 
 
-def _owners(solids: list[Any], faces: list[Any]) -> NDArray[np.int64]:
+def owners(solids: list[Any], faces: list[Any]) -> NDArray[np.int64]:
+    """Return the number of bodies of each face: two where it lies between them."""
     number = {face: i for i, face in enumerate(faces)}
     owned = [number[face] for solid in solids for face in dict.fromkeys(solid.faces)]
     return np.bincount(owned, minlength=len(faces))

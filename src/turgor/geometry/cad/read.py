@@ -1,15 +1,18 @@
 """Reading of a CAD file as a geometry with named regions and faces."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from turgor.errors import TurgorError
 from turgor.geometry.cad.files import check_file, reading
-from turgor.geometry.cad.naming import Naming, name_faces
+from turgor.geometry.cad.naming import STANDARD, Naming, name_faces
 from turgor.geometry.cad.part import Part, load_part
-from turgor.geometry.cad.selectors import Selector
+from turgor.geometry.cad.selectors import ByName, Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.surface.shape import SurfaceShape
+from turgor.geometry.cad.symmetry.cut import modeled_part
+from turgor.geometry.cad.symmetry.wanted import NONE, WHOLE, WantedSymmetry
 from turgor.geometry.cad.walls import smallest_wall
 from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
@@ -24,6 +27,7 @@ def read_cad(
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
+    symmetry: str | WantedSymmetry = NONE,
 ) -> Geometry:
     """Read a STEP, BREP or STL file as a geometry.
 
@@ -43,6 +47,9 @@ def read_cad(
         Names for bodies. The others keep their name in the file, or are ``body``, ``body_1``, ….
     split : SplitPlane, optional
         Plane that cuts off the bottom as a region of its own.
+    symmetry : str or WantedSymmetry
+        ``"none"`` for the whole part, ``"automatic"`` to cut it at every mirror plane across x, y or z that it has, or
+        the normals of the planes to use, such as ``"y"`` or ``"yz"``. The side toward positive coordinates is kept.
 
     Returns
     -------
@@ -52,8 +59,8 @@ def read_cad(
     Raises
     ------
     TurgorError
-        If the file has no closed solid, its bodies overlap or do not touch, a selector finds nothing, or the CAD kernel
-        dies.
+        If the file has no closed solid, its bodies overlap or do not touch, a selector finds nothing, a plane of
+        symmetry is none, or the CAD kernel dies.
 
     Examples
     --------
@@ -71,7 +78,9 @@ def read_cad(
     check_file(path, unit)
     _check_names("face", faces or {})
     _check_names("region", regions or {})
-    return in_child(reading(path), read_here, Path(path), unit, dict(faces or {}), dict(regions or {}), split)
+    wanted = symmetry if isinstance(symmetry, WantedSymmetry) else WantedSymmetry(symmetry)
+    wanted = replace(wanted, broken=dict(wanted.broken))
+    return in_child(reading(path), read_here, Path(path), unit, dict(faces or {}), dict(regions or {}), split, wanted)
 
 
 def read_here(
@@ -80,14 +89,19 @@ def read_here(
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
+    symmetry: WantedSymmetry = WHOLE,
 ) -> Geometry:
     """Read a CAD file as `read_cad`, but in this process, which the CAD kernel may crash.
 
     What other processes do with the shape is done here first: it is packed, made again and triangulated.
     """
     part = load_part(path, unit, regions or {}, split)
-    naming = name_faces(part, faces or {}, split.interface if split is not None else None)
-    geometry = _geometry(Path(path), part, naming)
+    interface = split.interface if split is not None else None
+    naming = name_faces(part, faces or {}, interface)
+    modeled, names, told = modeled_part(part, naming.names, symmetry)
+    if modeled is not part:
+        naming = _named_again(modeled, names, naming, interface)
+    geometry = _geometry(Path(path), modeled, replace(naming, findings=(*naming.findings, *told)))
     if isinstance(part.shape, SurfaceShape):
         return geometry
     again = packed(geometry._shape).shape()
@@ -116,6 +130,14 @@ def _geometry(path: Path, part: Part, naming: Naming) -> Geometry:
         file=str(path),
         _shape=shape,
     )
+
+
+def _named_again(part: Part, names: Sequence[str], whole: Naming, interface: str | None) -> Naming:
+    """Name the faces of a part that was cut as those of the whole, and measure the cavities of what is left."""
+    between = {name for name, inner in zip(names, part.between, strict=True) if inner}
+    own = set(names) - {"outside", *STANDARD} - between
+    naming = name_faces(part, {name: ByName(name) for name in sorted(own)}, interface)
+    return replace(naming, findings=whole.findings)
 
 
 def _check_names(what: str, names: Mapping[str, Selector]) -> None:

@@ -12,6 +12,7 @@ from turgor.geometry.cad.cad_file import CadFile
 from turgor.geometry.cad.files import SUFFIXES
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.geometry.cad.split import SplitPlane
+from turgor.geometry.cad.symmetry.wanted import NONE
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Coordinate, Length, Table, read_table
 from turgor.units import format_quantity
@@ -91,6 +92,9 @@ class CadFileTable(Table):
     ----
     file : str
         STEP, BREP or STL file; its path counts from the folder of the job file.
+    symmetry : str
+        ``"automatic"`` models a half or a quarter where the part and its loads are the same on both sides of a plane
+        across x, y or z. ``"y"`` or ``"yz"`` names the planes, ``"none"`` models the whole part.
     """
 
     type: str
@@ -100,6 +104,7 @@ class CadFileTable(Table):
     faces: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ fixed = { normal = "-x" } }'])
     regions: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ body = { near = [0, 0, "5 mm"] } }'])
     split: SplitTable | None = Field(default=None, examples=['{ thickness = "1 mm" }'])
+    symmetry: str = Field(default=NONE, examples=['"automatic"'])
 
 
 def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | None:
@@ -130,6 +135,7 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | No
             faces={name: selector.made() for name, selector in table.faces.items()},
             regions={name: selector.made() for name, selector in table.regions.items()},
             split=split,
+            symmetry=table.symmetry,
             sha256=table.sha256,
         ),
         fields=[item.name for item in fields(CadFile)],
@@ -144,6 +150,8 @@ def cad_file_table(actuator: CadFile) -> dict[str, Any]:
     for key, selectors in (("faces", actuator.faces), ("regions", actuator.regions)):
         if selectors:
             values[key] = {name: selector_table(selector) for name, selector in selectors.items()}
+    if actuator.wanted_symmetry.planes != NONE:
+        values["symmetry"] = actuator.wanted_symmetry.planes
     split = actuator.split
     if split is not None:
         place = "position" if split.position is not None else "thickness"

@@ -1,0 +1,1 @@
+"""Symmetry of CAD parts: what maps a part onto itself, and the share of it that is modeled."""

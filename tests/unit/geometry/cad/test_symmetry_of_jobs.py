@@ -1,0 +1,53 @@
+"""``symmetry = "automatic"`` of a CAD part in a job uses the planes that the loads allow."""
+
+import pytest
+from netgen.occ import Cylinder, Pnt, X
+
+from turgor.job.read import read_job
+
+JOB = """
+[actuator]
+type = "cad_file"
+file = "tube.step"
+symmetry = "automatic"
+
+[actuator.faces]
+fixed = {{ normal = "-x" }}
+tip = {{ normal = "+x" }}
+
+[materials]
+body = {{ law = "neo_hooke", C10 = "0.1 MPa", density = "1070 kg/m³" }}
+
+[loads]
+pressure = "5 kPa"
+{more}
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("tube")
+    tube = Cylinder(Pnt(0, 0, 0), X, r=8, h=30) - Cylinder(Pnt(3, 0, 0), X, r=6, h=24)
+    tube.WriteStep(str(folder / "tube.step"))
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("more", "planes", "reason"),
+    [
+        ("", "yz", ""),
+        ('gravity = "-z"', "y", "gravity acts along z"),
+        ('[loads.tip]\nforce = [0, "0.1 N", 0]', "z", "a force on 'tip' acts along y"),
+        ('[loads.tip]\nhangs = "5 g"', "y", "a weight on 'tip' acts along z"),
+        ('[obstacles.floor]\nshape = "plane"\npoint = [0, 0, "-9 mm"]\nnormal = "+z"', "", "obstacle 'floor'"),
+    ],
+)
+def test_planes_are_those_that_the_loads_allow(folder, more, planes, reason):
+    path = folder / "job.toml"
+    path.write_text(JOB.format(more=more), encoding="utf-8")
+    job = read_job(path)
+    _, part = job.built
+    assert [face for face in part.faces if face.startswith("symmetry_")] == [f"symmetry_{axis}" for axis in planes]
+    told = part.findings[-1]
+    assert told.code == "D07"
+    assert reason in told.message
