@@ -2,6 +2,7 @@
 
 The corners of the facets lie on the circle: a polygon of 48 sides, whose area is 0.3 % smaller. Both meshes are
 tetrahedra of 2.5 mm. At 50 kPa the angles were 13.16 deg (CAD) and 13.00 deg (STL); at 1.8 mm, 13.50 deg and 13.15 deg.
+Tolerance: 3 %, the larger of the two differences.
 """
 
 import pytest

@@ -167,7 +167,7 @@ def sphere_octant(
     for axis in range(3):
         s, t = (axis + 1) % 3, (axis + 2) % 3
 
-        def place(parameters: Array, axis: int = axis, s: int = s, t: int = t) -> Array:
+        def place(parameters: Array, s: int = s, t: int = t) -> Array:
             direction = np.ones((len(parameters), 3))
             direction[:, s] = np.tan(np.pi / 4 * parameters[:, 0])
             direction[:, t] = np.tan(np.pi / 4 * parameters[:, 1])

@@ -1,4 +1,4 @@
-"""What the verification tests share: units of the tables, materials, supports, and how they read a solution."""
+"""What the verification tests share: units, materials, supports, and how they read a solution."""
 
 from collections.abc import Sequence
 from math import inf

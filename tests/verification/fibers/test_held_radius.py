@@ -1,11 +1,11 @@
 """V07: a tube whose outside is held radially stretches under pressure as if dense hoops held it; it is free to twist.
 
 Problem: inner radius 6.35 mm, outer 8.35 mm, neo-Hookean (C10 = 0.12 MPa) and Yeoh (0.11, 0.02 MPa); a quarter of a
-slice between two planes, stretched along the axis to λz while the outside is held with `Radial`, under the pressure
-P of the table.
+slice between two planes, stretched along the axis to λz while the outside is held with `Radial`, under the exact
+pressure P.
 Exact: the tube is at rest with closed ends where its wall carries the force P π a², with a² = B² − (B² − A²)/λz.
 Twist: the whole tube, one end turned by 1 mrad: torque μ π (B⁴ − A⁴)/2 θ/h, which a tangential hold would raise.
-Source: verification case V07. Tolerance: 0.2 % of the axial force (the table's demand), 0.01 % of the inner radius;
+Tolerance: 0.2 % of the axial force, 0.01 % of the inner radius;
 0.5 % of the torque.
 """
 
