@@ -2,8 +2,8 @@
 
 Incompressible neo-Hookean tube, r² = a² + (R² − A²)/λz, twist τ for each reference length, families of smeared fibers
 on the outer surface with M = cos α eΘ + sin α eZ (α from the circumference), energy ½ k (λ − 1)² for each reference
-area, slack where λ < 1. Closed ends: the pressure also pulls at π a². This defines case V20; the functions
-reproduce its values, and serve where other radii, stiffnesses and angles are needed.
+area, slack where λ < 1. Closed ends: the pressure also pulls at π a². This defines case V20; the functions reproduce
+its values, and serve where other radii, stiffnesses and angles are needed.
 """
 
 from collections.abc import Sequence

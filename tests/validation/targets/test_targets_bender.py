@@ -2,8 +2,8 @@
 
 The section of V21: void of radius 8 mm, wall and base 2 mm, neo-Hookean (C10 = 0.12 MPa), base 650 N/mm along and
 across, contour 257 N/mm, smeared. A slice far from the ends of a long actuator, between planes that turn against each
-other (tests/verification/bent_slice.py); the angle is that of 160 mm of it. Expected: a converged section (case V21
-of tests/verification). Tolerance: 2 % or the last digit of the expected angle.
+other (tests/verification/bent_slice.py); the angle is that of 160 mm of it. Expected: a converged section (case V21 of
+tests/verification). Tolerance: 2 % or the last digit of the expected angle.
 """
 
 import numpy as np

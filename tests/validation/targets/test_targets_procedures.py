@@ -1,9 +1,9 @@
 """The end does not depend on how many increments lead there (review 6.2-6 and appendix).
 
-(1) A blind arm of Ecoflex 00-30, 80 mm long, that a pressure and its own weight bend; (2) a wall that bulges
-and presses on a plate. Each takes 10, 40 and 100 even increments, and steps that adapt between 1e-5 and 0.05 of the
-load, as the appendix of the review has them. test_targets_contact.py asserts that the default steps reach the end
-unattended; tests/verification/dynamics/test_vibration.py, that a slow ramp is static.
+(1) A blind arm of Ecoflex 00-30, 80 mm long, that a pressure and its own weight bend; (2) a wall that bulges and
+presses on a plate. Each takes 10, 40 and 100 even increments, and steps that adapt between 1e-5 and 0.05 of the load,
+as the appendix of the review has them. test_targets_contact.py asserts that the default steps reach the end unattended;
+tests/verification/dynamics/test_vibration.py, that a slow ramp is static.
 Tolerance: 1e-6 of the largest displacement, what the tolerance of Newton's method leaves, with contact too.
 """
 

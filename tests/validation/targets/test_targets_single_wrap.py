@@ -5,8 +5,8 @@ is 160 mm long; 60 mm keep the sweep short), neo-Hookean (C10 = 0.12 MPa), one f
 (385.676 N/mm) at α from the circumference. Stretch, twist and radius are read between 40 % and 60 % of the length.
 Expected: Connolly et al. 2015 (review, guideline 7.2-6): most extension at 0°, most expansion and no extension at 90°,
 most twist near 30°; numbers of case V20 of tests/verification. Tolerance: order and sign; 1 % of λz − 1 and of the
-twist at 30 kPa, where the ends of so short a tube do not reach its middle yet. At 62.5 kPa they do
-where the angle is large and the tube balloons (90°: b/B is 1.62 here and 1.94 far from ends): no numbers there.
+twist at 30 kPa, where the ends of so short a tube do not reach its middle yet. At 62.5 kPa they do where the angle is
+large and the tube balloons (90°: b/B is 1.62 here and 1.94 far from ends): no numbers there.
 """
 
 import numpy as np

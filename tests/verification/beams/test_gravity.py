@@ -2,9 +2,8 @@
 
 Problem (strip): length 60 mm, thickness 10 mm, plane strain, neo-Hookean C10 = 0.012662 MPa (Ecoflex 00-30), density
 1070 kg/m³, g = 9.81 m/s² across, clamped at x = 0. Value: displacement of the end of the middle line.
-Reference: converged high-order elements, (−3.321, −18.99) mm ± 0.003; the inextensible elastica is a few per
-cent off, because the strip is short. Tolerance: 0.7 % with 36 × 6 hexahedra; 24 × 4 are
-0.77 % off, 48 × 8 0.34 %.
+Reference: converged high-order elements, (−3.321, −18.99) mm ± 0.003; the inextensible elastica is a few per cent off,
+because the strip is short. Tolerance: 0.7 % with 36 × 6 hexahedra; 24 × 4 are 0.77 % off, 48 × 8 0.34 %.
 
 Problem (arm): an arm of the same rubber, 80 mm long, 10 mm thick, with a blind bore under 2 kPa, lies horizontally. The
 tip must hang by more than 10 % of the length, and come back to the weightless answer as g goes to zero.

@@ -4,8 +4,8 @@ Problem: length 50 mm, thickness 5 mm, plane strain, incompressible neo-Hookean 
 pressure on the bottom face only, up to 1.5 kPa. The loaded face is open, so the pressure has no potential and its
 tangent is not symmetric. Value: displacement of the end of the middle line.
 Reference: converged high-order elements, uncertain by 0.03 mm (singular clamped corners).
-Tolerance: 1 % of the displacement's length with 4 × 40 cells. A dead load gives a different
-curve: it leaves the end at positive height for ever, far outside the tolerance, which is tested too.
+Tolerance: 1 % of the displacement's length with 4 × 40 cells. A dead load gives a different curve: it leaves the end at
+positive height for ever, far outside the tolerance, which is tested too.
 """
 
 import numpy as np

@@ -12,8 +12,8 @@ lies far away. The layer: Hertz times 1 + 1.133 χ + 1.283 χ² + 0.769 χ³ + 0
 Source: Hertz; for the layer Dimitriadis et al., Biophysical Journal 82 (2002) 2798.
 Tolerance: 3 % for the force, against a half space at δ/R = 0.01 and against the ball between two planes up to δ/R =
 0.05 (against a half space 6 % would not hold there). 4 % for widths and pressures: a cell next to the edge of the
-contact is an eighth of it: 8 cells from the pole to 45°. The largest pressure comes out low by 2.8 % with them, by
-3.8 and 4.1 % with 7 and 6.
+contact is an eighth of it: 8 cells from the pole to 45°. The largest pressure comes out low by 2.8 % with them, by 3.8
+and 4.1 % with 7 and 6.
 """
 
 import numpy as np

@@ -4,8 +4,7 @@ Problem: a block of 10 × 10 × 5 mm, clamped below, under a plate with µ = 0.5
 moves sideways by 4 mm: its edge rolls over, points let go, stick and slip, and the pull falls at once where the edge
 does. All settings are the defaults. A bellows whose fold closes under vacuum.
 Exact: the full load is reached; the pull is never more than µ times the push; the end is that of many small steps;
-Newton's method has the order 2. Source: Coulomb's law. Tolerance: 1e-3 for the law, 1 % for the
-end, 1.8 for the order.
+Newton's method has the order 2. Source: Coulomb's law. Tolerance: 1e-3 for the law, 1 % for the end, 1.8 for the order.
 """
 
 import numpy as np

@@ -3,9 +3,9 @@
 Problem: a block of Yeoh rubber, κ = 500 μ, 3 × 1 × 1 with a bent axis, clamped at one end, pressure from below and
 gravity.
 Exact: (1) moduli, pressures and densities times s: same displacements; (2) size times s, density over s: same
-stretches; (3) everything turned: the answer turns; (5) nodes and cells in another order: same; (6) numbers in mm,
-MPa, N, tonne: the same as in SI; (7) 4, 10 or 40 steps: same end; (8) half of a body and the whole of it: same. (4),
-the handedness of fibers, is tested in tests/validation/targets/test_targets_single_wrap.py.
+stretches; (3) everything turned: the answer turns; (5) nodes and cells in another order: same; (6) numbers in mm, MPa,
+N, tonne: the same as in SI; (7) 4, 10 or 40 steps: same end; (8) half of a body and the whole of it: same. (4), the
+handedness of fibers, is tested in tests/validation/targets/test_targets_single_wrap.py.
 Tolerance: 1e-9 relative for scaling, units, order and half of a body, 1e-8 for rotation and for the number of steps:
 what the Newton tolerance of 1e-11 leaves.
 """

@@ -5,8 +5,7 @@ slice between two planes, stretched along the axis to λz while the outside is h
 pressure P.
 Exact: the tube is at rest with closed ends where its wall carries the force P π a², with a² = B² − (B² − A²)/λz.
 Twist: the whole tube, one end turned by 1 mrad: torque μ π (B⁴ − A⁴)/2 θ/h, which a tangential hold would raise.
-Tolerance: 0.2 % of the axial force, 0.01 % of the inner radius;
-0.5 % of the torque.
+Tolerance: 0.2 % of the axial force, 0.01 % of the inner radius; 0.5 % of the torque.
 """
 
 import numpy as np

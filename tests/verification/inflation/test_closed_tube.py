@@ -6,10 +6,9 @@ and what must come out is the pressure, the inner radius, and no force at the en
 N = P π a², which is what makes the tube a closed one. Neo-Hookean (C10 = 0.12 MPa) and Yeoh (0.11, 0.02 MPa).
 Exact: `exact.closed_tube`, which must reproduce `TABLE`; neo-Hookean maximum of 0.060525419 MPa at λ = 1.781009.
 Source: Haughton and Ogden 1979.
-Tolerance: pressure and inner stretch 0.2 %, the limit point's pressure 0.05 %, its stretch 0.002.
-Axial stretch: the force left over, divided by what stretching the slice by its tabulated λz − 1 would cost, is below
-5 %, so that λz − 1 is right within 5 %; from λ = 1.1 on, because below λz − 1 is some 1e-3 and the quotient depends on
-the mesh.
+Tolerance: pressure and inner stretch 0.2 %, the limit point's pressure 0.05 %, its stretch 0.002. Axial stretch: the
+force left over, divided by what stretching the slice by its tabulated λz − 1 would cost, is below 5 %, so that λz − 1
+is right within 5 %; from λ = 1.1 on, because below λz − 1 is some 1e-3 and the quotient depends on the mesh.
 """
 
 import numpy as np

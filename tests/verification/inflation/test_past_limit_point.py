@@ -5,10 +5,10 @@ then falls, the Mooney–Rivlin and Ogden curves have a maximum, a minimum and r
 Exact: the curve of `exact.sphere_pressure`, which `test_sphere` checks; maximum of 0.11844454 MPa at λ = 1.603434;
 0.14397873 MPa at 2.166633 and minimum of 0.14395619 at 2.331316; 0.012944853 at 1.681583 and 0.012514834 at 2.233134.
 Source: Green and Zerna.
-Tolerance: pressure at the radius found 0.2 % (three elements in the wall give 0.02 %), pressure
-of a limit point 0.02 %, its stretch 0.001 (the curves are flat there: 1e-3 of stretch is some 1e-6 of pressure, so the
-place shows that the slope was followed to zero). Procedures agree with each other to 1e-7 of the pressure at equal
-volumes, which is what their residuals leave.
+Tolerance: pressure at the radius found 0.2 % (three elements in the wall give 0.02 %), pressure of a limit point 0.02
+%, its stretch 0.001 (the curves are flat there: 1e-3 of stretch is some 1e-6 of pressure, so the place shows that the
+slope was followed to zero). Procedures agree with each other to 1e-7 of the pressure at equal volumes, which is what
+their residuals leave.
 """
 
 import numpy as np

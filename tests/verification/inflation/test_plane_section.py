@@ -1,8 +1,8 @@
 """V06: a length of a closed tube, cut at a section that stays plane; nothing is prescribed along the axis.
 
 Problem: a quarter of a slice of a tube between a mirror plane and a `PlaneSection`. The thrust of the pressure on the
-section stretches the slice, as the closed ends of a long tube do. First the tube of V06 through some of
-its volumes, then that of V07, whose outside is held radially, under some of its pressures.
+section stretches the slice, as the closed ends of a long tube do. First the tube of V06 through some of its volumes,
+then that of V07, whose outside is held radially, under some of its pressures.
 Exact: axial stretch λz and pressure, as in `test_closed_tube` (V06) and `fibers/hoops.py` (V07).
 Tolerance: pressure and λz 0.05 %; derivatives against differences 1e-6.
 """

@@ -5,7 +5,8 @@ the pressure around. More air of the same temperature is pumped in, up to five t
 pressure around falls to a fifth; or the pump is so fast that no heat is exchanged.
 Exact: (P + p) λ³ⁿ = p₀ (m/m₀)ⁿ with the pressure P of `exact.sphere_pressure` at the inner stretch λ, and the
 pressure p around, which is p₀ at rest; n is 1 at constant temperature and 1.4 without heat.
-Source: the ideal gas law. `TABLE` holds values that were computed independently; the exact equation must reproduce them.
+Source: the ideal gas law. `TABLE` holds values that were computed independently; the exact equation must reproduce
+them.
 Tolerance: stretch and pressure 0.2 %.
 """
 

@@ -114,7 +114,7 @@ def test_a_blind_hole_for_a_screw_is_no_cavity(tmp_path):
     assert hole.cavity_volume / mm**3 == pytest.approx(3 * pi, rel=1e-5)
 
 
-def test_a_body_without_any_hollow_has_no_cavity(tmp_path):
+def test_a_body_without_any_hollow_has_no_cavity():
     shape = Cylinder(Pnt(0, 0, 0), X, 10, 50)
     hollows, nested, passages = find_hollows(find_facets(shape, list(shape.faces)))
     assert (hollows, nested, passages) == ([], [], [])
