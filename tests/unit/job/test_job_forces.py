@@ -44,7 +44,11 @@ def forces(job):
     ("more", "vector", "history"),
     [
         ('[loads.tip]\nforce = [0, 0, "-0.5 N"]\n', (0, 0, -0.5), RAMP),
-        ('[loads.tip]\nforce = ["20 mN", 0, 0]\nhistory = [[0, 0], [0.5, 1], [1, 1]]\n', (0.02, 0, 0), ((0, 0), (0.5, 1), (1, 1))),
+        (
+            '[loads.tip]\nforce = ["20 mN", 0, 0]\nhistory = [[0, 0], [0.5, 1], [1, 1]]\n',
+            (0.02, 0, 0),
+            ((0, 0), (0.5, 1), (1, 1)),
+        ),
         ('[loads.tip]\nhangs = "50 g"\n', (0, 0, -0.05 * 9.80665), RAMP),
         ('gravity = "+x"\n[loads.tip]\nhangs = "50 g"\n', (0.05 * 9.80665, 0, 0), RAMP),
     ],

@@ -18,7 +18,8 @@ import problems
 import slices
 from fiber_tube import FiberTube
 
-RADIUS = (6.395230, 6.459296, 6.557075, 6.724768, 6.863462, 7.079725, 7.417715)  # mm, of both laws: it follows from the volume alone
+#: Inner radius [mm], the same for both laws: it follows from the volume alone.
+RADIUS = (6.395230, 6.459296, 6.557075, 6.724768, 6.863462, 7.079725, 7.417715)
 #: Wall thickness at 0.05 MPa: inner radius [mm], stretch.
 THICKNESS = {5.35: 1.076743, 5.85: 1.097851, 6.35: 1.130179, 6.85: 1.188006, 7.35: 1.324264}
 

@@ -6,11 +6,11 @@ in tension and compression: smeared fibers with compression = 1. Closed ends. κ
 Reference: converged mixed elements of third and fourth order on the section (NGSolve), reduction exact for actuators
 that are long enough.
 Tolerance: 2 % of κ for whole actuators. The slice (`bent_slice`, one layer of 27-node hexahedra between planes that
-turn against each other) is the same problem, and is held to 1 % of κ and 0.5 % of the volume. The whole actuator: the
-base has no stiffness in shear but its 2 mm of rubber (G t = 0.48 N/mm against 650 N/mm along the fibers), so fibers
-that an end wall holds flat slip against each other over √(650 / 0.48) · 20 mm / 2π ≈ 117 mm. An actuator of 100 mm is
-all end: its κ between 40 % and 60 % of the length is 15 % too large at 2 kPa. 2 % needs about 600 mm; 800 mm are
-tested, with cells that grow along x from 2 to 65 mm.
+turn against each other) is the same problem, and is held to 1 % of κ and 0.5 % of the volume.
+The whole actuator: the base has no stiffness in shear but its 2 mm of rubber (G t = 0.48 N/mm against 650 N/mm along
+the fibers), so fibers that an end wall holds flat slip against each other over √(650 / 0.48) · 20 mm / 2π ≈ 117 mm. An
+actuator of 100 mm is all end: its κ between 40 % and 60 % of the length is 15 % too large at 2 kPa. 2 % needs about
+600 mm; 800 mm are tested, with cells that grow along x from 2 to 65 mm.
 """
 
 import numpy as np

@@ -56,7 +56,7 @@ def test_stable_rows(law: Law, mode: str) -> None:
     [(F, "nominal", 2.653), (F, "cauchy", 2.7214), (G_CANONICAL, "nominal", 1.643)],
 )
 def test_peaks_of_equibiaxial_tension(law: Law, criterion: str, expected: float) -> None:
-    """Each lies at the maximum of the curve, too. The reference of the second, 2.722, has an error of its last digit."""
+    """Each lies at the maximum of the curve, too. The reference of the second, 2.722, errs in its last digit."""
     found = first_instability(law, "equibiaxial", lower=1.0, criterion=criterion)  # type: ignore[arg-type]
     assert found == pytest.approx(expected, abs=5e-4)
     stretch = np.linspace(expected - 0.01, expected + 0.01, 2001)

@@ -1,6 +1,5 @@
 """A refined mesh is the same body: cells are exact pieces of their parents, faces and regions stay."""
 
-
 import numpy as np
 import pytest
 from lattice_cases import KINDS, curved, lattice, refined

@@ -9,6 +9,7 @@ from turgor.meshing import generate
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.quality.checks import check_mesh
+from turgor.meshing.sizing import thin_walls
 from turgor.meshing.sizing.thin_walls import find_thin_walls
 from turgor.meshing.surface import outer_triangles
 from turgor.units import mm
