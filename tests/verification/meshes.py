@@ -133,6 +133,15 @@ def box(
     return glued([Block(counts, lambda parameters: move(parameters * scale))], kind=kind)
 
 
+def bent_block() -> Mesh:
+    """Block of 30 × 10 × 10 mm whose axis is bent and whose sections are sheared."""
+
+    def bent(X: Array) -> Array:
+        return X + np.column_stack([0 * X[:, 0], 0.1 * X[:, 0] ** 2 / 0.03, 0.05 * X[:, 0] * X[:, 1] / 0.01])
+
+    return box((0.03, 0.01, 0.01), (6, 2, 2), bent)
+
+
 def tube_sector(
     inner: float,
     outer: float,
