@@ -27,3 +27,9 @@ def solve_job(job: Job) -> Response:
     model, _ = prepare(job)
     solution = solve(model, job.procedure)
     return measure(solution, *(find_measure(each) for each in job.output.measures))
+
+
+def at_the_end(job: Job) -> dict[str, float]:
+    """Solve a job and return its measures at the last state."""
+    response = solve_job(job)
+    return {name: float(response.column(name)[-1]) for name in response.names}

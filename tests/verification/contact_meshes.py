@@ -80,7 +80,7 @@ def ball(radius: float, counts: tuple[int, int, int], growth: float = 2.5, kind:
     for axis in range(3):
         s, t = (axis + 1) % 3, (axis + 2) % 3
 
-        def shell(p: Array, axis: int = axis, s: int = s, t: int = t) -> Array:
+        def shell(p: Array, s: int = s, t: int = t) -> Array:
             direction = np.ones((len(p), 3))
             direction[:, s], direction[:, t] = tangent(p[:, 0], s), tangent(p[:, 1], t)
             outward = 1 - finer(1 - p[:, 2:], growth * 2 / 3)

@@ -44,8 +44,8 @@ def closed_tube(law: Law, stretch: float, inner: float, outer: float) -> tuple[f
     """Axial stretch and internal pressure [Pa] of a thick tube with closed, free ends.
 
     With Ŵ(λ, λz) = W(λ, λz, 1/(λ λz)) and r² − a² = (R² − A²)/λz: P = ∫ Ŵ,λ / (λ² λz − 1) dλ from the stretch of the
-    outer to that of the inner wall, and the force beyond that of the pressure on the ends, which is nought, is as
-    ∫ (2 λz Ŵ,z − λ Ŵ,λ) λ / (λ² λz − 1)² dλ (Haughton and Ogden 1979).
+    outer to that of the inner wall, and the force beyond that of the pressure on the ends, which is zero, is
+    proportional to ∫ (2 λz Ŵ,z − λ Ŵ,λ) λ / (λ² λz − 1)² dλ (Haughton and Ogden 1979).
     """
 
     def integral(axial: float, force: bool) -> float:
@@ -97,8 +97,8 @@ def ball_approach(contact_radius: float, terms: int = 1000) -> float:
     """Approach of a plane to the center of an incompressible ball of radius 1, over that of Hertz's half space.
 
     The linear solution of a whole ball under Hertz's pressure on two opposite caps, in Legendre functions:
-    u_r = Σ (A rⁿ⁺¹ + B rⁿ⁻¹) Pₙ with div u = 0, ∇p = μ∇²u and no shear at the surface. A ball is stiffer than the
-    half space, by a quarter of the contact radius over its own.
+    u_r = Σ (A rⁿ⁺¹ + B rⁿ⁻¹) Pₙ with div u = 0, ∇p = μ∇²u and no shear at the surface. The ratio is about
+    1 − a/4 for a small contact radius a: the ball is stiffer than the half space.
     """
     x, weight = np.polynomial.legendre.leggauss(400)
     phi = np.pi / 4 * (x + 1)

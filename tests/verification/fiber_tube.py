@@ -2,8 +2,8 @@
 
 Incompressible neo-Hookean tube, r² = a² + (R² − A²)/λz, twist τ for each reference length, families of smeared fibers
 on the outer surface with M = cos α eΘ + sin α eZ (α from the circumference), energy ½ k (λ − 1)² for each reference
-area, slack where λ < 1. Closed ends: the pressure also pulls at π a². This is how table V20 is defined; the functions
-reproduce it, and serve where other radii, stiffnesses and angles are needed.
+area, slack where λ < 1. Closed ends: the pressure also pulls at π a². This defines case V20; the functions reproduce
+its values, and serve where other radii, stiffnesses and angles are needed.
 """
 
 from collections.abc import Sequence
@@ -69,7 +69,7 @@ class FiberTube:
         slopes = self.slopes(a, stretch, twist)
         return a, float(slopes[1] - np.pi * pressure * a**2), float(slopes[2])
 
-    def free(self, pressure: float, *, steps: int = 20, twisting: bool = True) -> tuple[float, float, float]:
+    def free(self, pressure: float, *, steps: int = 20) -> tuple[float, float, float]:
         """Closed and free: current inner radius, stretch along the axis, twist for each reference length [1/m]."""
         scale = np.array([self.inner, 1.0, 1 / self.inner])
         force = self.shear_modulus * self.inner**2
@@ -79,8 +79,7 @@ class FiberTube:
             def unbalanced(x: Array, p: float = p) -> Array:
                 a, stretch, twist = x * scale
                 pushed = np.array([2 * a * stretch, a**2, 0.0]) * np.pi * p
-                out = (self.slopes(a, stretch, twist) - pushed) * scale / force
-                return out if twisting else np.array([out[0], out[1], x[2]])
+                return (self.slopes(a, stretch, twist) - pushed) * scale / force
 
             x = root(unbalanced, x, method="lm", tol=1e-13).x
             assert np.abs(unbalanced(x)).max() < 1e-6, f"no equilibrium at {p}"

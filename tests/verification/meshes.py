@@ -133,6 +133,15 @@ def box(
     return glued([Block(counts, lambda parameters: move(parameters * scale))], kind=kind)
 
 
+def bent_block() -> Mesh:
+    """Block of 30 × 10 × 10 mm whose axis is bent and whose sections are sheared."""
+
+    def bent(X: Array) -> Array:
+        return X + np.column_stack([0 * X[:, 0], 0.1 * X[:, 0] ** 2 / 0.03, 0.05 * X[:, 0] * X[:, 1] / 0.01])
+
+    return box((0.03, 0.01, 0.01), (6, 2, 2), bent)
+
+
 def tube_sector(
     inner: float,
     outer: float,
@@ -167,7 +176,7 @@ def sphere_octant(
     for axis in range(3):
         s, t = (axis + 1) % 3, (axis + 2) % 3
 
-        def place(parameters: Array, axis: int = axis, s: int = s, t: int = t) -> Array:
+        def place(parameters: Array, s: int = s, t: int = t) -> Array:
             direction = np.ones((len(parameters), 3))
             direction[:, s] = np.tan(np.pi / 4 * parameters[:, 0])
             direction[:, t] = np.tan(np.pi / 4 * parameters[:, 1])

@@ -1,4 +1,4 @@
-"""What the verification tests share: units of the tables, materials, supports, and how they read a solution."""
+"""What the verification tests share: units, materials, supports, and how they read a solution."""
 
 from collections.abc import Sequence
 from math import inf
@@ -10,6 +10,7 @@ import turgor as tg
 from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
 from turgor.engine.fields import CellFields, cell_fields, strain_energy
 from turgor.materials.laws.laws import Ogden
+from turgor.meshing.cells import HEXAHEDRON
 
 MM, MPA = 1e-3, 1e6
 
@@ -41,6 +42,17 @@ def one_material(
 ) -> tg.Model:
     """A model whose only region, ``body``, is of one law."""
     return tg.Model(mesh, materials={"body": rubber(law, bulk_modulus)}, supports=supports, loads=loads)
+
+
+def arch(material: tg.Material, push: float) -> tg.Model:
+    """Half of a flat arch of 100 × 2 mm that rises by 3.4 mm, clamped at its ends and pushed down [Pa]: it snaps."""
+
+    def place(points):
+        return points + np.outer(3.4e-3 * (1 - (points[:, 0] / 50e-3) ** 2), [0, 0, 1])
+
+    mesh = meshes.box((50e-3, 2e-3, 2e-3), (2, 1, 1), place, kind=HEXAHEDRON)
+    held = [tg.Fixed("x1"), tg.Fixed("x0", "x"), tg.Fixed("y0", "y"), tg.Fixed("y1", "y")]
+    return tg.Model(mesh, {"body": material}, held, [tg.Traction("z1", (0.0, 0.0, -push))])
 
 
 def pinned(mesh: tg.Mesh) -> tuple[tg.Mesh, list[tg.Fixed]]:

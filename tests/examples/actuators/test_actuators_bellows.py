@@ -1,31 +1,18 @@
 """The example jobs of bellows and of actuators with several cavities solve; they move the way the review says."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import pytest
-from run_example import JOBS, run_example
+from run_example import at_the_end, example, run_example
 
-from turgor.job.job import Job
-from turgor.job.prepare import prepare
-from turgor.job.read import read_job
 from turgor.model.loads import Pressure
-from turgor.results.measures.measures import find_measure, measure
 from turgor.solvers.procedures.static import Static
-from turgor.solvers.solve import solve
 from turgor.units import deg, kPa, mm
 
 
-def at_the_end(job: Job) -> Mapping[str, float]:
-    """Solve a job and return its measures at the last state."""
-    model, _ = prepare(job)
-    response = measure(solve(model, job.procedure), *(find_measure(name) for name in job.output.measures))
-    return {name: float(response.column(name)[-1]) for name in response.names}
-
-
-def driven(name: str, *pressures: float, size: float | None = None, **dimensions: float) -> Mapping[str, float]:
+def driven(name: str, *pressures: float, size: float | None = None, **dimensions: float) -> dict[str, float]:
     """Solve an example with other pressures in its cavities, and perhaps other dimensions."""
-    job = read_job(JOBS / f"{name}.toml")
+    job = example(name)
     loads = tuple(Pressure(f"cavity_{i}", each) for i, each in enumerate(pressures, start=1))
     actuator = replace(job.actuator, **dimensions)
     few = Static(first_step=0.5, max_step=0.5)
@@ -42,7 +29,7 @@ def test_a_bellows_extends_by_a_fifth_of_its_length() -> None:
 
 
 def test_a_quarter_of_a_bellows_moves_as_its_half_does() -> None:
-    job = read_job(JOBS / "bellows_of_revolution.toml")
+    job = example("bellows_of_revolution")
     quarter = replace(job, actuator=replace(job.actuator, folds=1))
     half = replace(quarter, actuator=replace(quarter.actuator, quarter=False))
     of_quarter, of_half = at_the_end(quarter), at_the_end(half)

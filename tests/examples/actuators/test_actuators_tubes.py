@@ -11,30 +11,19 @@ from math import pi
 
 import numpy as np
 import pytest
-from run_example import JOBS, run_example
+from run_example import at_the_end, example, run_example
 from scipy.optimize import root
 
 from turgor.job.job import Job
-from turgor.job.prepare import prepare
-from turgor.job.read import read_job
 from turgor.model.loads import Pressure
-from turgor.results.measures.measures import find_measure, measure
-from turgor.solvers.solve import solve
 from turgor.units import deg, kPa, mL, mm
 
 SHEAR_MODULUS = 240 * kPa  # of Elastosil M4601 as Polygerinos et al. 2020 state it
 
 
-def at_the_end(job: Job) -> dict[str, float]:
-    """Solve a job and return its measures at the last state."""
-    model, _ = prepare(job)
-    response = measure(solve(model, job.procedure), *(find_measure(name) for name in job.output.measures))
-    return {name: float(response.column(name)[-1]) for name in response.names}
-
-
 def shorter(name: str, length: float) -> Job:
     """Read a job and shorten its actuator."""
-    job = read_job(JOBS / f"{name}.toml")
+    job = example(name)
     return replace(job, actuator=replace(job.actuator, length=length))
 
 
@@ -42,7 +31,7 @@ def per_length(
     name: str, lengths: tuple[float, float], changes: Mapping[str, float] | None = None
 ) -> tuple[float, float]:
     """Axial stretch, and cavity volume per undeformed length [m²], between the ends of a tube without its fibers."""
-    job = replace(read_job(JOBS / f"{name}.toml"), fibers={})
+    job = replace(example(name), fibers={})
     short, long = (
         at_the_end(replace(job, actuator=replace(job.actuator, length=length, **(changes or {})))) for length in lengths
     )
@@ -76,8 +65,8 @@ def closed_tube(inner: float, outer: float, pressure: float) -> tuple[float, flo
     return float(found.x[1]), float(found.x[0] ** 2 * found.x[1])
 
 
-def test_the_exact_tube_is_the_one_of_the_table():
-    # inner radius 5 mm, outer 7 mm: 20.11276 kPa widens the bore by 10 %, case V06 of the verification cases
+def test_the_exact_tube_is_that_of_case_v06():
+    # inner radius 5 mm, outer 7 mm: 20.11276 kPa widens the bore by 10 %, see `tests/verification`
     stretch, volume = closed_tube(5 * mm, 7 * mm, 20.11276 * kPa)
     assert stretch == pytest.approx(1.0033449, abs=1e-6)
     assert volume == pytest.approx(1.21405, abs=1e-5)
@@ -99,7 +88,7 @@ def test_dense_hoops_turn_pressure_into_extension():
     ],
 )
 def test_bare_tubes_widen_as_exactly_known(name, pressure, outer, lengths):
-    inner = read_job(JOBS / f"{name}.toml").actuator.inner_radius
+    inner = example(name).actuator.inner_radius
     stretch, volume = closed_tube(inner, outer, pressure)
     got_stretch, got_area = per_length(name, lengths)
     assert got_area / (pi * inner**2) - 1 == pytest.approx(volume - 1, rel=0.01)

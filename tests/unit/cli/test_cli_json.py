@@ -43,13 +43,13 @@ def test_check(answer):
     assert list(found["result"]) == keys(results.CheckResult)
     assert found["result"]["unknowns"] > 500
     assert found["error"] is None
-    assert all(list(each) == ["code", "severity", "message", "advice"] for each in found["findings"])
 
 
 def test_findings_and_mistakes_stand_in_the_document(answer):
     doubtful = ["--set", "materials.body.record=ogden-steck-2019", "--set", "materials.body.library=ecoflex-00-30"]
     found = answer("check", FINGER, *SMALL, *doubtful)
-    assert [each["severity"] for each in found["findings"]]
+    assert len(found["findings"]) > 0
+    assert all(list(each) == ["code", "severity", "message", "advice"] for each in found["findings"])
     found = answer("check", FINGER, "--set", "mesh.siz=1", "--set", "loads.presure=1", code=BAD_INPUT)
     assert len(found["error"]["problems"]) == 2
 

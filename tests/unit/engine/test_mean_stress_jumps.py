@@ -68,7 +68,7 @@ def test_what_responds_otherwise_is_another_rubber(box: Mesh, right: Material) -
     assert count(box, right) == ON_BORDER
 
 
-def test_the_old_element_shares_all(box: Mesh) -> None:
+def test_the_continuous_formulation_shares_all(box: Mesh) -> None:
     assert count(box, STIFF, formulation="continuous") == 0
     model = Model(box, {"left": SOFT, "right": STIFF}, [Fixed("x0")], [], "continuous")
     assert np.array_equal(mean_stress_numbers(model)[0], box.cells[:, : box.cell_type.corners])

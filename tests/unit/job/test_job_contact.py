@@ -222,7 +222,6 @@ def test_each_mistake_with_a_file_is_one_clear_sentence(tmp_path, stated, proble
 
 
 PLATE = FINGER[FINGER.index("[obstacles") :]
-POINT = 'point = [0, 0, "-2 mm"]'
 MISTAKES = [
     # (what stands in the file, what it is changed to, problem)
     ("[contact]", "[contcat]", "19: contcat: unknown key 'contcat'; did you mean 'contact'? Known keys: name"),

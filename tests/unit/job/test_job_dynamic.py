@@ -99,7 +99,7 @@ def test_each_mistake_is_one_clear_sentence(tmp_path: Path, before: str, after: 
     assert any(said in line for line in error.value.problems), error.value.problems
 
 
-def test_a_job_moves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_job_moves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     read(tmp_path, MOTION + "[output]\nmeasures = ['cavity_volume']\npictures = false\nreport = false\n")
     monkeypatch.chdir(tmp_path)
     assert main(["run", "job.toml", "--quiet"]) == DONE

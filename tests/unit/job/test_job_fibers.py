@@ -163,7 +163,10 @@ MISTAKES = [
     ('"kevlar-fiber"', '"kevlar-fiber"\nE = "1 GPa"', "12: fibers.braid: the threads have both library and E;"),
     ('library = "kevlar-fiber"', "", "12: fibers.braid: the threads have neither library nor E; name a material"),
     ('library = "kevlar-fiber"', 'E = "-1 GPa"\ndiameter = "1 mm"', "14: fibers.braid.E: "),
-    ('"kevlar-fiber"', '"ecoflex-00-30"\nrecord = "yeoh-elsayed-2014"', "1"),
+    ('"kevlar-fiber"', '"ecoflex-00-30"\nrecord = "yeoh-elsayed-2014"', "12: fibers.braid.diameter: 'diameter' of a "
+     "thread is missing, and the record of 'ecoflex-00-30' states none."),
+    ('"kevlar-fiber"', '"ecoflex-00-30"\nrecord = "yeoh-elsayed-2014"\ndiameter = "1 mm"', "12: fibers.braid: fibers "
+     "on 'outside': the law of 'Ecoflex 00-30' is Yeoh; fibers need a material with the law Hooke"),
     ("[fibers.braid]", "[fibers]", "13: fibers.face: a winding needs a name of its own; write [fibers.winding]"),
     ("[fibers.braid]", "[fibres.braid]", "12: fibres: unknown key 'fibres'; did you mean 'fibers'?"),
     ("[loads]", '[supports]\nfixed = "xyz"\noutside = "radal"\n[loads]', "21: supports.outside: 'radal' is not "

@@ -44,7 +44,11 @@ def forces(job):
     ("more", "vector", "history"),
     [
         ('[loads.tip]\nforce = [0, 0, "-0.5 N"]\n', (0, 0, -0.5), RAMP),
-        ('[loads.tip]\nforce = ["20 mN", 0, 0]\nhistory = [[0, 0], [0.5, 1], [1, 1]]\n', (0.02, 0, 0), None),
+        (
+            '[loads.tip]\nforce = ["20 mN", 0, 0]\nhistory = [[0, 0], [0.5, 1], [1, 1]]\n',
+            (0.02, 0, 0),
+            ((0, 0), (0.5, 1), (1, 1)),
+        ),
         ('[loads.tip]\nhangs = "50 g"\n', (0, 0, -0.05 * 9.80665), RAMP),
         ('gravity = "+x"\n[loads.tip]\nhangs = "50 g"\n', (0.05 * 9.80665, 0, 0), RAMP),
     ],
@@ -53,7 +57,7 @@ def test_forces_are_read_and_come_back(tmp_path, more, vector, history):
     job = read(tmp_path, more)
     (force,) = forces(job)
     assert (force.face, force.vector) == ("tip", pytest.approx(vector))
-    assert history is None or force.history == history
+    assert force.history == history
     lock = tmp_path / "job.lock.toml"
     lock.write_text(lock_text(job, {}), encoding="utf-8")
     assert read_job(lock) == job

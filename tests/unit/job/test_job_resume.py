@@ -91,7 +91,7 @@ def test_a_run_that_was_killed_leaves_tables_and_goes_on(file, whole, tmp_path):
     assert (folder / "response.csv").read_bytes() == (whole.folder / "response.csv").read_bytes()
 
 
-def test_without_a_path_a_run_begins(file, whole, tmp_path):
+def test_without_a_path_a_run_begins(file, tmp_path):
     outcome = run_job(read_job(file), tmp_path / "new", resume=True, threads=1)
     assert outcome.solution.converged
 
@@ -134,7 +134,7 @@ def test_an_interrupted_run_writes_its_tables_and_no_pictures(file, tmp_path):
     assert len(read_response(tmp_path / "run" / "response.csv")) == 4
 
 
-def test_the_folder_of_a_killed_run_is_measured_and_reported(file, whole, tmp_path):
+def test_the_folder_of_a_killed_run_is_measured_and_reported(file, tmp_path):
     folder = tmp_path / "run"
     cut(file, folder, 3)
     assert len(tg.load(folder).states) == 4

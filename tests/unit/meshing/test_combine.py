@@ -117,7 +117,7 @@ def test_the_image_of_the_image_is_the_original(meshes: dict[int, Mesh], nodes: 
         assert np.array_equal(twice.faces[name], sides)
 
 
-def test_a_turn_follows_the_right_hand_and_comes_before_the_shift(bar: Mesh) -> None:
+def test_a_turn_follows_the_right_hand_and_comes_before_the_shift() -> None:
     block = mesh(Block().build(), size=10 * mm)
     turned = placed(block, shift=(1, 0, 0), axis=(0, 0, 5), angle=90 * deg)
     x, y, z = block.points.T
@@ -259,7 +259,7 @@ def test_a_body_may_stand_in_the_cavity_of_another() -> None:
     assert find_overlap(wide, placed(block, shift=tuple((low + high) / 2))) is None
 
 
-def test_bodies_face_each_other_and_contact_is_on_by_itself(pair: Mesh, finger: Mesh) -> None:
+def test_bodies_face_each_other_and_contact_is_on_by_itself(pair: Mesh) -> None:
     walls = find_facing_walls(pair)
     assert smallest_gap(walls) == pytest.approx(1 * mm, rel=0.01)  # between the chambers
     assert len(walls.pairs) == 4  # two gaps between chambers, and the bar with either finger
@@ -299,7 +299,7 @@ def test_a_face_that_is_meant_for_it_is_proposed_first(finger: Mesh) -> None:
         check_supports(model(both, [Fixed("fixed_a")]))
 
 
-def test_a_direction_is_enough_where_mirror_planes_hold_the_rest(finger: Mesh) -> None:
+def test_a_direction_is_enough_where_mirror_planes_hold_the_rest() -> None:
     quarter = mesh(RoundBar(radius=4 * mm, mirrors="yz").build(), size=4 * mm)
     check_supports(model(quarter, [Fixed("ends", "x")]))
     with pytest.raises(TurgorError, match="leave 1 of 6 rigid motions free"):
@@ -312,7 +312,7 @@ def test_obstacles_are_no_supports(finger: Mesh) -> None:
         check_supports(model(finger, [], Contact(obstacles=[plate])))
 
 
-def test_one_body_whose_whole_surface_is_held_is_refused(finger: Mesh) -> None:
+def test_one_body_whose_whole_surface_is_held_is_refused() -> None:
     block = mesh(Block().build(), size=10 * mm)
     both = together({"a": block, "b": placed(block, shift=(50 * mm, 0, 0))})
     with pytest.raises(TurgorError, match="prescribe the whole surface of an incompressible body"):

@@ -259,7 +259,7 @@ def test_a_curved_shape_gives_the_same_mesh_again(shape) -> None:
     assert default_size(shape()) == default_size(geometry)
 
 
-def test_arcs_are_meshed_finer_where_the_first_mesh_is_not_sound(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_arcs_are_meshed_finer_where_the_first_mesh_is_not_sound() -> None:
     """A tube whose wall was said to be thicker than it is, so that the size goes far beyond four times the wall."""
     shape = Cylinder(Pnt(0, 0, 0), X, 10, 20) - Cylinder(Pnt(0, 0, 0), X, 9.5, 20)
     shape.mat("body")

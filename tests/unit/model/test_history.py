@@ -34,7 +34,7 @@ def test_an_expression_is_what_it_says(text: str, expected: Any) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("__import__('os').system('true')", r"'__import__\('os'\).system' is neither|is neither a number"),
+        ("__import__('os').system('true')", "is neither a number"),
         ("().__class__", "is neither a number"),
         ("open('x')", "unknown function 'open'"),
         ("sin(s, key=1)", "is neither a number"),

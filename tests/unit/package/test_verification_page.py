@@ -7,7 +7,21 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from verification_page import COUNT, ROW, Renewal, Row, Section, page, reading, scalars, table_line, written
+from verification_page import (
+    COUNT,
+    NUMBERED,
+    ROW,
+    TITLES,
+    Renewal,
+    Row,
+    Section,
+    headline,
+    page,
+    reading,
+    scalars,
+    table_line,
+    written,
+)
 
 FOLDER = Path(__file__).parents[2] / "verification"
 PAGE = Path(__file__).parents[3] / "docs" / "verification.md"
@@ -107,6 +121,11 @@ def test_every_file_records_and_is_on_the_page(file):
     )
     renew = f"pytest -m 'slow or not slow' tests/verification/{file} --write-verification"
     assert file in written(PAGE.read_text(encoding="utf-8")), f"docs/verification.md lacks this file: {renew}"
+
+
+def test_every_number_has_a_title():
+    found = {match[0] for file in FILES if (match := NUMBERED.match(headline(FOLDER / file)))}
+    assert found == set(TITLES)
 
 
 def test_scalars_of_anything():

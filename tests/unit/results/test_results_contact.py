@@ -274,7 +274,7 @@ def test_obstacles_are_within_the_picture_but_do_not_dwarf_the_actuator(path):
     assert around.right - around.left < 1.7 * (alone.right - alone.left)
 
 
-def test_an_obstacle_beside_the_mirror_plane_has_an_image(path):
+def test_an_obstacle_beside_the_mirror_plane_has_an_image():
     aside = Obstacle(name="aside", shape=Sphere(center=(0, 20 * mm, 0), radius=4 * mm))
     for obstacle, copies in ((BALL, 1), (aside, 2)):
         at = StateFields(cases.state(question(obstacle)))
@@ -297,7 +297,7 @@ def test_edges_of_a_box_are_sharp_and_a_ball_is_smooth():
     np.testing.assert_allclose(np.einsum("pi,pi->p", away, skin.normals), 6 * mm, rtol=1e-3)
 
 
-def test_what_touches_is_seen_through_the_actuator(path, tmp_path):
+def test_what_touches_is_seen_through_the_actuator(tmp_path):
     """The pressed lower side faces away from the eye, and its color is seen all the same."""
     model = question()
     x, y, z = model.mesh.points.T
@@ -321,7 +321,7 @@ def test_of_walls_in_one_place_the_larger_pressure_is_shown():
     np.testing.assert_array_equal(place, [[3.0, 3.01, 3.0, 3.0]])
 
 
-def test_upper_end_of_the_colors_is_that_of_what_touches(path):
+def test_upper_end_of_the_colors_is_that_of_what_touches():
     """A small patch among a large free surface: its own percentile counts."""
     model = question()
     corner = (np.abs(model.mesh.points - [0, 10 * mm, 0]) < 1e-9).all(axis=1)
@@ -359,7 +359,7 @@ def test_rows_of_the_report(path):
     assert contact_rows(cases.solution([cases.state(path.model)])) == []
 
 
-def test_plot_has_forces_and_areas_against_pressure(path):
+def test_plot_has_forces_and_areas_against_pressure():
     columns = (
         Column("pressure", "kPa", [0, 1e3]), Column("plate_force", "N", [0, 2]), Column("tip_force", "N", [0, 3]),
         Column("self_contact_area", "mm2", [0, 2e-6]), Column("tip_contact_area", "mm2", [0, 1e-6]),

@@ -196,7 +196,7 @@ def test_the_surface_is_smooth_across_the_mirror_plane():
     assert np.abs(skin.normals[~on_plane, 1]).max() > 0.1
 
 
-def test_patches_end_at_edges_of_the_undeformed_body_and_between_regions(bent):
+def test_patches_end_at_edges_of_the_undeformed_body_and_between_regions():
     """A box with a box-shaped hollow has 6 + 6 sides; the lower third of the four upright outer ones is the base's."""
     state = cases.state(cases.model(cases.body()), cases.bent(1.2))
     at = StateFields(state)

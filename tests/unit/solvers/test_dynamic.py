@@ -1,4 +1,7 @@
-"""Dynamic, Stabilized, mass and modes: what they refuse, how steps adapt, what they say; numbers are in V14 and V15."""
+"""Dynamic, Stabilized, mass and modes: what they refuse, how steps adapt, what they say.
+
+The numbers are in V14 and V15 of `tests/verification`.
+"""
 
 from pathlib import Path
 

@@ -38,7 +38,7 @@ def test_abaqus_convention_reproduces_the_tests(tests, published):
 
 
 def test_the_convention_of_the_review_fails(tests, published):
-    """SOURCE.md reports −0.34: the mean stress would be a better law."""
+    """A constant equal to the mean stress would fit better: R² is negative. SOURCE.md reports −0.34."""
     mu, alpha = published
     assert r2(Ogden(mu=mu, alpha=alpha), tests) == pytest.approx(-0.35, abs=0.01)
 

@@ -23,7 +23,7 @@ def yeoh_as_printed(stretch, C1, C2, C3):
 
 
 def test_neo_hooke_as_printed_loses_more_than_half():
-    """V-case of the erratum: P = 0.24 (λ − λ⁻²) over λ ∈ [1, 3] must return C1 = 0.12; as printed it returns 0.048."""
+    """P = 0.24 (λ − λ⁻²) MPa over λ ∈ [1, 3] is C1 = 0.12 MPa; the formula as printed returns 0.048 MPa."""
     stretch = np.linspace(1.0, 3.0, 201)
     stress = 0.24e6 * (stretch - stretch**-2)
     (as_printed,), _ = curve_fit(neo_hooke_as_printed, stretch, stress, p0=[1e5])

@@ -1,4 +1,4 @@
-"""Claim: the library doubts the records that measured curves contradict, and reads Ogden's constants the right way.
+"""The library doubts the records that measured curves contradict, and reads Ogden's constants the right way.
 
 Measured: uniaxial tests by Marechal et al. 2020 of four rubbers of the library, nominal stress (see the SOURCE.md
 beside the data). Their strain is that of the crosshead, which makes them up to a factor of two softer than the
@@ -70,7 +70,7 @@ def ratio(library: str, record, stretch: float) -> float:
 
 
 def test_ratios_to_the_measured_stress() -> None:
-    """Reported so that a change of a number or of a conversion shows."""
+    """The ratios are recorded values: a change of a constant or of a conversion shows."""
     found = {
         (library, record.name): ratio(library, record, 2.0)
         for library in MEASURED

@@ -1,7 +1,8 @@
-"""T16 to T18, T20, T21: slow against fast PneuNets, their walls, and their number of chambers (review, guidelines 7.4).
+"""Slow against fast PneuNets, their walls, and their number of chambers (review, guidelines 7.4).
 
-PneuNets of tests/validation/pneunets.py, self-contact found and switched on by itself, default procedure. The claims
-are those of other geometries, which are not at hand: signs are asserted, sizes and accepted ranges are reported.
+The PneuNets are those of tests/validation/pneunets.py, with self-contact switched on automatically and the default
+procedure. The claims are those of other geometries, which are not at hand: the tests assert signs, and report sizes and
+accepted ranges.
 """
 
 import numpy as np
@@ -26,13 +27,13 @@ def ratios(fast: Curve, slow: Curve, angle: float) -> tuple[float, float, float]
     return p / q, v / w, p * v / (q * w)
 
 
-def test_t16_a_slow_pneunet_needs_more_pressure_and_more_air(record_validation):
+def test_a_slow_pneunet_needs_more_pressure_and_more_air(record_validation):
     """Three chambers, a tenth of the whole turn: cheap enough to run always."""
     fast = bend(model_of(tg.FastPneuNet(**FAST | SHORT), size=6, pressure=10))
     slow = bend(model_of(tg.actuators.SlowPneuNet(**SLOW | SHORT), size=6, pressure=85))
     got = ratios(fast, slow, 25)
     record_validation(
-        claim=f"T16: {WHAT} of three chambers, 25°: {RATIOS}",
+        claim=f"{WHAT} of three chambers, 25°: {RATIOS}",
         source=MOSADEGH,
         expected="more",
         got=got,
@@ -42,12 +43,12 @@ def test_t16_a_slow_pneunet_needs_more_pressure_and_more_air(record_validation):
 
 
 @pytest.mark.slow
-def test_t16_full_bending(record_validation):
+def test_full_bending(record_validation):
     fast = bend(model_of(tg.FastPneuNet(**FAST), size=6, pressure=40), until=285)
     slow = bend(model_of(tg.actuators.SlowPneuNet(**SLOW), size=6, pressure=150))
     full = [fast.at_angle(angle)[0] for angle in (180, 270)]
     record_validation(
-        claim="T16: fast PneuNet of eight chambers, pressures at 180° and 270° [kPa]; slow one, angle at 150 kPa [°]",
+        claim="fast PneuNet of eight chambers, pressures at 180° and 270° [kPa]; slow one, angle at 150 kPa [°]",
         source=MOSADEGH,
         expected="reported",
         got=[*full, slow.angle[-1]],
@@ -58,7 +59,7 @@ def test_t16_full_bending(record_validation):
     for angle in (90, 150):
         got = ratios(fast, slow, angle)
         record_validation(
-            claim=f"T16: {WHAT} of eight chambers, {angle}°: {RATIOS}",
+            claim=f"{WHAT} of eight chambers, {angle}°: {RATIOS}",
             source=MOSADEGH,
             expected=CLAIMED,
             got=", ".join(f"{ratio:.3g}" for ratio in got),
@@ -68,14 +69,14 @@ def test_t16_full_bending(record_validation):
 
 
 @pytest.mark.slow
-def test_t16_without_contact_it_bends_less(record_validation):
+def test_without_contact_it_bends_less(record_validation):
     """Eleven chambers with walls of 1 mm, the demo: pushing each other apart takes a part in the bending."""
     touching = bend(demo(size=4, pressure=24), until=285)
     through = bend(demo(size=4, pressure=24, contact=tg.Contact(self_contact=False)), until=285)
     slow = bend(model_of(tg.actuators.SlowPneuNet(), size=6, pressure=100))
     got = [curve.at_angle(angle)[0] for angle in (180, 270) for curve in (touching, through)]
     record_validation(
-        claim="T16: fast PneuNet of eleven chambers with and without contact: pressures at 180° and at 270° [kPa]",
+        claim="fast PneuNet of eleven chambers with and without contact: pressures at 180° and at 270° [kPa]",
         source=MOSADEGH,
         expected="differ",
         got=got,
@@ -86,7 +87,7 @@ def test_t16_without_contact_it_bends_less(record_validation):
     assert [finding.code for finding in through.solution.findings] == ["B02"]
     factors = ratios(touching, slow, 90)
     record_validation(
-        claim=f"T16: {WHAT} of eleven chambers, 90°: {RATIOS}",
+        claim=f"{WHAT} of eleven chambers, 90°: {RATIOS}",
         source=MOSADEGH,
         expected=CLAIMED,
         got=", ".join(f"{ratio:.3g}" for ratio in factors),
@@ -96,7 +97,7 @@ def test_t16_without_contact_it_bends_less(record_validation):
 
 
 @pytest.mark.slow
-def test_t16_blocked_force(record_validation):
+def test_blocked_force(record_validation):
     """Walls that push each other apart give the force, so it is that of the slow one or less before they meet.
 
     A long fast PneuNet arches away from the plate between its ends instead of pushing.
@@ -107,7 +108,7 @@ def test_t16_blocked_force(record_validation):
         force = [push(model_of(each, size=6, pressure=pressure)) for each in (fast, slow)]
         got.append(force[0] / force[1])
     record_validation(
-        claim="T16: force on a plate, fast over slow PneuNet: three chambers at 30 kPa and 1.5 kPa, eight at 5 kPa",
+        claim="force on a plate, fast over slow PneuNet: three chambers at 30 kPa and 1.5 kPa, eight at 5 kPa",
         source=MOSADEGH,
         expected="1.4 (1.1 to 1.8), -, -",
         got=", ".join(f"{ratio:.3g}" for ratio in got),
@@ -117,19 +118,19 @@ def test_t16_blocked_force(record_validation):
 
 
 @pytest.mark.slow
-def test_t20_more_chambers_bend_further(record_validation):
-    """20 kPa, not the 55 of the target: ten chambers have curled up to three quarters of a turn there."""
+def test_more_chambers_bend_further(record_validation):
+    """At 20 kPa, not at the 55 kPa of the paper: ten chambers have curled up to three quarters of a turn there."""
     counts = (4, 6, 8, 10)
     curves = [bend(model_of(tg.FastPneuNet(**FAST | {"chambers": n}), size=6, pressure=20)) for n in counts]
     record_validation(
-        claim="T20: 4, 6, 8, 10 chambers on 95 mm, angle at 20 kPa [°]",
+        claim="4, 6, 8, 10 chambers on 95 mm, angle at 20 kPa [°]",
         source="review 7.4-5; Hwang et al. 2015",
         expected="rises",
         got=", ".join(f"{curve.angle[-1]:.1f}" for curve in curves),
         tolerance="order",
     )
     record_validation(
-        claim="T20: the same, R² of a straight line through the angles up to 20 kPa",
+        claim="the same, R² of a straight line through the angles up to 20 kPa",
         source="review 7.4-5; Hwang et al. 2015",
         expected="rises",
         got=", ".join(f"{curve.r_squared():.4f}" for curve in curves),
@@ -140,7 +141,7 @@ def test_t20_more_chambers_bend_further(record_validation):
 
 
 @pytest.mark.slow
-def test_t17_t18_t21_thick_walls_bend_less(record_validation):
+def test_thick_walls_bend_less(record_validation):
     """The height grows with the bottom and the length with the gap; thicker walls take from the chambers.
 
     The gap makes no difference worth a sign here, where walls touch late.
@@ -156,7 +157,7 @@ def test_t17_t18_t21_thick_walls_bend_less(record_validation):
     )
     change = [curve.angle[-1] / rest.angle[-1] - 1 for curve in others]
     record_validation(
-        claim="T18: three chambers, bottom, wall between chambers, gap half as much again: angle at 20 kPa",
+        claim="three chambers, bottom, wall between chambers, gap half as much again: angle at 20 kPa",
         source="review 7.4-3; Hu et al. 2018",
         expected="less, less, less",
         got=", ".join(f"{part:+.1%}" for part in change),
@@ -166,7 +167,7 @@ def test_t17_t18_t21_thick_walls_bend_less(record_validation):
     assert abs(change[2]) < 0.01
     void = bend(model_of(tg.actuators.SlowPneuNet(**ENVELOPE | SHORT | {"chambers": 1}), size=6, pressure=20))
     record_validation(
-        claim="T17: R² of a straight line through the angles up to 20 kPa, three chambers and a single void",
+        claim="R² of a straight line through the angles up to 20 kPa, three chambers and a single void",
         source="review 7.4-1",
         expected="falls",
         got=f"{rest.r_squared():.4f}, {void.r_squared():.4f}",
@@ -176,7 +177,7 @@ def test_t17_t18_t21_thick_walls_bend_less(record_validation):
     walls = [tg.FastPneuNet(**FAST | SHORT | change) for change in ({}, thicker["wall"])]
     force = [push(model_of(each, size=6, pressure=15)) for each in walls]
     record_validation(
-        claim="T21: walls between chambers half as thick again, three chambers: force on a plate at 15 kPa, relative",
+        claim="walls between chambers half as thick again, three chambers: force on a plate at 15 kPa, relative",
         source="review 7.4-6",
         expected="less",
         got=f"{force[1] / force[0] - 1:+.1%}",

@@ -1,9 +1,9 @@
-"""T07, T09, T11, T12, T28: what hoops, axial fibers and double windings do to a tube (review 7.2 and 8.1).
+"""What hoops, axial fibers and double windings do to a tube (review 7.2 and 8.1).
 
 Tube of inner radius 6.35 mm, outer 8.35 mm, neo-Hookean (C10 = 0.12 MPa), closed free ends, fibers smeared on its
 outside; Kevlar of 0.1778 mm every 2 mm is 385.676 N/mm. A quarter of a slice far from the ends, two cells through it.
-Expected numbers: table V20 and the semi-analytic tube of tests/verification/fiber_tube.py. Tolerance 2 % where the
-targets give numbers, the sign or the order where they give that.
+Expected numbers: case V20 of tests/verification and the semi-analytic tube of tests/verification/fiber_tube.py.
+Tolerance: 2 % where a number is expected, the sign or the order where that is expected.
 """
 
 import numpy as np
@@ -35,7 +35,7 @@ def volume(found):
     return found.inner**2 * found.stretch / INNER**2
 
 
-def test_t07_without_hoops_it_balloons(record_validation):
+def test_without_hoops_it_balloons(record_validation):
     axial, hoop = (  # more than 0.0015 shorter, axial fibers go slack
         slices.free(tube(slices.family(KEVLAR, angle)), [(62.5 * kPa, near)], within=0.001)[0]
         for angle, near in ((90 * deg, 1.0015), (0.0, 1.1726))
@@ -44,7 +44,7 @@ def test_t07_without_hoops_it_balloons(record_validation):
     less = (volume(axial) - 1) / (volume(hoop) - 1)
     got = [axial.outer / OUTER, volume(axial), hoop.outer / OUTER, volume(hoop), less]
     record_validation(
-        claim="T07: tube at 62.5 kPa, outer radius and volume over the first ones, axial fibers and hoops; "
+        claim="tube at 62.5 kPa, outer radius and volume over the first ones, axial fibers and hoops; "
         "injected volume, times less with hoops",
         source="review 7.2-1, 7.2-2; V20",
         expected=expected,
@@ -54,7 +54,7 @@ def test_t07_without_hoops_it_balloons(record_validation):
     assert got == pytest.approx(expected, rel=0.02)
 
 
-def test_t09_denser_hoops_extend_more_and_bulge_less(record_validation):
+def test_denser_hoops_extend_more_and_bulge_less(record_validation):
     shares = np.array([0.01, 0.03, 0.1, 0.3, 1.0])
     pitches = np.array([8, 4, 2, 1]) * mm
     found, near = [], []
@@ -64,14 +64,14 @@ def test_t09_denser_hoops_extend_more_and_bulge_less(record_validation):
     radius = [each.outer / OUTER for each in found]
     stretch = [each.stretch for each in found]
     record_validation(
-        claim="T09: hoops of 1, 3, 10, 30, 100 % of the stiffness, then every 8, 4, 2, 1 mm, 50 kPa: λz rises",
+        claim="hoops of 1, 3, 10, 30, 100 % of the stiffness, then every 8, 4, 2, 1 mm, 50 kPa: λz rises",
         source="review 7.2-4, 7.2-5; semi-analytic",
         expected=near,
         got=stretch,
         tolerance="order; 2 % of λz − 1",
     )
     record_validation(
-        claim="T09: the same, outer radius over the first one falls",
+        claim="the same, outer radius over the first one falls",
         source="review 7.2-4, 7.2-5",
         expected="falls",
         got=", ".join(f"{r:.5f}" for r in radius),
@@ -84,7 +84,7 @@ def test_t09_denser_hoops_extend_more_and_bulge_less(record_validation):
 
 
 @pytest.mark.parametrize("pressure", [30.0, 62.5])
-def test_t12_double_winding_neither_grows_nor_shrinks_at_the_neutral_angle(pressure, record_validation):
+def test_double_winding_neither_grows_nor_shrinks_at_the_neutral_angle(pressure, record_validation):
     angles = NEUTRAL + np.array([-0.5, 0.5])
     got, near = [], []
     for angle in angles * deg:
@@ -92,7 +92,7 @@ def test_t12_double_winding_neither_grows_nor_shrinks_at_the_neutral_angle(press
         got.append(slices.free(tube(slices.family(KEVLAR, angle)), [(pressure * kPa, near[-1])])[0].stretch)
     neutral = angles[0] + (got[0] - 1) / (got[0] - got[1])
     record_validation(
-        claim=f"T12: double winding at {pressure:g} kPa, 0.5° below and above the neutral angle "
+        claim=f"double winding at {pressure:g} kPa, 0.5° below and above the neutral angle "
         "(from the circumference): λz, neutral angle [°]",
         source="review 7.2-8; V20",
         expected=[*near, NEUTRAL],
@@ -103,10 +103,10 @@ def test_t12_double_winding_neither_grows_nor_shrinks_at_the_neutral_angle(press
     assert neutral == pytest.approx(NEUTRAL, abs=0.5)
 
 
-def test_t11_double_winding_extends_less(record_validation):
+def test_double_winding_extends_less(record_validation):
     stretch = slices.free(tube(slices.family(KEVLAR, 30 * deg)), [(62.5 * kPa, 1.0488)])[0].stretch
     record_validation(
-        claim="T11: double winding, 30°, 62.5 kPa: λz (1.0804 with one hand)",
+        claim="double winding, 30°, 62.5 kPa: λz (1.0804 with one hand)",
         source="review 7.2-7; V20",
         expected=1.0488,
         got=stretch,
@@ -115,14 +115,14 @@ def test_t11_double_winding_extends_less(record_validation):
     assert stretch - 1 == pytest.approx(0.0488, rel=0.02)
 
 
-def test_t28_hoops_in_tension_do_not_care_how_they_are_pushed(record_validation):
+def test_the_stiffness_in_compression_does_not_matter_for_hoops_in_tension(record_validation):
     near = [(30 * kPa, 1.070961), (62.5 * kPa, 1.172636)]
     threads, rods = (
         np.array([s.stretch for s in slices.free(tube(slices.family(KEVLAR, 0.0, compression=share)), near)])
         for share in (0.0, 1.0)
     )
     record_validation(
-        claim="T28: tube with hoops, 30 and 62.5 kPa: λz with threads that go slack, relative to rods",
+        claim="tube with hoops, 30 and 62.5 kPa: λz with threads that go slack, relative to rods",
         source="review 8.1",
         expected=[0.0, 0.0],
         got=threads / rods - 1,

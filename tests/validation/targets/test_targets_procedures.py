@@ -1,9 +1,9 @@
-"""T30: the end does not depend on how many increments lead there (review 6.2-6 and appendix).
+"""The end does not depend on how many increments lead there (review 6.2-6 and appendix).
 
-(1) A blind arm of Ecoflex 00-30, 80 mm long, that a pressure and its own weight bend; (2) a wall that bulges
-and presses on a plate. 10, 40 and 100 even increments, and steps that adapt between 1e-5 and 0.05 of the
-load, as the appendix of the review has them. That the default steps carry T16 and T20 to their ends unattended is
-asserted in test_targets_contact.py; that a slow ramp is static (T27), in tests/verification/dynamics/test_vibration.py.
+(1) A blind arm of Ecoflex 00-30, 80 mm long, that a pressure and its own weight bend; (2) a wall that bulges and
+presses on a plate. Each takes 10, 40 and 100 even increments, and steps that adapt between 1e-5 and 0.05 of the load,
+as the appendix of the review has them. test_targets_contact.py asserts that the default steps reach the end unattended;
+tests/verification/dynamics/test_vibration.py, that a slow ramp is static.
 Tolerance: 1e-6 of the largest displacement, what the tolerance of Newton's method leaves, with contact too.
 """
 
@@ -42,7 +42,7 @@ def _wall():
 
 
 @pytest.mark.parametrize("what", ["arm under pressure and weight", "wall that touches"])
-def test_t30_any_number_of_increments(what, record_validation):
+def test_any_number_of_increments(what, record_validation):
     model = _wall() if "wall" in what else _arm()
     solutions = {name: problems.solve(model, procedure) for name, procedure in WAYS.items()}
     ends = {name: solution.states[-1].displacement for name, solution in solutions.items()}
@@ -50,7 +50,7 @@ def test_t30_any_number_of_increments(what, record_validation):
     size = float(np.abs(finest).max())
     apart = [float(np.abs(end - finest).max()) / size for end in ends.values()]
     record_validation(
-        claim=f"T30: {what}, 10, 40, 100 increments and adaptive ones: largest distance between their ends, relative",
+        claim=f"{what}, 10, 40, 100 increments and adaptive ones: largest distance between their ends, relative",
         source="review 6.2-6, appendix",
         expected=0.0,
         got=max(apart),

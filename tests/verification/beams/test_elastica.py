@@ -4,10 +4,10 @@ Problem: a strip 50 mm long, 1 mm thick, plane strain, incompressible neo-Hookea
 bending stiffness 4μh³/12 per width. (a) dead force at the tip, (b) force at the tip that turns with it, as a pressure
 on a last short cell whose middle is the tip, (c) pressure along one side, (d) weight, (e) moment at the end, as
 pressures of opposite sign on the halves of a stiff end. Value: displacement of the tip over the length.
-Reference: table V12, the inextensible elastica (elliptic integrals and boundary value problem agree). Dead and
-following loads differ grossly. The moment is 2π times bending stiffness over length.
-Tolerance: 1 % of the displacement's length, the table's demand for a solid with L/h = 50; the clamp, which holds the
-thickness too, costs half of that.
+Reference: the inextensible elastica (elliptic integrals and boundary value problem agree). Dead and following loads
+differ grossly. The moment is 2π times bending stiffness over length.
+Tolerance: 1 % of the displacement's length for a solid with L/h = 50; the clamp, which holds the thickness too, costs
+half of that.
 """
 
 import numpy as np

@@ -5,13 +5,13 @@ given the exact map, the rest is found. Moment: of the reactions of one end abou
 width.
 Exact: r = r(x), polar angle ∝ y, λ₁λ₂ = 1; neo-Hookean and Mooney–Rivlin of equal shear modulus coincide in plane
 strain.
-Source: Rivlin 1949; table V08.
-Tolerance: moment 0.2 % (the table's demand) with 4 × 16 cells up to 180°, and with 4 × 24 at 270°. There the inner
-face is compressed to 0.606 of its length, more than rubber bears without creasing (0.647), and on cells as long as
-they are thick the discrete surface wrinkles from 0.655 on: the solver reports unstable modes and 1.5 % less moment.
-Cells two thirds as long as thick stay smooth. Position of every node 0.5 % of the thickness: cubic in the cell
-size, it grows with the angle from 1e-5 to 3e-3. Stress at 180°: 1 % of the largest hoop stress in the mean and 5 %
-at every quadrature point, because in a cell the mean stress is linear while the exact one bends.
+Source: Rivlin 1949.
+Tolerance: moment 0.2 % with 4 × 16 cells up to 180°, and with 4 × 24 at 270°. There the inner face is compressed to
+0.606 of its length, more than rubber bears without creasing (0.647), and on cells as long as they are thick the
+discrete surface wrinkles from 0.655 on: the solver reports unstable modes and 1.5 % less moment. Cells two thirds as
+long as thick stay smooth. Position of every node 0.5 % of the thickness: cubic in the cell size, it grows with the
+angle from 1e-5 to 3e-3. Stress at 180°: 1 % of the largest hoop stress in the mean and 5 % at every quadrature point,
+because in a cell the mean stress is linear while the exact one bends.
 """
 
 import numpy as np

@@ -4,10 +4,10 @@ Problem: the block of `test_flexure`, 10 × 40 mm, plane strain, ends moved exac
 and 16 along it; neo-Hookean, Yeoh and three-term Ogden rubber, to 223°, where the inner face is compressed to 0.65 of
 its length.
 Exact: Rivlin's map, the same for every incompressible isotropic law, because λ₁λ₂ = 1 at the faces. It is stable until
-the inner face creases at 0.647 (Hong, Zhao and Suo 2009; neo-Hookean rubber in plane strain).
-Without the penalty of `turgor.engine.cells.stabilization` mean stresses at corners leave hexahedra modes that turn
-unstable at 77°, at 0.85: the formulation "continuous" shows them. Tetrahedra have none. Source: table V08. Tolerance:
-no unstable mode; 0.05 mm at the worst node, half a percent of the thickness as in `test_flexure` (0.004 mm seen).
+the inner face creases at 0.647 (Hong, Zhao and Suo 2009; neo-Hookean rubber in plane strain). Without the penalty of
+`turgor.engine.cells.stabilization` mean stresses at corners leave hexahedra modes that turn unstable at 77°, at 0.85:
+the formulation "continuous" shows them. Tetrahedra have none. Tolerance: no unstable mode; 0.05 mm at the worst node,
+half a percent of the thickness as in `test_flexure` (0.004 mm seen).
 """
 
 import numpy as np

@@ -1,11 +1,11 @@
 """V16-4: forces of contact balance, frictionless ones have no tangential part, and no work is lost.
 
 Exact: (1) the forces of self-contact sum to zero and so do their moments; (2) a frictionless plane pushes along its
-normal only, a ball has no moment about its center, an endless bar neither a moment about its axis nor a force along
-it; (3) the support carries what the obstacle pushes with; (4) work of the pressure, or of the plate that moves, is the
-energy of the rubber and of the penetration. Source: verification case V16, number 4. Tolerance: 1e-10 of the force for
-(1) and (2), which hold point by point; 1e-7 for (3), a hundred times the Newton tolerance; 0.2 % for (4), the error of
-the trapezoidal rule where contact begins (1 % in the table).
+normal only, a ball has no moment about its center, an endless bar neither a moment about its axis nor a force along it;
+(3) the support carries what the obstacle pushes with; (4) work of the pressure, or of the plate that moves, is the
+energy of the rubber and of the penetration. Tolerance: 1e-10 of the force for (1) and (2), which hold point by point;
+1e-7 for (3), a hundred times the Newton tolerance; 0.2 % for (4), the error of the trapezoidal rule where contact
+begins.
 """
 
 import numpy as np

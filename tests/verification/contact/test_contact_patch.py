@@ -1,13 +1,13 @@
 """V16-1: two blocks with non-matching meshes press on each other as one block would.
 
-Problem: two cubes of 10 mm of neo-Hookean rubber, C10 = 0.12 MPa, stand above each other with a gap of 1 mm, sides
-free, no friction; the top is pushed down by d.
+Problem: two blocks of 20 × 20 × 10 mm of neo-Hookean rubber, C10 = 0.12 MPa, stand above each other with a gap of 1 mm,
+sides free, no friction; the top is pushed down by d. A quarter is modeled.
 Exact: nothing happens up to d = 1 mm; then both are in uniaxial compression at λ = 1 − (d − 1)/20, with a nominal
 stress of 2 C10 (λ − λ⁻²): −0.03792798, −0.08029630 and −0.183 MPa at d = 2, 3 and 5 mm.
-Source: verification case V16, number 1. Tolerance: 1e-3 for the stress, because at this contact stiffness of 100 MPa/mm
-the blocks overlap by 0.4 to 1.8 µm, which counts; 1e-4 with λ of blocks that overlap by that much. 4 % for the scatter
-(standard deviation) of the contact pressure at the nodes, 1 % for the stress anywhere in the blocks: a side meets parts
-of several opposite sides, and its quadrature does not see where they end. The table has 2 % for penalty contact.
+Tolerance: 1e-3 for the stress, because at this contact stiffness of 100 MPa/mm the blocks overlap by 0.4 to 1.8 µm,
+which counts; 1e-4 with λ of blocks that overlap by that much. 4 % for the scatter (standard deviation) of the contact
+pressure at the nodes, 1 % for the stress anywhere in the blocks: a side meets parts of several opposite sides, and its
+quadrature does not see where they end.
 """
 
 import numpy as np
@@ -28,7 +28,7 @@ FARTHEST = 5.0
 
 
 def _blocks(kind):
-    """Quarters of two cubes of 20 mm: the lower one of 2 × 2 × 1 cells, the upper one of 3 × 3 × 1."""
+    """Quarters of two blocks of 20 × 20 × 10 mm: the lower one of 2 × 2 × 1 cells, the upper one of 3 × 3 × 1."""
     bodies = {}
     names = {"x0": "symmetry_x", "y0": "symmetry_y", "x1": "x1", "y1": "y1", "z0": "z0", "z1": "z1"}
     for name, count, z in (("lower", 2, 0.0), ("upper", 3, 11.0)):

@@ -125,7 +125,7 @@ def test_a_slow_plane_presses_as_at_rest(record_verification):
     lost = imbalance(moved.states)
     record_verification(
         claim="block pressed slowly by a plane: force [N]; share of the energy that is missing",
-        source="T27, static path; balance",
+        source="static path; balance",
         expected=[forces[1], 0.0],
         got=[forces[0], lost],
         tolerance="1 %, 0.2 %",

@@ -4,8 +4,8 @@ Problem: small bodies that press on themselves, on shapes given by a formula, on
 stick and slip; at the state of equilibrium with noise on top, along random directions.
 Exact: equality with central differences of the residual, away from the points that begin to touch within the
 difference, and the order 2 of Newton's method: after one update from a bump, four times the residual that half the bump
-leaves. Source: verification case V24. Tolerance: 1e-5 of the largest value; 0.05 for the order. The last residuals of
-one iteration, measured before, say 1.4 to 2.3 for the same tangent, as chance and the size of the bump will have it.
+leaves. Tolerance: 1e-5 of the largest value; 0.05 for the order. The last residuals of a single run are not used: the
+order that they give scatters from 1.4 to 2.3 for the same tangent, with the size of the bump.
 """
 
 import numpy as np

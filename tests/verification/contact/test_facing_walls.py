@@ -1,11 +1,11 @@
 """V16-3: a wall meets its mirror image as it meets a rigid plane half way, or a mirror plane.
 
-Problem: a slice of two walls of 1.5 mm with a gap of 1 mm and a half span of 8 mm, which two chambers blow into the
-gap until three quarters of the walls lie flat against each other. Asked four ways: both walls with self-contact; both
-as separate bodies of non-matching meshes; one wall and a frictionless rigid plane in mid-gap; one wall cut in
-mid-gap by a mirror plane, which it meets as its own image.
-Exact: the same displacement. Source: verification case V16, number 3. Tolerance: half a percent of the gap plus the
-penetration that the contact reports; one percent for the separate bodies, whose meshes bend differently.
+Problem: a slice of two walls of 1.5 mm with a gap of 1 mm and a half span of 8 mm, which two chambers blow into the gap
+until three quarters of the walls lie flat against each other. Four models: both walls with self-contact; both as
+separate bodies of non-matching meshes; one wall and a frictionless rigid plane in mid-gap; one wall cut in mid-gap by a
+mirror plane, which it meets as its own image.
+Exact: the same displacement. Tolerance: half a percent of the gap plus the penetration that the contact reports; one
+percent for the separate bodies, whose meshes bend differently.
 """
 
 import numpy as np

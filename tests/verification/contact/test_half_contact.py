@@ -1,10 +1,9 @@
 """V16, V22: half of a body with a mirror plane meets an obstacle as the whole body does.
 
 Problem: a block pressed by a ball that lies in its mirror plane, held rigidly or by a spring, or with friction.
-Exact: the same displacement; twice the force. Source: verification case V22. Tolerance: 1e-7, what the Newton
-tolerance leaves; 1e-4 with friction, whose limits are renewed until they change by no more than that. Friction depends
-on the way, so both go in equal small steps. The whole is built of two mirrored blocks, so its cells are those of the
-half and their images.
+Exact: the same displacement; twice the force. Tolerance: 1e-7, what the Newton tolerance leaves; 1e-4 with friction,
+whose limits are renewed until they change by no more than that. Friction depends on the way, so both go in equal small
+steps. The whole is built of two mirrored blocks, so its cells are those of the half and their images.
 """
 
 import numpy as np

@@ -9,11 +9,11 @@ between two planes is stiffer: its linear solution under Hertz's pressure (`exac
 the same contact radius, by 2.6, 4.3 and 6.3 %, so 4, 7 and 11 % more force at the same approach. A bar: half width
 1.151647 mm and p₀ = 0.055279 MPa at 0.1 N/mm, 2.575161 mm and 0.123608 MPa at 0.5 N/mm; its approach depends on what
 lies far away. The layer: Hertz times 1 + 1.133 χ + 1.283 χ² + 0.769 χ³ + 0.0975 χ⁴, χ = √(R δ)/h.
-Source: verification case V16, number 2; for the layer Dimitriadis et al., Biophysical Journal 82 (2002) 2798.
-Tolerance: the table's 3 % for the force at δ/R = 0.01; 3 % to δ/R = 0.05 against the ball between two planes (the
-table's 6 % against a half space would not hold there). 4 % for widths and pressures: a cell next to the edge of the
-contact is an eighth of it: 8 cells from the pole to 45°. The largest pressure comes out low by 2.8 % with them, by
-3.8 and 4.1 % with 7 and 6.
+Source: Hertz; for the layer Dimitriadis et al., Biophysical Journal 82 (2002) 2798.
+Tolerance: 3 % for the force, against a half space at δ/R = 0.01 and against the ball between two planes up to δ/R =
+0.05 (against a half space 6 % would not hold there). 4 % for widths and pressures: a cell next to the edge of the
+contact is an eighth of it: 8 cells from the pole to 45°. The largest pressure comes out low by 2.8 % with them, by 3.8
+and 4.1 % with 7 and 6.
 """
 
 import numpy as np
@@ -131,7 +131,7 @@ def test_refinement_of_the_contact_zone(record_verification):
 
 
 def test_bar_on_a_plane(record_verification):
-    """Line contact: half width and largest pressure at three loads about those of the table."""
+    """Line contact: half width and largest pressure at three loads, which enclose 0.1 to 0.5 N/mm."""
     mesh = contact_meshes.bar(RADIUS, (8, 2, 4))
     supports = [tg.Fixed("middle", "z"), tg.Fixed("y0", "y"), tg.Fixed("y1", "y")]
     got, expected, lines = [], [], []

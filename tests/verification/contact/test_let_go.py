@@ -2,10 +2,9 @@
 
 Problem: a block of 10 × 10 × 5 mm, clamped below, under a plate with µ = 0.5 (and 0.3) that comes down by 1 mm and then
 moves sideways by 4 mm: its edge rolls over, points let go, stick and slip, and the pull falls at once where the edge
-does. Nothing is set. A bellows whose fold closes under vacuum.
+does. All settings are the defaults. A bellows whose fold closes under vacuum.
 Exact: the full load is reached; the pull is never more than µ times the push; the end is that of many small steps;
-Newton's method has the order 2. Source: Coulomb's law, verification case V24. Tolerance: 1e-3 for the law, 1 % for the
-end, 1.8 for the order.
+Newton's method has the order 2. Source: Coulomb's law. Tolerance: 1e-3 for the law, 1 % for the end, 1.8 for the order.
 """
 
 import numpy as np
@@ -169,8 +168,8 @@ def test_inertia_correction_ends_stable_and_leaves_friction_as_it_was():
     assert found.evaluation.history is history
 
 
-def test_inertia_correction_needs_a_touch_and_stays_near():
-    """Nothing is found out of touch, nor where the plate lies 2.6 mm deep, farther than half an edge of 5 mm."""
+def test_inertia_correction_needs_contact_and_stays_near():
+    """Nothing is found without contact, nor where the plate lies 2.6 mm deep, farther than half an edge of 5 mm."""
     far = contact_cases.pushed(Plane(point=(0, 0, 6 * MM), normal=(0, 0, -1)))
     system = System(contact_cases.standing(contact_cases.block((2, 2, 1)), far))
     assert not _fallen(system, np.zeros(system.size)).converged

@@ -2,9 +2,9 @@
 
 Problem: a block of 10 × 10 × 5 mm under a plate, where the plate is a plane, the flat side of a box, the flat end of a
 bar, or triangles; under the side of a bar, endless or with ends; under a ball, a box and triangles in a spring.
-Exact: equality where the surface is the same one; the force of the spring is the force of the contact. Source:
-verification case V16. Tolerance: 1e-6, a thousand times that of Newton's method; 1e-4 with friction, whose limits are
-renewed until they change by no more than that.
+Exact: equality where the surface is the same one; the force of the spring is the force of the contact. Tolerance: 1e-6,
+a thousand times that of Newton's method; 1e-4 with friction, whose limits are renewed until they change by no more than
+that.
 """
 
 import numpy as np

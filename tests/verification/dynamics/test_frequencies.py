@@ -3,9 +3,9 @@
 Problems: (1) the clamped strip of V15; (2) a bar that nothing holds; (3) a thick sphere under pressure, whose breathing
 mode has a closed form: with the pressure P(λ) of `exact.sphere_pressure` that holds the inner radius a = λ A, and the
 kinetic energy 2 π ρ a³ (1 − a/b) ȧ² of the incompressible flow, ω² = P'(a) / (ρ a (1 − a/b)).
-References: (1) table V15, converged elements; Euler and Bernoulli's beam has 4.8386 Hz; (2) six rigid motions at 0, and
-Euler and Bernoulli's free bar as an upper bound of the first bending; (3) exact. Tolerance: (1) 0.3 % with 30 × 3 cells
-(0.4 % with 20 × 2, 0.13 % with 40 × 4); (3) 0.5 %.
+References: (1) converged elements; Euler and Bernoulli's beam has 4.8386 Hz; (2) six rigid motions at 0, and Euler and
+Bernoulli's free bar as an upper bound of the first bending; (3) exact. Tolerance: (1) 0.3 % with 30 × 3 cells (0.4 %
+with 20 × 2, 0.13 % with 40 × 4); (3) 0.5 %.
 """
 
 import numpy as np

@@ -1,11 +1,11 @@
-"""V15: damped and undamped free vibration, the order of the time integration, energies; T27: slow ramps are static.
+"""V15: damped and undamped free vibration, the order of the time integration, energies; slow ramps are static.
 
 Problems and references: (1) the strip of V15 plucked in its first mode, Rayleigh damping α = 1/s and β = 1 ms: the
-logarithmic decrement is 2πζ/√(1−ζ²) with ζ = α/(2ω) + βω/2, 0.19895 for the table's 4.8345 Hz; (2) the same without
-damping for 20 cycles; (3) the strip driven far by a smooth weight: errors at the end against steps an eighth as long;
-(4) the same weight put on slowly, within 20 periods: the static path.
+logarithmic decrement is 2πζ/√(1−ζ²) with ζ = α/(2ω) + βω/2, 0.19895 for the 4.8345 Hz of `test_frequencies`; (2) the
+same without damping for 20 cycles; (3) the strip driven far by a smooth weight: errors at the end against steps an
+eighth as long; (4) the same weight put on slowly, within 20 periods: the static path.
 Tolerance: (1) decrement 1 %, (2) drift of the energy 0.1 %, (3) order 2 within 0.1, (4) 1 % of the path, kinetic energy
-1 % of the strain energy, all asked for by the table. Coarse meshes: the statements hold for each mesh's own frequency.
+1 % of the strain energy. Coarse meshes: the statements hold for each mesh's own frequency.
 """
 
 import numpy as np
@@ -115,7 +115,7 @@ def test_slow_ramp_is_static(record_verification):
     moving = max(s.energies.kinetic for s in solution.states) / solution.states[-1].energies.strain
     record_verification(
         claim="weight put on within 20 periods: distance from the static path, kinetic over strain energy",
-        source="T27",
+        source="V15, static path",
         expected=[0.0, 0.0],
         got=[apart / end, moving],
         tolerance="1 %, 1 %",

@@ -5,13 +5,12 @@ right; neo-Hookean μ = 80.1938 MPa with ½ κ (J − 1)², κ = 400,942 MPa (κ
 corner (48, 60).
 Reference: (−5.836 ± 0.004, 6.935 ± 0.002) mm, converged high-order elements; OpenGeoSys with F-bar 6.891 at 30 ×
 30.
-Source: de Souza Neto et al. 1996; table V11.
-Tolerance: 0.5 % with 16 × 16 cells, and from below, monotonically, as the mesh is refined (the table's demands).
-The upper clamped corner, 108° wide, is singular and governs the error: where the diagonals of the cells start in
-it, two cells share it and 16 × 16 is 0.2 % low; with the other diagonals one cell fills it and the same count is
-0.8 % low, which is tested to 1 %. The mean stress must be free of checkerboard: its jump along cell edges over its
-spread halves with the cell size where the field is smooth (0.65 is allowed); signs that alternate at random by 30 %
-of the spread make it 0.75, more of them 1.
+Source: de Souza Neto et al. 1996.
+Tolerance: 0.5 % with 16 × 16 cells, and from below, monotonically, as the mesh is refined. The upper clamped corner,
+108° wide, is singular and governs the error: where the diagonals of the cells start in it, two cells share it and 16 ×
+16 is 0.2 % low; with the other diagonals one cell fills it and the same count is 0.8 % low, which is tested to 1 %. The
+mean stress must be free of checkerboard: its jump along cell edges over its spread halves with the cell size where the
+field is smooth (0.65 is allowed); signs that alternate at random by 30 % of the spread make it 0.75, more of them 1.
 """
 
 import numpy as np

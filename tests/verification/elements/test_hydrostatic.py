@@ -4,8 +4,7 @@ Problem: a cube, and a hollow cube with the same pressure in its cavity; held at
 only.
 Exact: σ = −p 1 everywhere; incompressible: no displacement; with the volume energy ½ κ (J − 1)²: J = 1 − p/κ, so u
 = (J^⅓ − 1) X.
-Source: verification case V01. Tolerance: 1e-9 (stress relative to p, displacement relative to the side): round-off
-and the Newton tolerance of 1e-12.
+Tolerance: 1e-9 (stress relative to p, displacement relative to the side): round-off and the Newton tolerance of 1e-12.
 """
 
 import numpy as np

@@ -4,7 +4,7 @@ Problem: unit cube of irregular cells (interior vertex moved by 0.15 in each dir
 random), boundary displaced by a volume-preserving F̄; neo-Hookean and Yeoh, incompressible and with κ = 1000 μ.
 Exact: interior nodes at F̄ X, uniform stress; with κ and F̄ = 1.01·1 the mean stress is κ (J − 1) = 1000 μ ·
 0.030301.
-Source: Irons' patch test; verification case V01.
+Source: Irons' patch test.
 Tolerance: 1e-10 of the cube's side for positions, 1e-8 for stress: the elements hold linear fields exactly, so only
 round-off and the Newton tolerance of 1e-12 remain. With its whole boundary prescribed an incompressible body has no
 mean stress to find (any constant will do), so there the top face is left free along its normal, which sets P₃₃ = 0

@@ -3,8 +3,8 @@
 Problem: the tangent of a free hollow cube at rest, and in equilibrium under a cavity pressure that stretches it by
 a quarter; incompressible neo-Hookean. Without supports its six rigid motions are the only null vectors: fewer would
 mean a stress that is not objective or a wrong pressure stiffness, more a spurious mode of the element.
-Source: verification case V01. Tolerance: null eigenvalues below 1e-9 of the largest, the seventh above 1e-5 of it
-(it is a soft bending mode of the cube's wall, or a mean stress mode, three orders above the first bound).
+Tolerance: null eigenvalues below 1e-9 of the largest, the seventh above 1e-5 of it (it is a soft bending mode of the
+cube's wall, or a mean stress mode, three orders above the first bound).
 """
 
 import numpy as np

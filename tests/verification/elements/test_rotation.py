@@ -3,7 +3,7 @@
 Problem: a twisted, sheared, pressurized block, incompressible, Yeoh or Ogden, with a membrane on one side; every
 position is then turned by 37° about (1, 2, 3).
 Exact: force vectors turn with it, their norms, the volume constraints and the energy do not change (objectivity).
-Source: verification case V01. Tolerance: 1e-12 relative, round-off of sums over about a thousand terms.
+Tolerance: 1e-12 relative, round-off of sums over about a thousand terms.
 """
 
 import numpy as np

@@ -4,8 +4,8 @@ Problem: fast PneuNet of three chambers, 30 mm long, of Yeoh rubber (0.11, 0.02 
 C10 = 2.2 MPa, under 4 kPa, without contact; tetrahedra of 2 and 1.4 mm.
 Reference: 6.607°, hexahedra of 0.2 mm beside sharp edges; elements of third order in another code, 6.571°, still rise
 toward it (docs/truth.md).
-Tolerance: 2 % at 2 mm, the target of the truth set for default meshes, and 1 % between 2 and 1.4 mm. One mean stress at
-every vertex, the formulation "continuous", is 20 % off at 2 mm and does not show it: 1.4 mm gives the same.
+Tolerance: 2 % at 2 mm, what a default mesh promises, and 1 % between 2 and 1.4 mm. One mean stress at every vertex, the
+formulation "continuous", is 20 % off at 2 mm and does not show it: 1.4 mm gives the same.
 """
 
 import pytest

@@ -4,9 +4,9 @@ Exact statements, checked on coarse meshes because they hold on any: (1) pressur
 touch the support has no resultant, so the support carries no force and no moment; (2) where the cavity opens on the
 clamped face the support carries pressure times the opening; (3) the support carries the weight; (4) volumes of a
 cube and a sphere, wherever they lie; (5) ∫ P dV = stored energy; (6) the tangent of a closed cavity is symmetric.
-Source: verification case V23. Tolerance: 1e-8 P·A for reactions (Newton tolerance 1e-11 times the internal forces),
-1e-12 for volumes of cubes and symmetry, 0.1 % for the work over 40 steps by the trapezoidal rule (its own error,
-tested to fall four times when the steps are halved).
+Tolerance: 1e-8 P·A for reactions (Newton tolerance 1e-11 times the internal forces), 1e-12 for volumes of cubes and
+symmetry, 0.1 % for the work over 40 steps by the trapezoidal rule (its own error, tested to fall four times when the
+steps are halved).
 """
 
 import numpy as np

@@ -4,9 +4,9 @@ Problem: the tube of V05 (0.05 MPa) and the sphere of V04 (0.10 MPa), neo-Hookea
 mid-side nodes lie on the circle, or half way between the vertices. Value: inner stretch, from the volume of the
 cavity, which a few nodes on the circle cannot flatter.
 Exact: `exact.tube_stretch`, `exact.sphere_stretch`.
-Source: table V24. Tolerance: the error falls at least eightfold per halving of the cells with curved sides, and
-only about fourfold (between 3 and 6) with straight ones, whose geometry is wrong by a share of h². At equal cells
-the straight error is at least ten times the curved one.
+Tolerance: the error falls at least eightfold per halving of the cells with curved sides, and only about fourfold
+(between 3 and 6) with straight ones, whose geometry is wrong by a share of h². At equal cells the straight error is at
+least ten times the curved one.
 """
 
 import numpy as np

@@ -2,8 +2,8 @@
 
 Problems: those of tetrahedra (`test_tangent`, `test_orders`, `test_patch`), on 27-node hexahedra with
 mean stresses at their corners, and on the displacement formulation of tetrahedra and 20-node hexahedra.
-Exact: the derivative of the residual; the chosen solution; a homogeneous deformation.
-Source: verification cases V01 and V24. Rates of the pair Q2/Q1: displacement 3 in L², 2 in H¹, mean stress 2.
+Exact: the derivative of the residual; the chosen solution; a homogeneous deformation. Rates of the pair Q2/Q1:
+displacement 3 in L², 2 in H¹, mean stress 2.
 Tolerance: as for tetrahedra: 1e-6 of the largest entry, 0.25 below a rate, 1e-8 for what is exact.
 """
 

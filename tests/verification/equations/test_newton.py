@@ -1,13 +1,13 @@
 """V24: Newton's method converges quadratically, pressure stiffness included, also on an open face.
 
-Problem: from the equilibrium at 80 % of the load to the full load in one step, by the textbook's iteration on the
-engine's residual and tangent; a closed cavity in Yeoh rubber, and a cantilever under pressure on its open lower
-face. Every law besides, from the undeformed state, where all stretches are equal, to the stretch of 1.3 in one step.
+Problem: from the equilibrium at 80 % of the load to the full load in one step, by the plain Newton iteration on the
+engine's residual and tangent; a closed cavity in Yeoh rubber, and a cantilever under pressure on its open lower face.
+Every law besides, from the undeformed state, where all stretches are equal, to the stretch of 1.3 in one step.
 Expected: the exponent q in r(k+1) ∝ r(k)^q tends to 2; a tangent without its pressure part, or with the symmetric
 part of an open face alone, gives q = 1, which is tested with the symmetric part.
-Source: verification case V24. Tolerance: q of 1.8 or more from the last three residuals above round-off (1e-11 of
-the first). The solver's own iteration, which keeps factors and linearizes stresses, must reach the full load from
-rest in a single step of at most eight updates (five and six in fact).
+Tolerance: q of 1.8 or more from the last three residuals above round-off (1e-11 of the first). The solver's own
+iteration, which keeps factors and linearizes stresses, must reach the full load from rest in a single step of at most
+eight updates (five and six seen).
 """
 
 import numpy as np

@@ -1,14 +1,12 @@
 """V24: with the right body force the discrete solution tends to a chosen one, at the rates of the element.
 
-Problem: plane strain unit square (one layer of cells between frictionless walls), incompressible neo-Hookean,
-chosen solution x = X + A sin(kY), y = Y (volume-preserving), A = 0.2, k = π, multiplier p = −μ + p₀ cos(πX/2)
-cos(πY) with p₀ = μ/2. The table prescribes the whole boundary, which leaves the mean stress of an incompressible
-body open by a constant; here p is chosen so that the normal traction at X = 1 vanishes and that side is free along
-x, which fixes the constant.
-Exact: body force of the table, B_X = μ A k² sin kY − p,X, B_Y = A k cos kY p,X − p,Y; our mean stress, which
-belongs to Ī₁, is p + μ I₁/3 with I₁ = 3 + A² k² cos² kY.
-Source: method of manufactured solutions, table V24. Expected rates of Taylor–Hood: displacement 3 in L², 2 in H¹,
-mean stress 2.
+Problem: plane strain unit square (one layer of cells between frictionless walls), incompressible neo-Hookean, chosen
+solution x = X + A sin(kY), y = Y (volume-preserving), A = 0.2, k = π, multiplier p = −μ + p₀ cos(πX/2) cos(πY) with p₀
+= μ/2. With the whole boundary prescribed the mean stress of an incompressible body would be open by a constant; here p
+is chosen so that the normal traction at X = 1 vanishes and that side is free along x, which fixes the constant.
+Exact: body force B_X = μ A k² sin kY − p,X, B_Y = A k cos kY p,X − p,Y; our mean stress, which belongs to Ī₁, is p + μ
+I₁/3 with I₁ = 3 + A² k² cos² kY.
+Source: method of manufactured solutions. Expected rates of Taylor–Hood: displacement 3 in L², 2 in H¹, mean stress 2.
 Tolerance: a rate may be 0.25 below the theoretical one on the last halving, because meshes of 4 to 16 cells are not
 yet at the limit, and the errors themselves must be small (1e-3 of A, 1 % of μ).
 """

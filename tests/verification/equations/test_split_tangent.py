@@ -6,9 +6,9 @@ the lost volume; both rubbers incompressible, both compressible, one of each.
 Exact: the residual is the derivative of the saddle functional Π = U + ∫ p (J − 1 − p/κ) dV, U the stored energy with
 p²/2κ and the penalty; the tangent is the derivative of the residual; the stress that Newton's method extrapolates along
 an update is linear in it, so that the error of a half update is a quarter.
-Source: verification case V24. Tolerance: 1e-6 of the largest entry for the tangent, asked for by the table, and of the
-largest force for the energy; 5 % for the factor of four. With half the penalty in the energy alone the error is 0.1,
-without the penalty in the extrapolated stress the factor is 2.
+Tolerance: 1e-6 of the largest entry for the tangent, and of the largest force for the energy, as in `test_tangent`; 5 %
+for the factor of four. With half the penalty in the energy alone the error is 0.1, without the penalty in the
+extrapolated stress the factor is 2.
 """
 
 import numpy as np

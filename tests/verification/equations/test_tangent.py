@@ -4,9 +4,8 @@ Problem: two cubes of cells at a random, large deformation and mean stress; each
 principal stretches is tested where stretches are equal, too. Residuals at x ± h e_j give the columns by central
 differences.
 Exact: equality for the free unknowns (supports drop the rest, with them the rim terms of pressure on a cut cavity).
-Source: verification case V24. Tolerance: 1e-6 of the largest entry of the tangent, asked for by the table; the
-differences themselves are good to 1e-8 at h = 1e-5, so a tenth of the tolerance is left to them. The
-compressibility of 1e-9 that keeps incompressible tangents regular is far below.
+Tolerance: 1e-6 of the largest entry of the tangent; the differences themselves are good to 1e-8 at h = 1e-5, so a tenth
+of the tolerance is left to them. The compressibility of 1e-9 that keeps incompressible tangents regular is far below.
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""The tube of V07, whose outer radius is held: dimensions, the table of its exact curve, and its model."""
+"""The tube of V07, whose outer radius is held: its dimensions, points of its exact curve, and its model."""
 
 import problems
 import slices

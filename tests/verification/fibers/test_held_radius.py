@@ -1,17 +1,17 @@
 """V07: a tube whose outside is held radially stretches under pressure as if dense hoops held it; it is free to twist.
 
 Problem: inner radius 6.35 mm, outer 8.35 mm, neo-Hookean (C10 = 0.12 MPa) and Yeoh (0.11, 0.02 MPa); a quarter of a
-slice between two planes, stretched along the axis to λz while the outside is held with `Radial`, under the pressure
-P of the table.
+slice between two planes, stretched along the axis to λz while the outside is held with `Radial`, under the exact
+pressure P.
 Exact: the tube is at rest with closed ends where its wall carries the force P π a², with a² = B² − (B² − A²)/λz.
 Twist: the whole tube, one end turned by 1 mrad: torque μ π (B⁴ − A⁴)/2 θ/h, which a tangential hold would raise.
-Source: verification case V07. Tolerance: 0.2 % of the axial force (the table's demand), 0.01 % of the inner radius;
-0.5 % of the torque.
+Tolerance: 0.2 % of the axial force, 0.01 % of the inner radius; 0.5 % of the torque.
 """
 
 import numpy as np
 import pytest
 import scipy.sparse
+from hoops import INNER, LAW, OUTER, PRESSURE, STRETCH
 
 import meshes
 import problems
@@ -21,11 +21,8 @@ from turgor.engine.system import System
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.model.supports import Displacement, Radial
 
-INNER, OUTER, HEIGHT = 6.35e-3, 8.35e-3, 2e-3
-TABLE = {  # law, λz, pressure [MPa]
-    "neo-Hookean": (problems.NEO_HOOKE, (1.02, 1.05, 1.10, 1.30), (0.009216795, 0.02183597, 0.04021383, 0.09294828)),
-    "Yeoh": (problems.YEOH, (1.02, 1.05, 1.10, 1.30), (0.008454466, 0.02009811, 0.03743099, 0.09495944)),
-}
+HEIGHT = 2e-3
+TESTED = (1.02, 1.05, 1.10, 1.30)  # λz
 
 
 def _stretched(law, stretch, pressure, kind, count):
@@ -41,14 +38,14 @@ def _stretched(law, stretch, pressure, kind, count):
 
 
 @pytest.mark.parametrize(("kind", "count"), [(HEXAHEDRON, (2, 4, 1)), (TETRAHEDRON, (2, 4, 1))], ids=["hex", "tet"])
-@pytest.mark.parametrize("name", TABLE)
+@pytest.mark.parametrize("name", LAW)
 def test_axial_force_of_closed_ends(name, kind, count, record_verification):
-    law, stretches, pressures = TABLE[name]
     expected, radii, got = [], [], []
-    for stretch, pressure in zip(stretches, pressures, strict=True):
+    for stretch in TESTED:
+        pressure = PRESSURE[name][STRETCH.index(stretch)]
         inner = np.sqrt(OUTER**2 - (OUTER**2 - INNER**2) / stretch)
         expected.append(pressure * problems.MPA * np.pi * inner**2)
-        force, radius = _stretched(law, stretch, pressure, kind, count)
+        force, radius = _stretched(LAW[name], stretch, pressure, kind, count)
         got.append(force)
         radii.append(radius / inner)
     record_verification(

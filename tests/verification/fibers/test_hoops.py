@@ -5,9 +5,9 @@ that do not give way: the outer radius stays, the length grows. A quarter of a s
 review's appendix C), or with smeared hoops of 1e5 N/mm, which give way by 1.7e-5 at the largest pressure; neo-Hookean
 (C10 = 0.12 MPa) and Yeoh (0.11, 0.02 MPa).
 Exact: with a² = B² − (B² − A²)/λz the energy depends on λz alone, and P = W′(λz) / (π B²): the piston is the area
-within the hoops. Source: table V07, whose neo-Hookean pressures `fiber_tube` must give to seven digits.
+within the hoops. Source: `hoops.py`, whose neo-Hookean pressures `fiber_tube` must give to seven digits.
 Tolerance: 0.2 % of the elongation λz − 1 at each tabulated pressure, of the inner radius, and of the pressure between
-rubber and winding (the table asks 0.2 % of the stretch). Two cells through the wall.
+rubber and winding. Two cells through the wall.
 """
 
 import numpy as np
@@ -18,7 +18,8 @@ import problems
 import slices
 from fiber_tube import FiberTube
 
-RADIUS = (6.395230, 6.459296, 6.557075, 6.724768, 6.863462, 7.079725, 7.417715)  # mm, both: nothing but volume
+#: Inner radius [mm], the same for both laws: it follows from the volume alone.
+RADIUS = (6.395230, 6.459296, 6.557075, 6.724768, 6.863462, 7.079725, 7.417715)
 #: Wall thickness at 0.05 MPa: inner radius [mm], stretch.
 THICKNESS = {5.35: 1.076743, 5.85: 1.097851, 6.35: 1.130179, 6.85: 1.188006, 7.35: 1.324264}
 
@@ -78,7 +79,7 @@ def test_thinner_walls_extend_more(record_verification):
         got.append(slices.free(model, [(0.05 * problems.MPA, stretch)])[0].stretch)
     record_verification(
         claim="extender at 50 kPa, smeared hoops, inner radius 5.35 … 7.35 mm: λz",
-        source="V07, T01, exact",
+        source="V07, exact",
         expected=list(THICKNESS.values()),
         got=got,
         tolerance="0.2 % of λz − 1",

@@ -3,10 +3,10 @@
 Problem: tube of outer radius 10 mm with a wall of 1 mm, wound with both hands at θ₀ from the axis, under 100 kPa, held
 at its length or let contract. A quarter of a slice; smeared fibers; five cells around the quarter.
 Ideal: F = π r₀² P [a (1 − ε)² − b], a = 3/tan²θ₀, b = 1/sin²θ₀; no force at ε = 1 − √(b/a), where tan²θ = 2 for any θ₀.
-Source: virtual work of inextensible fibers (Schulte; Chou and Hannaford); table V19.
+Source: virtual work of inextensible fibers (Schulte; Chou and Hannaford).
 Limit: the law leaves out the wall (µ t / (P r₀) = 0.02 and 0.01 here: its radius is that of the fibers, only its
 elasticity counts) and the give of the fibers (P r₀ / k = 1e-4 and 5e-5). Both are halved together and the two answers
-extended linearly to none. At the finite values the slice is held against `fiber_tube`, which reproduces table V20.
+extended linearly to none. At the finite values the slice is compared with `fiber_tube`, which reproduces case V20.
 Tolerance: 0.05 % of the blocked force against `fiber_tube` (five curved quadratic edges miss a quarter circle by 2e-6
 of its radius), 0.1 % of the blocked force and 1e-4 of contraction against the ideal law, 0.01° at the end.
 """
@@ -79,7 +79,7 @@ def test_contraction(angle, record_verification):
 
 
 def test_force_changes_sign_at_the_neutral_angle(record_verification):
-    """T12: held at its length, the tube pulls where θ is below 54.7356° and pushes above."""
+    """Held at its length, the tube pulls where θ is below 54.7356° and pushes above."""
     angles = END + np.array([-0.5, 0.5])
     got, law = [], []
     for angle in angles:
@@ -90,7 +90,7 @@ def test_force_changes_sign_at_the_neutral_angle(record_verification):
     neutral = angles[0] + share * (angles[1] - angles[0])
     record_verification(
         claim="McKibben: blocked force 0.5° below and above the neutral angle, neutral angle [°]",
-        source="V19, T12, exact",
+        source="V19, exact",
         expected=[*law, END],
         got=[*got, neutral],
         tolerance="sign, 0.02°",

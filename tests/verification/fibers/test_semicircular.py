@@ -4,13 +4,13 @@ Problem: void of a half disc of radius 8 mm, wall 2 mm, base 20 × 2 mm, neo-Hoo
 reference area: ½ · 257 (λs − 1)² N/mm on the whole contour, on the base also ½ · 650 (λz − 1)² and ½ · 650 (λs − 1)²,
 in tension and compression: smeared fibers with compression = 1. Closed ends. κ is rotation for each reference length.
 Reference: converged mixed elements of third and fourth order on the section (NGSolve), reduction exact for actuators
-that are long enough. Source: table V21.
-Tolerance: 2 % of κ asked. The slice (`bent_slice`, one layer of 27-node hexahedra between planes that turn against
-each other) is the same problem, and is held to 1 % of κ and 0.5 % of the volume.
+that are long enough.
+Tolerance: 2 % of κ for whole actuators. The slice (`bent_slice`, one layer of 27-node hexahedra between planes that
+turn against each other) is the same problem, and is held to 1 % of κ and 0.5 % of the volume.
 The whole actuator: the base has no stiffness in shear but its 2 mm of rubber (G t = 0.48 N/mm against 650 N/mm along
-the fibers), so fibers that an end wall holds flat slip against each other over √(650 / 0.48) · 20 mm / 2π ≈ 117 mm.
-An actuator of 100 mm is all end: its κ between 40 % and 60 % of the length is 15 % too large at 2 kPa. 2 % needs
-about 600 mm; 800 mm are tested, with cells that grow along x from 2 to 65 mm.
+the fibers), so fibers that an end wall holds flat slip against each other over √(650 / 0.48) · 20 mm / 2π ≈ 117 mm. An
+actuator of 100 mm is all end: its κ between 40 % and 60 % of the length is 15 % too large at 2 kPa. 2 % needs about
+600 mm; 800 mm are tested, with cells that grow along x from 2 to 65 mm.
 """
 
 import numpy as np
@@ -52,14 +52,14 @@ def test_section(record_verification):
 
 @pytest.mark.slow
 def test_thinner_walls_bend_more(record_verification):
-    """T01b: at 50 kPa, with the outer contour kept."""
+    """At 50 kPa; the outer contour stays the same."""
     got = []
     for wall in (3 * mm, 2 * mm, 1.5 * mm):
         fibers = [*semicircular.base(), semicircular.hoops()]
         got.append(semicircular.bend(fibers, [50 * kPa], wall)[0].curvature * mm)
     record_verification(
         claim="semicircular bender, walls of 3, 2, 1.5 mm: κ at 50 kPa [rad/mm] rises",
-        source="T01; 2 mm: V21",
+        source="order; 2 mm: V21",
         expected=CURVATURE[4],
         got=got,
         tolerance="order; 1 % at 2 mm",

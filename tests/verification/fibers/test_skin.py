@@ -4,8 +4,7 @@ Problem: `FiberReinforcedCylinder(length=40 mm, skin=1 mm)` of neo-Hookean rubbe
 6.35 mm, hoops at 8.35 mm that do not give way (`Radial`), 13.7201 kPa, tetrahedra and hexahedra of 4 mm: one cell
 through the skin. Stretch and jump are measured on the hoops between 12 and 28 mm, away from the ends: the stretch is
 the slope of the displacement along the axis.
-Exact: λz = 1.02 and a jump of 9.496 kPa, from `exact.held_tube`; without a skin it gives table V07.
-Source: table V07, carried on to a skin.
+Exact: λz = 1.02 and a jump of 9.496 kPa, from `exact.held_tube`, which without a skin gives the pressures of V07.
 Tolerance: 0.5 % of the elongation λz − 1, 3 % of the jump in the mean. One mean stress at every vertex gives 1.6 % less
 elongation and no jump.
 """

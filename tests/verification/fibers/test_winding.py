@@ -1,13 +1,12 @@
 """V07, V20: the force of a winding and the tension of its threads are those of the exact solution.
 
-Problem: the tubes of V07 (hoops that do not give way, exact pressures and stretches of the table) and V20 (one helix of
-Kevlar threads at 30° from the circumference, 2 mm apart, 30 kPa, closed free ends), wound smeared and thread by thread.
-Exact: the winding presses on the rubber with q of table V07, so that it carries q B for each current length of the
+Problem: the tubes of V07 (hoops that do not give way, exact pressures and stretches) and V20 (one helix of Kevlar
+threads at 30° from the circumference, 2 mm apart, 30 kPa, closed free ends), wound smeared and thread by thread.
+Exact: the winding presses on the rubber with q (`hoops.CONTACT`), so that it carries q B for each current length of the
 tube; hoops a distance s apart at rest then hold T = q B s λz. The stretch of the helix follows from the widening,
 extension and twist that minimize the energy, as in V20.
-Source: tables V07 and V20.
-Tolerance: winding force 0.2 %, as the table asks; tensions of threads 10 %. The raw
-tensions of single trusses scatter by far more, as the tests show: along a thread at an angle, and from hoop to hoop.
+Tolerance: winding force 0.2 %; tensions of threads 10 %. The raw tensions of single trusses scatter by far more, as the
+tests show: along a thread at an angle, and from hoop to hoop.
 """
 
 import numpy as np

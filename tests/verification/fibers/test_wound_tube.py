@@ -7,7 +7,6 @@ farther in: a quarter of the tube is 100 mm long.
 Exact: extension, inflation and torsion of a tube with one family of fibers, from the equilibrium of the wall and by
 minimizing the energy, both to seven digits; torque zero, axial force that of the pressure on the caps. Twist is in
 degrees per mm of initial length, negative where the tip turns against the helix.
-Source: table V20.
 Tolerance: smeared 1 % of the larger of extension and widening, or of 2 %, and of the twist, or of 0.1 °/mm; discrete
 5 %, since threads 2 mm apart are a whole number around the tube and the wall bulges a little between them.
 """

@@ -4,11 +4,11 @@ Problem: inner radius 5 mm, outer 7 mm; a quarter of a slice between a mirror pl
 axis, filled with an incompressible fluid. The plane is moved as the exact solution says for the volume injected so far,
 and what must come out is the pressure, the inner radius, and no force at the ends beyond that of the pressure there,
 N = P π a², which is what makes the tube a closed one. Neo-Hookean (C10 = 0.12 MPa) and Yeoh (0.11, 0.02 MPa).
-Exact: `exact.closed_tube`, which must reproduce table V06; neo-Hookean maximum of 0.060525419 MPa at λ = 1.781009.
-Source: Haughton and Ogden 1979; table V06.
-Tolerance: pressure and inner stretch 0.2 % (the table's demand), the limit point's pressure 0.05 %, its stretch 0.002.
-Axial stretch: the force left over, divided by what stretching the slice by its tabulated λz − 1 would cost, is below
-5 % (the table's demand on λz − 1); from λ = 1.1 on, below which λz − 1 is some 1e-3 and the quotient hangs on the mesh.
+Exact: `exact.closed_tube`, which must reproduce `TABLE`; neo-Hookean maximum of 0.060525419 MPa at λ = 1.781009.
+Source: Haughton and Ogden 1979.
+Tolerance: pressure and inner stretch 0.2 %, the limit point's pressure 0.05 %, its stretch 0.002. Axial stretch: the
+force left over, divided by what stretching the slice by its tabulated λz − 1 would cost, is below 5 %, so that λz − 1
+is right within 5 %; from λ = 1.1 on, because below λz − 1 is some 1e-3 and the quotient depends on the mesh.
 """
 
 import numpy as np

@@ -3,11 +3,11 @@
 Problem: the sphere of `test_sphere`, neo-Hookean and Ogden, asked for more than it can hold near there (Ogden's
 curve rises again to 0.01485 MPa at a/A = 3, far beyond what a step of the solver reaches).
 Exact: the pressure rises to 0.11844454 MPa at a/A = 1.603434, to 0.012944853 MPa at 1.681583, and falls from there.
-Source: table V04. Tolerance: last pressure between 0.2 % below the exact one (the solver gives up when its step would
-fall below 1e-4 of the load, and a step just short of the limit may fail) and 0.1 % above (the mesh's own error is
-0.03 %); the radius there between the limit's less 0.1 and plus 0.05, since the curve is flat; every state of the path
-within 0.2 % of the exact pressure at its own radius, so nothing beyond the limit point passes for an equilibrium
-under a higher pressure. The limit that the message estimates from the path: 0.1 %.
+Tolerance: last pressure between 0.2 % below the exact one (the solver gives up when its step would fall below 1e-4 of
+the load, and a step just short of the limit may fail) and 0.1 % above (the mesh's own error is 0.03 %); the radius
+there between the limit's less 0.1 and plus 0.05, since the curve is flat; every state of the path within 0.2 % of the
+exact pressure at its own radius, so nothing beyond the limit point passes for an equilibrium under a higher pressure.
+The limit that the message estimates from the path: 0.1 %.
 """
 
 import re

@@ -1,9 +1,9 @@
 """V06: a length of a closed tube, cut at a section that stays plane; nothing is prescribed along the axis.
 
 Problem: a quarter of a slice of a tube between a mirror plane and a `PlaneSection`. The thrust of the pressure on the
-section stretches the slice, as the closed ends of a long tube do. First the tube of V06 through the volumes of its
-table, then that of V07, whose outside is held radially, under the pressures of its table.
-Exact: axial stretch λz and pressure of V06 and V07. Source: tables V06 and V07.
+section stretches the slice, as the closed ends of a long tube do. First the tube of V06 through some of its volumes,
+then that of V07, whose outside is held radially, under some of its pressures.
+Exact: axial stretch λz and pressure, as in `test_closed_tube` (V06) and `fibers/hoops.py` (V07).
 Tolerance: pressure and λz 0.05 %; derivatives against differences 1e-6.
 """
 
@@ -25,7 +25,7 @@ MM, MPA = problems.MM, problems.MPA
 INNER, OUTER, HEIGHT = 5 * MM, 7 * MM, 1 * MM
 HELD_INNER, HELD_OUTER = 6.35 * MM, 8.35 * MM
 KINDS = pytest.mark.parametrize("kind", [HEXAHEDRON, TETRAHEDRON], ids=["hex", "tet"])
-#: V06: inner stretch, λz, pressure [MPa]. V07: λz, pressure [MPa].
+#: V06: inner stretch, λz, pressure [0.01 MPa]. V07: λz, pressure [0.01 MPa].
 FREE = (
     (1.05, 1.10, 1.30, 1.75),
     (1.0008432, 1.0033449, 1.0290983, 1.1650465),

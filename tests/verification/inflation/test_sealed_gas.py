@@ -5,8 +5,9 @@ the pressure around. More air of the same temperature is pumped in, up to five t
 pressure around falls to a fifth; or the pump is so fast that no heat is exchanged.
 Exact: (P + p) λ³ⁿ = p₀ (m/m₀)ⁿ with the pressure P of `exact.sphere_pressure` at the inner stretch λ, and the
 pressure p around, which is p₀ at rest; n is 1 at constant temperature and 1.4 without heat.
-Source: table V18, which the exact equation must reproduce; ideal gas.
-Tolerance: stretch and pressure 0.2 % (the table's demand).
+Source: the ideal gas law. `TABLE` holds values that were computed independently; the exact equation must reproduce
+them.
+Tolerance: stretch and pressure 0.2 %.
 """
 
 import numpy as np
@@ -146,7 +147,7 @@ def test_a_kink_is_no_limit_point():
 
 
 def test_no_room_for_gas():
-    """A flat wall between mirror planes bounds no volume, and a ratio of nothing is nothing."""
+    """A flat wall between mirror planes bounds no volume, so that a ratio of amounts of gas has no meaning."""
     held = [tg.Fixed("y0", "y"), tg.Fixed("y1", "y"), tg.Fixed("rim")]
     model = problems.one_material(contact_meshes.gap_cell(), problems.NEO_HOOKE, supports=held)
     with pytest.raises(tg.TurgorError, match="cavity_1 encloses no volume at rest"):

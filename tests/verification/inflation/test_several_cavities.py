@@ -34,7 +34,7 @@ def _apart(one, other):
 
 
 def test_equal_pressures_are_one_pressure(record_verification):
-    """Two loads of one value join into one group, two histories of the same course do not: three ways to ask once."""
+    """Two loads of one value join into one group, two histories of one course do not: all three are one problem."""
     mesh = meshes.two_cavities()
     mesh = meshes.with_faces(mesh, walls=np.concatenate([mesh.face("cavity_1"), mesh.face("cavity_2")]))
     ramp = ((0, 0), (0.5, 0.5), (1, 1))

@@ -4,11 +4,11 @@ Problem: inner radius 10 mm, outer 15 mm, one eighth with three mirror planes; n
 Mooney–Rivlin (0.10, 0.02 MPa) and Ogden (Ecoflex 00-30, three terms in Abaqus's convention) up to below their limit
 points, Yeoh (0.11, 0.02 MPa), whose curve rises for ever, up to three times the radius.
 Exact: P = ∫ Ŵ′(λ) / (λ³ − 1) dλ between the stretches of the walls, Ŵ = W(λ⁻², λ, λ); stresses at λ = 1.5.
-Source: Green and Zerna; table V04, which `exact.sphere_pressure` must reproduce to its seven digits.
-Tolerance: pressure at the radius found within 0.2 % with four curved quadratic elements through the wall, 0.05 %
-with eight (the table's demand). The pressure is compared, not the radius, because the curve is flat near the limit
-point, where a small change of pressure moves the radius by any amount. Stress at every quadrature point: 2 % of the
-inner hoop stress, because the mean stress is linear in a cell.
+Source: Green and Zerna. `exact.sphere_pressure` must reproduce `PRESSURES`, computed independently, to seven digits.
+Tolerance: pressure at the radius found within 0.2 % with four curved quadratic elements through the wall, 0.05 % with
+eight. The pressure is compared, not the radius, because the curve is flat near the limit point, where a small change of
+pressure moves the radius by any amount. Stress at every quadrature point: 2 % of the inner hoop stress, because the
+mean stress is linear in a cell.
 """
 
 import numpy as np

@@ -5,11 +5,10 @@ Problem: inner radius 5 mm, outer 7 mm, a quarter of a slice between two frictio
 point. Mooney–Rivlin of the same shear modulus (0.10, 0.02 MPa) has the same pressure and another axial force, which
 only a right second invariant gives.
 Exact: P = ∫ Ŵ′(λ) / (λ² − 1) dλ between the stretches of the walls, Ŵ = W(λ, 1/λ, 1); axial force of the wall N.
-Source: Green and Zerna; table V05, which `exact.tube_pressure` must reproduce to its seven digits.
-Tolerance: 0.1 % of the inner radius at the tabulated pressure with three curved quadratic elements through the
-wall, axial force 0.2 %, stress at quadrature points 1 % of the inner hoop stress (the table's demands; N is an
-integral of stress). At λ = 2.5 and 3 the neo-Hookean curve is nearly flat (P tends to 0.0807533 MPa): there 0.1 %
-of radius is 0.01 % of pressure.
+Source: Green and Zerna. `exact.tube_pressure` must reproduce `TABLE`, computed independently, to seven digits.
+Tolerance: 0.1 % of the inner radius at the tabulated pressure with three curved quadratic elements through the wall,
+axial force 0.2 %, stress at quadrature points 1 % of the inner hoop stress (N is an integral of stress). At λ = 2.5 and
+3 the neo-Hookean curve is nearly flat (P tends to 0.0807533 MPa): there 0.1 % of radius is 0.01 % of pressure.
 """
 
 import numpy as np

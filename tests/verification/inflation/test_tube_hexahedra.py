@@ -2,7 +2,7 @@
 
 Problem: thick incompressible neo-Hookean tube held at its length, inner radius 5 mm, outer 7 mm, inflated to λ = 1.5.
 Exact: pressure 0.05805014 MPa, axial force 6.51663 N.
-Source: Green and Zerna; table V05.
+Source: Green and Zerna.
 Tolerance: 0.1 % of the inner radius with a single cell through the wall and three around a quarter; halving the cells
 must reduce the error at least eightfold (the radius converges like an energy, at order 4 in the limit).
 """

@@ -1,4 +1,4 @@
-"""The thick sphere of V04: its radii, its laws, and the table of its exact curve."""
+"""The thick sphere of V04: its radii, its laws, and points of its exact curve."""
 
 import problems
 import turgor as tg

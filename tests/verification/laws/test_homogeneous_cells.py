@@ -1,13 +1,13 @@
 """V02: the finite elements give the exact stress of homogeneous tests, for every law.
 
-Problem: cube of irregular cells in uniaxial, equibiaxial and planar tension and compression and in simple shear;
-the pull is the reaction on the moved face over the initial area. Elastosil M4601: neo-Hookean C10 = 0.12 MPa, or
-Yeoh 0.11 and 0.02 MPa; Dragon Skin 30: Mooney–Rivlin 1.190 and 23.028 kPa, nearly all of it in the second
-invariant; Smooth-Sil 950 and Ecoflex 00-10: generalized Rivlin; Ecoflex 00-30: Ogden of three terms, its constants
-read in both conventions. Gent and Arruda–Boyce are in no table: for them `materials.homogeneous` is the exact answer.
-Exact: nominal stresses of the table (review Eqs. 11 to 15 with Eq. 16), shear 12, 11 and 22 Cauchy stresses.
-Source: verification case V02, computed there by two routes.
-Tolerance: 5e-6 against the table, half a unit of its sixth digit; 1e-8 against `materials.homogeneous`, since the
+Problem: cube of irregular cells in uniaxial, equibiaxial and planar tension and compression and in simple shear; the
+pull is the reaction on the moved face over the initial area. Elastosil M4601: neo-Hookean C10 = 0.12 MPa, or Yeoh 0.11
+and 0.02 MPa; Dragon Skin 30: Mooney–Rivlin 1.190 and 23.028 kPa, nearly all of it in the second invariant; Smooth-Sil
+950 and Ecoflex 00-10: generalized Rivlin; Ecoflex 00-30: Ogden of three terms, its constants read in both conventions.
+Gent and Arruda–Boyce are not in `TABLE`: for them `materials.homogeneous` is the exact answer.
+Exact: nominal stresses in `TABLE` (review Eqs. 11 to 15 with Eq. 16), shear 12, 11 and 22 Cauchy stresses.
+Source: `TABLE` and `SHEAR` were computed by two independent routes.
+Tolerance: 5e-6 against `TABLE`, half a unit of its sixth digit; 1e-8 against `materials.homogeneous`, since the
 elements hold linear fields exactly. In planar tension the force that holds the width is tested as well.
 """
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import meshes
+import problems
 import turgor as tg
 from turgor.solvers.checks.distortion import distortion_text, worst_volume
 from turgor.solvers.continuation.continuity import Verdict
@@ -73,16 +74,8 @@ def test_a_first_step_that_is_unstable_is_shortened():
 
 
 def arch(push, softening=None):
-    """Half of a flat arch of 100 × 2 mm that rises by 3.4 mm, clamped at its ends and pushed down [Pa]: it snaps."""
-
-    def place(points):
-        return points + np.outer(3.4e-3 * (1 - (points[:, 0] / 50e-3) ** 2), [0, 0, 1])
-
-    mesh = meshes.box((50e-3, 2e-3, 2e-3), (2, 1, 1), place, kind=meshes.HEXAHEDRON)
     law = tg.laws.NeoHooke(C10=0.12e6)
-    rubber = tg.Material(name="rubber", law=law, bulk_modulus=0.3e6, stress_softening=softening)
-    held = [tg.Fixed("x1"), tg.Fixed("x0", "x"), tg.Fixed("y0", "y"), tg.Fixed("y1", "y")]
-    return tg.Model(mesh, {"body": rubber}, held, [tg.Traction("z1", (0.0, 0.0, -push))])
+    return problems.arch(tg.Material(name="rubber", law=law, bulk_modulus=0.3e6, stress_softening=softening), push)
 
 
 def test_a_first_step_that_jumps_is_taken_back_to_rubber_at_rest():

@@ -69,7 +69,7 @@ def test_turned_in_one_step(record_verification):
 
 @pytest.mark.parametrize("degrees", [180, 300, 360])
 def test_twisted_in_one_step(degrees):
-    """It may go either way round, or not at all, and must go the way of the path."""
+    """One step could end turned either way round, or not at all; it must end where many small steps do."""
     model = block(tg.Fixed("x0"), tg.Displacement("x1", turned(degrees)))
     quick = problems.solve(model, ONE_STEP).states[-1].displacement
     slow = problems.solve(model, tg.Static(first_step=0.05, max_step=0.05)).states[-1].displacement

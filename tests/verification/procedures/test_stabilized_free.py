@@ -89,7 +89,7 @@ def test_a_block_that_only_stands_takes_nothing():
     assert contact_cases.push(states[-1].touches["floor"])[2] == pytest.approx(WEIGHT, rel=1e-5)
 
 
-def test_who_needs_supports():
+def test_which_procedures_need_supports():
     model = block()
     alone = tg.Model(model.mesh, model.materials, [], model.loads)
     assert [may_be_free(model, each) for each in (tg.Static(), tg.Stabilized(), tg.Dynamic(duration=1.0))] == [

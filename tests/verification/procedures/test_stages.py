@@ -2,9 +2,9 @@
 
 Problem: a hollow box of rubber, 30 mm wide with a void of 10 mm, that stands clamped; under weight and pressure in
 turn; filled, sealed and pressed by a plate; inflated, sealed and taken where the air is thinner; held and let go.
-Exact: an elastic body does not know in which order its loads came; a sealed liquid keeps its volume; a sealed ideal gas
-keeps p V; a body in equilibrium stays at rest. Source: statics, ideal gas. Tolerance: 1e-6, a thousand times that of
-Newton's method.
+Exact: the end of an elastic body does not depend on the order of its loads; a sealed liquid keeps its volume; a sealed
+ideal gas keeps p V; a body in equilibrium stays at rest. Source: statics, ideal gas. Tolerance: 1e-6, a thousand times
+that of Newton's method.
 """
 
 import dataclasses

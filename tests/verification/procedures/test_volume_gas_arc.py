@@ -8,6 +8,7 @@ import pytest
 
 import meshes
 import turgor as tg
+from problems import solve
 from turgor.engine.algebra.linear import SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
 from turgor.errors import TurgorError
@@ -23,7 +24,6 @@ from turgor.solvers.procedures.volume_control import VolumeControl
 from turgor.units import kPa, mL
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
-OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
 
 
 def sphere(*loads):
@@ -33,10 +33,6 @@ def sphere(*loads):
 def bar(*loads, contact=None):
     """A bar with two cavities, one above the other."""
     return tg.Model(meshes.two_cavities(), {"body": RUBBER}, [tg.Fixed("x0")], loads, contact=contact)
-
-
-def solve(model, procedure, **more):
-    return tg.solve(model, procedure, options=OPTIONS, **more)
 
 
 def test_each_cavity_gets_its_volume_and_has_its_pressure(record_verification):

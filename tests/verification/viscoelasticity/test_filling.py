@@ -4,8 +4,7 @@ Problem: neo-Hookean sphere of inner and outer radius 10 and 15 mm, incompressib
 g = (0.3, 0.2) at τ = (1, 10) s on the isochoric stress; 8 mL of liquid, which triple the cavity, injected evenly within
 0.5 s or 10 s.
 Exact: r³ = R³ + 3 V/(4π); p = ∫ 2 (σ_θ − σ_r) R²/r³ dR with the hereditary integral of both components of the stress.
-Source: finite linear viscoelasticity, spherical symmetry. Tolerance: 0.2 %, three
-times the error of the mesh.
+Source: finite linear viscoelasticity, spherical symmetry. Tolerance: 0.2 %, three times the error of the mesh.
 """
 
 import numpy as np

@@ -75,7 +75,7 @@ def test_a_through_hole_is_no_cavity_unless_it_is_named(tmp_path):
     part = read_cad(path)
     assert part.faces == ("outside",)
     leak = next(found for found in part.findings if found.code == "D03")
-    assert "10050 mm³" not in leak.message  # measured on the facets there
+    assert "9956 mm³" in leak.message  # measured on the facets: less than the exact 10053 mm³
     assert "(0, 0, 0) mm" in leak.message
     assert "(50, 0, 0) mm" in leak.message
     assert any(found.code == "D05" and "cavity" in found.message for found in part.findings)
@@ -114,7 +114,7 @@ def test_a_blind_hole_for_a_screw_is_no_cavity(tmp_path):
     assert hole.cavity_volume / mm**3 == pytest.approx(3 * pi, rel=1e-5)
 
 
-def test_a_body_without_any_hollow_has_no_cavity(tmp_path):
+def test_a_body_without_any_hollow_has_no_cavity():
     shape = Cylinder(Pnt(0, 0, 0), X, 10, 50)
     hollows, nested, passages = find_hollows(find_facets(shape, list(shape.faces)))
     assert (hollows, nested, passages) == ([], [], [])

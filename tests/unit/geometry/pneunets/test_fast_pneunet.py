@@ -6,6 +6,7 @@ from math import pi
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tube_cases import areas
 
 from turgor.engine.faces.surfaces import enclosed_volume
 from turgor.errors import TurgorError
@@ -14,14 +15,6 @@ from turgor.meshing.generate import mesh
 from turgor.units import mm
 
 FACES = ("cavity", "fixed", "outside", "strain_limiting_layer", "tip")
-
-
-def areas(geometry) -> dict[str, float]:
-    """Area of each named face in mm², faces between two solids once."""
-    total: dict[str, float] = {}
-    for face in set(geometry._shape.faces):
-        total[face.name] = total.get(face.name, 0.0) + face.mass
-    return total
 
 
 def test_the_default_half_has_the_volumes_and_areas_computed_by_hand() -> None:

@@ -47,7 +47,7 @@ def test_the_flanks_are_as_thick_as_the_wall():
 
 
 def _normal(face):
-    """Unit normal of a planar face from three of its vertices, with x made to point as z does or up."""
+    """Unit normal of a planar face from three of its vertices: of the two, the one that does not point down."""
     a, b, c = (vertex.p for vertex in list(face.vertices)[:3])
     u, v = [b[i] - a[i] for i in range(3)], [c[i] - a[i] for i in range(3)]
     n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])

@@ -35,7 +35,7 @@ def codes(found):
 
 @pytest.mark.parametrize("modes", [["planar"], ["simple_shear"], ["planar", "simple_shear"]])
 def test_planar_tests_determine_only_the_sum_of_the_mooney_rivlin_constants(modes):
-    """It reported C10 = C01 = 7.27 ± 0.05 kPa with a correlation of 1 and no finding."""
+    """The fit once reported C10 = C01 = 7.27 ± 0.05 kPa, with a correlation of 1 and no finding."""
     found = fit("mooney-rivlin", [made(mode) for mode in modes])
     assert found.errors == {"C10": inf, "C01": inf}
     assert found.left_open == ("C10", "C01")
@@ -132,7 +132,7 @@ def test_the_ranking_names_the_criterion_that_fails_first():
 
 @pytest.mark.parametrize("law", ["mooney-rivlin", "yeoh"])
 def test_a_saved_fit_shows_the_same_findings_once(tmp_path, law):
-    """M02 came back as 'M04 stated: M02: ...'; M06 is found anew and not saved."""
+    """M02 once came back as 'M04 stated: M02: ...'; M06 is found anew and not saved."""
     found = fit(law, soft(np.linspace(1.05, 2.0, 40)))
     of_fit = [(each.code, each.message) for each in found.findings if each.code in ("M02", "M06")]
     save_fits(tmp_path / "fit.toml", "soft", [found])

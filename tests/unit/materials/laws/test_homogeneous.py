@@ -1,8 +1,7 @@
-"""Stress of the laws in homogeneous deformations against tabulated values (verification case V02), to 1e-6.
+"""Stress of the laws in homogeneous deformations against independent values of six digits (verification case V02).
 
-The table holds six digits computed by energy differentiation and by stress formulas independently, so a relative
-tolerance of half a unit in its last digit, 5e-6, is the tightest that the table allows; closed forms are tested to
-1e-12.
+The values were computed twice, by differentiation of the energy and by stress formulas. A relative tolerance of 5e-6,
+half a unit of the last digit, is the tightest that they allow; closed forms are tested to 1e-12.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Initial moduli and loss of stability of the laws of table V03, and what the criteria mean."""
+"""Initial moduli and loss of stability of eight laws against independent values (V03), and what the criteria mean."""
 
 import numpy as np
 import pytest
@@ -39,7 +39,7 @@ DEFORMATIONS = {"uniaxial": uniaxial, "equibiaxial": equibiaxial, "planar": plan
 
 @pytest.mark.parametrize(("law", "kilopascal"), MODULI)
 def test_initial_moduli(law: Law, kilopascal: float) -> None:
-    assert law.shear_modulus == pytest.approx(1e3 * kilopascal, rel=2e-6)  # half a unit of the table's last digit
+    assert law.shear_modulus == pytest.approx(1e3 * kilopascal, rel=2e-6)  # half a unit of the last digit
     assert nominal_slope(law, "uniaxial", 1.0) == pytest.approx(3 * law.shear_modulus, rel=1e-12)
     assert nominal_slope(law, "planar", 1.0) == pytest.approx(4 * law.shear_modulus, rel=1e-12)
     assert nominal_slope(law, "equibiaxial", 1.0) == pytest.approx(6 * law.shear_modulus, rel=1e-12)
@@ -56,7 +56,7 @@ def test_stable_rows(law: Law, mode: str) -> None:
     [(F, "nominal", 2.653), (F, "cauchy", 2.7214), (G_CANONICAL, "nominal", 1.643)],
 )
 def test_peaks_of_equibiaxial_tension(law: Law, criterion: str, expected: float) -> None:
-    """The table has 2.722 for the second, one unit of its last digit more than the maximum of the curve below."""
+    """Each lies at the maximum of the curve, too. The reference of the second, 2.722, errs in its last digit."""
     found = first_instability(law, "equibiaxial", lower=1.0, criterion=criterion)  # type: ignore[arg-type]
     assert found == pytest.approx(expected, abs=5e-4)
     stretch = np.linspace(expected - 0.01, expected + 0.01, 2001)

@@ -1,7 +1,5 @@
 """A refined mesh is the same body: cells are exact pieces of their parents, faces and regions stay."""
 
-from collections.abc import Callable
-
 import numpy as np
 import pytest
 from lattice_cases import KINDS, curved, lattice, refined
@@ -11,11 +9,8 @@ from turgor.engine.faces.surfaces import area
 from turgor.meshing.cells import HEXAHEDRON
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import cell_volumes
-from turgor.meshing.refining.refinement import Refinement
 from turgor.meshing.refining.split_hexahedra import refine_hexahedra, sheets
 from turgor.meshing.surface import cell_sides, corner_keys
-
-Refine = Callable[[Mesh, float], Refinement]
 
 
 @pytest.fixture(scope="module", params=KINDS)
