@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.history_points import HistoryPart
+from turgor.materials.fitting.result import FitResidual
 from turgor.materials.history.stress_history import stress_history
 from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
@@ -71,5 +72,5 @@ def _row(row: Sequence, material: Material, test: MaterialTest) -> None:
         axes.grid(color="#e3e6ea", lw=0.6)
         axes.spines[["top", "right"]].set_visible(False)
         axes.tick_params(colors=INK, labelsize=8)
-    r2 = 1 - ((measured - model) ** 2).sum() / ((measured - measured.mean()) ** 2).sum()
+    r2 = FitResidual.of(part.loaded_test, model).r2
     row[0].set_title(f"{test.name}: {TITLES[test.mode].lower()}, R² = {r2:.4f}", loc="left", fontsize=9, color=INK)
