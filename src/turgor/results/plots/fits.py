@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -13,6 +12,7 @@ from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.result import Fit
 from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
+from turgor.results.plots.figures import PlotFigure, write_figure
 from turgor.results.plots.response_plots import INK, QUIET
 
 #: Colors of laws, in turn, distinct for color-blind readers too (mostly Okabe and Ito 2008).
@@ -143,8 +143,7 @@ def fit_figure(fits: Sequence[Fit], tests: Sequence[MaterialTest] = (), *, title
     modes = list(dict.fromkeys(test.mode for test in shown))
     columns = min(len(modes), 3)
     rows = -(-len(modes) // columns)
-    figure = Figure(figsize=(max(4.6 * columns, 6.0), 3.6 * rows + 0.5), layout="constrained", facecolor="white")
-    FigureCanvasAgg(figure)
+    figure = PlotFigure(figsize=(max(4.6 * columns, 6.0), 3.6 * rows + 0.5))
     for number, mode in enumerate(modes):
         axes = figure.add_subplot(rows, columns, number + 1)
         of_mode = [test for test in shown if test.mode == mode]
@@ -169,10 +168,7 @@ def write_fit_plot(path: str | Path, figure: Figure) -> None:
     figure : matplotlib.figure.Figure
         The figure, such as one from `fit_figure`.
     """
-    ending = Path(path).suffix.lower()
-    if ending not in (".png", ".svg"):
-        raise TurgorError(f"plot '{path}' ends in '{ending}'; allowed is .png or .svg.")
-    figure.savefig(path, dpi=150, metadata={"Date": None} if ending == ".svg" else {"Software": None})
+    write_figure(path, figure, dpi=150)
 
 
 def _panel(axes: Axes, fits: Sequence[Fit], tests: Sequence[MaterialTest], mode: str) -> None:

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
@@ -13,6 +12,7 @@ from turgor.materials.fitting.result import FitResidual
 from turgor.materials.history.stress_history import stress_history
 from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
+from turgor.results.plots.figures import PlotFigure
 from turgor.results.plots.fits import COLORS, TITLES
 from turgor.results.plots.response_plots import INK, QUIET
 
@@ -36,8 +36,7 @@ def history_figure(material: Material, tests: Sequence[MaterialTest], *, title: 
     """
     if not tests:
         raise TurgorError("no test was given; there is nothing to plot.")
-    figure = Figure(figsize=(13.0, 3.3 * len(tests) + 0.4), layout="constrained", facecolor="white")
-    FigureCanvasAgg(figure)
+    figure = PlotFigure(figsize=(13.0, 3.3 * len(tests) + 0.4))
     axes = figure.subplots(len(tests), 3, squeeze=False)
     for row, test in zip(axes, tests, strict=True):
         _row(row, material, test)
