@@ -9,7 +9,8 @@ from turgor.response import COLUMN_UNITS
 from turgor.results.convergence.extrapolation import MOST_ORDER
 from turgor.results.convergence.study import Convergence
 from turgor.results.plots.figures import PlotFigure, check_ending, write_figure
-from turgor.results.plots.response_plots import BLUE, INK, QUIET, plot_response
+from turgor.results.plots.response_plots import BLUE, plot_response
+from turgor.results.plots.styling import INK, QUIET
 from turgor.units import mm
 
 

@@ -13,7 +13,7 @@ from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.result import Fit
 from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
 from turgor.results.plots.figures import PlotFigure, write_figure
-from turgor.results.plots.response_plots import INK, QUIET
+from turgor.results.plots.styling import INK, QUIET, style_axes
 
 #: Colors of laws, in turn, distinct for color-blind readers too (mostly Okabe and Ito 2008).
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6d4c41", "#000000")
@@ -208,9 +208,4 @@ def _styled(axes: Axes, mode: str) -> Axes:
     axes.set_title(TITLES[mode], loc="left", fontsize=10, color=INK)
     axes.set_xlabel("amount of shear [-]" if mode == "simple_shear" else "stretch [-]", color=INK)
     axes.set_ylabel("nominal stress [MPa]", color=INK)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(QUIET)
-    axes.tick_params(colors=INK, color=QUIET)
-    axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
-    axes.set_axisbelow(True)
-    return axes
+    return style_axes(axes)

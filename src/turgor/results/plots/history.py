@@ -14,7 +14,7 @@ from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
 from turgor.results.plots.figures import PlotFigure
 from turgor.results.plots.fits import COLORS, TITLES
-from turgor.results.plots.response_plots import INK, QUIET
+from turgor.results.plots.styling import INK, QUIET, style_axes
 
 KPA = 1e3
 
@@ -68,8 +68,6 @@ def _row(row: Sequence, material: Material, test: MaterialTest) -> None:
     labels = ("stretch [-]", "time [s]", "stretch [-]")
     for axes, label in zip(row, labels, strict=True):
         axes.set_xlabel(label, color=INK)
-        axes.grid(color="#e3e6ea", lw=0.6)
-        axes.spines[["top", "right"]].set_visible(False)
-        axes.tick_params(colors=INK, labelsize=8)
+        style_axes(axes).tick_params(labelsize=8)
     r2 = FitResidual.of(part.loaded_test, model).r2
     row[0].set_title(f"{test.name}: {TITLES[test.mode].lower()}, R² = {r2:.4f}", loc="left", fontsize=9, color=INK)

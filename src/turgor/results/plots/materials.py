@@ -20,7 +20,7 @@ from turgor.materials.library.record import Record
 from turgor.materials.library.record_files import records
 from turgor.materials.library.records import find_record
 from turgor.results.plots.figures import PlotFigure, check_ending, write_figure
-from turgor.results.plots.response_plots import INK, QUIET
+from turgor.results.plots.styling import INK, style_axes
 
 Array = NDArray[np.float64]
 
@@ -74,12 +74,7 @@ def plot_records(axes: Axes, chosen: Sequence[Record], stretch: Array, mode: str
         axes.plot(stretch, stress, "--", color=color, lw=1.2)
         axes.plot(stretch[fitted], stress[fitted], "-", color=color, lw=2.4, label=label)
     axes.set_xlabel(f"stretch, {mode} [-]", color=INK)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(QUIET)
-    axes.tick_params(colors=INK, color=QUIET)
-    axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
-    axes.set_axisbelow(True)
-    return axes
+    return style_axes(axes)
 
 
 def curve(record: Record, stretch: Array, mode: str = "uniaxial") -> Array | None:

@@ -12,8 +12,9 @@ from turgor.response import Column, Response
 from turgor.results.drive import drive_of, face_of, pressures_in
 from turgor.results.measures.headlines import HEADLINE, headlines, with_parts
 from turgor.results.plots.figures import PlotFigure, check_ending, svg_of, write_figure
+from turgor.results.plots.styling import INK, style_axes
 
-BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
+BLUE = "#1f5fa8"
 
 #: Colors of lines that share a panel, in this order, distinct for color-blind readers too (Okabe and Ito 2008).
 COLORS = (BLUE, "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
@@ -66,11 +67,7 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
     axes.plot(across.in_unit, upward.in_unit, "-o", color=color, lw=1.8, ms=3.5, label=label or None, clip_on=False)
     axes.set_xlabel(across.label, color=INK)
     axes.set_ylabel(upward.label, color=INK)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(QUIET)
-    axes.tick_params(colors=INK, color=QUIET)
-    axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
-    axes.set_axisbelow(True)
+    style_axes(axes)
     if x == "stage" and response.stages:
         _name_stages(axes, list(dict.fromkeys(response.stages)))
     return axes
