@@ -17,8 +17,8 @@ import pytest
 HEAD = """\
 # Verification
 
-What the tests in `tests/verification` compare with closed forms, converged references and other programs. V01 to V24
-are classic problems, numbered once and for all so that a test, a sentence and a result can name the same one. (V03,
+What the tests in `tests/verification` compare with closed forms, converged references and other programs. V01 to {last}
+are fixed problems, numbered once and for all so that a test, a sentence and a result can name the same one. (V03,
 the stability of laws, is not here: it needs no finite elements, and `tests/unit/materials/laws/test_stability.py` has
 it.) Every file is one claim about one of them, and states its problem, where the expected values come from, and why its
 tolerance is what it is. The folders sort the files by topic; the number stands in a file's docstring. What has no
@@ -56,6 +56,8 @@ TITLES = {
     "V22": "Invariance",
     "V23": "Balance",
     "V24": "Tangents and rates of convergence",
+    "V25": "Default meshes",
+    "V26": "Resumed runs",
 }
 OTHERS = "Without a number"
 COLUMNS = ("| claim | source | expected | got | tolerance |", "|---|---|---|---|---|")
@@ -98,7 +100,7 @@ def page(sections: Mapping[str, Section], folder: Path) -> str:
     for file, match in sorted(found.items(), key=lambda item: (item[1] is None, item[1] and item[1][0], item[0])):
         groups.setdefault(match[0] if match else OTHERS, []).append(file)
     rows = sum(len(sections[file].lines) for file in found)
-    lines = [HEAD.rstrip().format(count=f"Now: {rows} comparisons in {len(found)} files.")]
+    lines = [HEAD.rstrip().format(last=max(TITLES), count=f"Now: {rows} comparisons in {len(found)} files.")]
     for group, files in groups.items():
         lines += ["", f"## {group} {TITLES[group]}" if group in TITLES else f"## {group}"]
         for file in files:

@@ -1,13 +1,28 @@
 """The verification page shows what was recorded, and nothing that changes from run to run."""
 
 import ast
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from verification_page import COUNT, ROW, Renewal, Row, Section, page, reading, scalars, table_line, written
+from verification_page import (
+    COUNT,
+    NUMBERED,
+    ROW,
+    TITLES,
+    Renewal,
+    Row,
+    Section,
+    headline,
+    page,
+    reading,
+    scalars,
+    table_line,
+    written,
+)
 
 FOLDER = Path(__file__).parents[2] / "verification"
 PAGE = Path(__file__).parents[3] / "docs" / "verification.md"
@@ -107,6 +122,21 @@ def test_every_file_records_and_is_on_the_page(file):
     )
     renew = f"pytest -m 'slow or not slow' tests/verification/{file} --write-verification"
     assert file in written(PAGE.read_text(encoding="utf-8")), f"docs/verification.md lacks this file: {renew}"
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_every_file_has_a_titled_number_or_none_and_a_row_in_the_readme(file):
+    number = NUMBERED.match(headline(FOLDER / file))
+    assert number is None or number[0] in TITLES, f"TITLES in tests/verification_page.py lacks {number[0]}"
+    readme = (FOLDER / "README.md").read_text(encoding="utf-8")
+    folder, name = file.removesuffix(".py").split("/")
+    assert f"`{folder}/`, all" in readme or re.search(rf"\b{name}`", readme), "tests/verification/README.md lacks it"
+
+
+def test_the_page_is_what_its_rows_and_the_files_give():
+    text = PAGE.read_text(encoding="utf-8")
+    renew = "pytest tests/verification/elements/test_verification_meshes.py --write-verification"
+    assert page(written(text), FOLDER) == text, f"the head, a title or a docstring has changed: {renew}"
 
 
 def test_scalars_of_anything():
