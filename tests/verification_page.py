@@ -17,12 +17,12 @@ import pytest
 HEAD = """\
 # Verification
 
-What the tests in `tests/verification` compare with closed forms, converged references and other programs. V00 to V26
-are problems, most of them classic, numbered once and for all so that a test, a sentence and a result can name the same
-one. (V03, the stability of laws, is not here: it needs no finite elements, and
-`tests/unit/materials/laws/test_stability.py` has it.) Every file is one claim about one of them, and states its
-problem, where the expected values come from, and why its tolerance is what it is. The folders sort the files by topic;
-the number stands in a file's docstring. What has no number is at the end.
+What the tests in `tests/verification` compare with closed forms, converged references and other programs. V01 to {last}
+are fixed problems, numbered once and for all so that a test, a sentence and a result can name the same one. (V03,
+the stability of laws, is not here: it needs no finite elements, and `tests/unit/materials/laws/test_stability.py` has
+it.) Every file is one claim about one of them, and states its problem, where the expected values come from, and why its
+tolerance is what it is. The folders sort the files by topic; the number stands in a file's docstring. What has no
+number is at the end.
 
 Written by `make verification`; `pytest tests/verification/beams/test_flexure.py --write-verification` renews one file
 alone. The rows of a file are renewed only when all of its tests have passed; it says on which day. Every number under
@@ -100,7 +100,7 @@ def page(sections: Mapping[str, Section], folder: Path) -> str:
     for file, match in sorted(found.items(), key=lambda item: (item[1] is None, item[1] and item[1][0], item[0])):
         groups.setdefault(match[0] if match else OTHERS, []).append(file)
     rows = sum(len(sections[file].lines) for file in found)
-    lines = [HEAD.rstrip().format(count=f"Now: {rows} comparisons in {len(found)} files.")]
+    lines = [HEAD.rstrip().format(last=max(TITLES), count=f"Now: {rows} comparisons in {len(found)} files.")]
     for group, files in groups.items():
         lines += ["", f"## {group} {TITLES[group]}" if group in TITLES else f"## {group}"]
         for file in files:

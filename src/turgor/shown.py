@@ -90,6 +90,23 @@ def listed(names: Iterable[str], most: int = 8) -> str:
     return ", ".join(every) if len(every) <= most else f"{', '.join(every[:most])} … ({len(every)})"
 
 
+def counted(number: int, noun: str) -> str:
+    """Write a number of things, with the noun in the plural unless there is one.
+
+    Parameters
+    ----------
+    number : int
+    noun : str
+        Singular of a noun whose plural ends in s.
+
+    Examples
+    --------
+    >>> counted(1, "mode"), counted(2, "mode")
+    ('1 mode', '2 modes')
+    """
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
 def _short(value: Any) -> str:
     """One value of a dataclass, cut where it is long."""
     import numpy as np  # here, so that the command line answers mistakes without it

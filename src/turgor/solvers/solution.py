@@ -48,8 +48,7 @@ class Touch:
     pressure : (n,) array [Pa]
         Contact pressure on the deformed surface at every node, zero where nothing touches.
     area : float [m²]
-        Area of the deformed surface that touches, of the modeled part; both walls count where the actuator meets
-        itself.
+        Contact area on the deformed surface, of the modeled part; both walls count where the actuator meets itself.
     penetration : float [m]
         Deepest penetration.
     place : (3,) array [m]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.engine.contact.pressure import nodal_pressure, touched_area
+from turgor.engine.contact.pressure import contact_area, nodal_pressure
 from turgor.engine.system import Evaluation, System
 from turgor.model.drive import pressures_at
 from turgor.solvers.solution import State, Touch
@@ -57,7 +57,7 @@ def touches(system: System, at: Evaluation) -> dict[str, Touch]:
         one = Touch(
             force=force * stress * length**2,
             pressure=nodal_pressure(part, found, count) * stress,
-            area=touched_area(part, found) * length**2,
+            area=contact_area(part, found) * length**2,
             penetration=max(0.0, -float(found.gap.min(initial=0.0))) * length,
             place=found.place * length,
             share=system.contact.share_of_tolerance(part, found),

@@ -105,3 +105,12 @@ def test_the_plot_shows_what_was_measured_and_what_the_law_leaves_over():
     assert "R² = 1.0000" in first.get_title(loc="left")
     with pytest.raises(TurgorError, match="no test was given"):
         history_figure(RUBBER, [])
+
+
+@pytest.mark.filterwarnings("error")
+def test_the_plot_of_a_constant_stress_has_no_r2():
+    time = np.linspace(0, 20, 11)
+    test = MaterialTest(
+        mode="planar", stretch=0 * time + 1.5, nominal_stress=0 * time + 2e4, time=time, name="a held sheet"
+    )
+    assert history_figure(RUBBER, [test]).axes[0].get_title(loc="left") == "a held sheet: planar (pure shear), R² = nan"

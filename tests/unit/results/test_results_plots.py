@@ -5,9 +5,18 @@ import sys
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from PIL import Image
 
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
+from turgor.results.pictures.cad_picture import write_cad_picture
+from turgor.results.pictures.mesh_picture import write_mesh_picture
+from turgor.results.pictures.picture import Picture, picture
+from turgor.results.pictures.state_picture import write_picture
+from turgor.results.plots.convergence import write_convergence_plot
+from turgor.results.plots.figures import check_ending, write_figure
+from turgor.results.plots.fits import write_fit_plot
+from turgor.results.plots.materials import write_material_plot
 from turgor.results.plots.response_plots import plot_response, response_figure, response_svg, write_plot
 from turgor.source import Source
 from turgor.units import deg, kPa
@@ -60,8 +69,64 @@ def test_files(tmp_path):
         write_plot(tmp_path / name, response(PRESSURE, ANGLE))
     assert (tmp_path / "r.png").read_bytes()[:4] == b"\x89PNG"
     assert "<svg" in (tmp_path / "r.svg").read_text()
-    with pytest.raises(TurgorError, match=r"ends in '.pdf'; allowed is .png or .svg"):
-        write_plot(tmp_path / "r.pdf", response(PRESSURE, ANGLE))
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "message"),
+    [
+        ("r.pdf", "plot", r"plot '.*r\.pdf' ends in '\.pdf'; allowed is \.png or \.svg\."),
+        ("r", "plot", r"plot '.*r' has no ending; allowed is \.png or \.svg\."),
+        ("r.svg", "picture", r"picture '.*r\.svg' ends in '\.svg'; allowed is \.png\."),
+        ("r", "picture", r"picture '.*r' has no ending; allowed is \.png\."),
+    ],
+)
+def test_other_endings_are_refused(tmp_path, name, kind, message):
+    with pytest.raises(TurgorError, match=message):
+        check_ending(tmp_path / name, kind)
+
+
+@pytest.mark.parametrize(
+    "write",
+    [
+        lambda path: write_picture(path, None),
+        lambda path: write_mesh_picture(path, None),
+        lambda path: write_cad_picture(path, None),
+        lambda path: Picture(caption="", png=b"").write(path),
+        lambda path: picture(None, path),
+    ],
+    ids=["state", "mesh", "cad", "write", "picture"],
+)
+def test_the_ending_of_a_picture_is_checked_before_anything_is_drawn(tmp_path, write):
+    for name in ("last", "last.svg"):
+        with pytest.raises(TurgorError, match=r"allowed is \.png\."):
+            write(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    "write",
+    [
+        lambda path: write_plot(path, None),
+        lambda path: write_fit_plot(path, None),
+        lambda path: write_convergence_plot(path, None),
+        lambda path: write_material_plot(path, "no such rubber"),
+    ],
+    ids=["response", "fit", "convergence", "material"],
+)
+def test_the_ending_of_a_plot_is_checked_before_anything_is_drawn(tmp_path, write):
+    with pytest.raises(TurgorError, match=r"allowed is \.png or \.svg\."):
+        write(tmp_path / "plot")
+
+
+def test_files_name_the_program_that_made_them_and_are_reproducible(tmp_path):
+    figure = response_figure(response(PRESSURE, ANGLE))
+    for name in ("r.png", "r.SVG"):
+        write_figure(tmp_path / name, figure)
+        first = (tmp_path / name).read_bytes()
+        write_figure(tmp_path / name, figure)
+        assert (tmp_path / name).read_bytes() == first
+        assert b"turgor" in first
+        assert b"atplotlib v" not in first
+    assert Image.open(tmp_path / "r.png").info["Software"] == "turgor"
 
 
 def test_svg_is_reproducible_and_pyplot_stays_out():

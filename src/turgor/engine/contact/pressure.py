@@ -1,4 +1,4 @@
-"""Contact pressure on the deformed surface, at nodes, and the area that touches."""
+"""Contact pressure on the deformed surface, at nodes, and the contact area."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,7 @@ def nodal_pressure(part: PairPart | ShapePart, found: Found, count: int) -> Arra
     return np.asarray(out)
 
 
-def touched_area(part: PairPart | ShapePart, found: Found) -> float:
-    """Scaled area of the deformed surface that touches."""
+def contact_area(part: PairPart | ShapePart, found: Found) -> float:
+    """Scaled contact area on the deformed surface."""
     nodes = part.surface.sides.shape[1]
     return float((found.growth * reference_cell(nodes, DEGREE[nodes]).weights)[found.inside].sum())

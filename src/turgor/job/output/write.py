@@ -24,6 +24,7 @@ from turgor.meshing.quality.cell_quality import quality
 from turgor.results.files.vtu import write_series
 from turgor.results.pictures.path_pictures import CAPTIONS, path_figures
 from turgor.results.pictures.state_picture import picture_title
+from turgor.results.plots.figures import write_figure
 from turgor.results.plots.response_plots import write_plot
 from turgor.results.report.describe_procedure import ending
 from turgor.results.report.page import Picture, Report, write_report
@@ -116,7 +117,7 @@ def write_pictures(outcome: RunOutcome) -> list[Path]:
     files = []
     for kind, figure in path_figures(outcome.solution, outcome.response, outcome.job.name):
         files.append(outcome.folder / PICTURES[kind])
-        figure.savefig(files[-1], metadata={"Software": None})
+        write_figure(files[-1], figure, kind="picture")
     return files
 
 

@@ -25,6 +25,9 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     "ratio": {"-": 1.0, "": 1.0, "1": 1.0, "%": 0.01, "mm/mm": 1.0, "m/m": 1.0},
 }
 
+#: Unit of each dimension that messages give as an example.
+_EXAMPLES: Mapping[str, str] = {"force": "N", "length": "mm", "stress": "MPa", "time": "s"}
+
 #: Dimension of each role.
 DIMENSIONS: Mapping[str, str] = {
     "time": "time",
@@ -162,7 +165,7 @@ def _factor(name: str, unit: str | None, dimension: str, file: str) -> float:
         known = ", ".join(each for each in units if each)
         raise TurgorError(
             f"'{file}': column '{name}' states no unit; write it into the header, for example "
-            f"'{name} ({'MPa' if dimension == 'stress' else 'N' if dimension == 'force' else 'mm'})'. Known: {known}."
+            f"'{name} ({_EXAMPLES[dimension]})'. Known: {known}."
         )
     if unit is not None and unit not in units:
         raise TurgorError(f"'{file}', column '{name}': {unknown(f'unit of a {dimension}', unit, filter(None, units))}")

@@ -127,11 +127,15 @@ def fit_history(
 
 
 def _check(tests: Sequence[MaterialTest], terms: int, stress_softening: bool) -> None:
-    """Raise an error for a fit without tests or without parameters."""
+    """Raise an error for no tests, for a negative number of terms, and for neither terms nor softening."""
     if not tests:
         raise TurgorError("no test was given; fit_history needs at least one test with time.")
-    if terms < 0 or not (terms or stress_softening):
-        raise TurgorError(f"terms is {terms} without stress_softening; ask for one term or more, or for softening.")
+    if terms < 0:
+        raise TurgorError(f"terms is {terms}; the number of terms of the Prony series is 0 or more.")
+    if not (terms or stress_softening):
+        raise TurgorError(
+            "terms is 0 and stress_softening is False; there is nothing to fit. Give terms=1 or stress_softening=True."
+        )
 
 
 def _best(search: _Search) -> Array:

@@ -61,13 +61,12 @@ class FitResidual:
         size = np.abs(test.measured)
         relative = off / np.maximum(size, WEIGHT_FLOOR * size.max())
         spread = test.measured - test.measured.mean()
-        scatter = float(spread @ spread)
         return cls(
             name=test.name,
             mode=test.mode,
             points=len(off),
             relative=float(np.sqrt((relative**2).mean())),
-            r2=1 - float(off @ off) / scatter if scatter > 0 else nan,
+            r2=1 - float(off @ off) / float(spread @ spread) if np.ptp(test.measured) > 0 else nan,
         )
 
 

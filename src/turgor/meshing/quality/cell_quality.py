@@ -129,7 +129,7 @@ def quality(mesh: Mesh) -> MeshQuality:
     >>> round(measured.min_shape, 12), round(measured.min_jacobian_ratio, 12)
     (1.0, 1.0)
     """
-    low, high = jacobian_range(mesh)
+    ratios = jacobian_ratios(mesh)
     shape = cell_shapes(mesh)
     ends = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)
     ends = np.unique(ends, axis=0)
@@ -139,8 +139,8 @@ def quality(mesh: Mesh) -> MeshQuality:
         points=len(mesh.points),
         vertices=mesh.vertex_count,
         unknowns=mesh.unknown_count,
-        inverted=int((low <= 0).sum()),
-        min_jacobian_ratio=float((low / np.maximum(np.abs(low), np.abs(high))).min()),
+        inverted=int((ratios <= 0).sum()),
+        min_jacobian_ratio=float(ratios.min()),
         min_shape=float(shape.min()),
         mean_shape=float(shape.mean()),
         min_edge=float(lengths.min()),
@@ -162,9 +162,10 @@ def cell_shapes(mesh: Mesh) -> Array:
 
 
 def jacobian_ratios(mesh: Mesh) -> Array:
-    """Return the smallest over the largest Jacobian of each curved cell, (c,): ≤ 0 for an inverted cell."""
+    """Return the smallest over the largest Jacobian of each curved cell, (c,): ≤ 0 if inverted, 0 if flat."""
     low, high = jacobian_range(mesh)
-    return np.asarray(low / np.maximum(np.abs(low), np.abs(high)))
+    largest = np.maximum(np.abs(low), np.abs(high))
+    return np.divide(low, largest, out=np.zeros(len(low)), where=largest > 0)
 
 
 def refuse_inverted(mesh: Mesh) -> None:

@@ -90,5 +90,5 @@ def thin_walls_left(walls: ThinWalls) -> Finding:
         severity=Severity.WARNING,
         message=f"In {len(walls.points)} places cells are more than six times as long as their wall is thick; the "
         f"thinnest of these walls is {walls.thickness[thinnest] / mm:.3g} mm thick, at ({x:.3g}, {y:.3g}, {z:.3g}) mm.",
-        advice="Use a smaller size, or one of its own for the faces there (face_sizes).",
+        advice="Use a smaller mesh size, or set a smaller size for the faces of these walls alone (face_sizes).",
     )

@@ -30,7 +30,7 @@ class ContactResult:
     pressing : float [N]
         Force with which the surfaces press each other, however it is directed: that of all places together.
     area : float [m²]
-        Area of the deformed surface of the whole actuator that touches; both walls count where it meets itself.
+        Contact area on the deformed surface of the whole actuator; both walls count where the actuator meets itself.
     pressure : float [Pa]
         Largest contact pressure.
     penetration : float [m]

@@ -34,17 +34,17 @@ def force_on(obstacle: str) -> Measure:
 
 
 def area_on(obstacle: str) -> Measure:
-    """Make the measure of the area that touches one obstacle, by its name, or ``"self"``.
+    """Make the measure of the contact area with one obstacle, by its name, or ``"self"``.
 
     Examples
     --------
     >>> area_on("plate").name
     'plate_contact_area'
     """
-    where = "walls of the actuator, both counted," if obstacle == SELF else f"the obstacle {obstacle}"
+    where = "between walls of the actuator, both counted" if obstacle == SELF else f"with the obstacle {obstacle}"
     return Measure(
         name=f"{obstacle}_contact_area", unit="mm2", function=lambda at: _area_on(at, obstacle),
-        definition=f"area of the deformed surface that touches {where}, whole actuator",
+        definition=f"contact area {where}, on the deformed surface, whole actuator",
     )  # fmt: skip
 
 
@@ -170,8 +170,8 @@ blocked_force_x, blocked_force_y, blocked_force_z = map(_component, "xyz")
 contact_area = Measure(
     name="contact_area", unit="mm2",
     function=lambda at: at.mesh.symmetry_factor * sum(touch.area for touch in at.state.touches.values()),
-    definition="area of the deformed surface that touches obstacles or other walls, whole actuator; where walls meet "
-    "both count",
+    definition="contact area with obstacles and between walls, on the deformed surface, whole actuator; where walls "
+    "meet both count",
 )  # fmt: skip
 maximum_contact_pressure = Measure(
     name="maximum_contact_pressure", unit="kPa",

@@ -23,6 +23,7 @@ from turgor.results.report import describe
 from turgor.results.report.describe import Rows
 from turgor.results.report.describe_procedure import ending
 from turgor.results.report.response_table import response_table
+from turgor.shown import counted
 from turgor.solvers.solution import Solution, State
 from turgor.units import mL, mm
 
@@ -84,13 +85,15 @@ def model(of: Model) -> str:
 
 def state(of: State) -> str:
     """Show a state: its picture, load factor, stability and contact."""
-    return card(caption(of), image(picture(of, title="", width=WIDTH).png, caption(of)), facts(_state_rows(of)))
+    return card(caption(of), image(picture(of, title="", width=WIDTH).png, caption(of)), facts(state_rows(of)))
 
 
-def _state_rows(of: State) -> Rows:
+def state_rows(of: State) -> Rows:
+    """List what a page says of a state beside its picture: load factor, stability and contact areas."""
     rows: Rows = [("load factor", f"{of.load_factor:.4g}")]
     if of.unstable_modes is not None:
-        rows.append(("equilibrium", f"unstable, {of.unstable_modes} modes" if of.unstable_modes else "stable"))
+        unstable = f"unstable, {counted(of.unstable_modes, 'mode')}"
+        rows.append(("equilibrium", unstable if of.unstable_modes else "stable"))
     rows += [
         (f"contact with {'itself' if name == 'self' else name}", f"{touch.area / mm**2:.4g} mm² of the modeled part")
         for name, touch in of.touches.items()

@@ -11,6 +11,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-u
 from numpy.typing import NDArray
 
 from turgor.geometry.cad.inspection import Inspection
+from turgor.results.plots.figures import check_ending, write_figure
 from turgor.units import mm
 
 Array = NDArray[np.float64]
@@ -34,13 +35,14 @@ def write_cad_picture(path: str | Path, part: Inspection) -> None:
     Parameters
     ----------
     path : str or Path
-        File to write.
+        PNG file to write.
     part : Inspection
         Result of `inspect_cad`.
     """
+    check_ending(path, "picture")
     openings = [center for cavity in part.cavities for _, center in cavity.openings]
     faces = [(face.name, face.triangles) for face in part.faces]
-    named_faces_figure(part.name, faces, openings).savefig(path)
+    write_figure(path, named_faces_figure(part.name, faces, openings), kind="picture")
 
 
 def named_faces_figure(title: str, faces: Sequence[tuple[str, Array]], marks: Sequence[Sequence[float]] = ()) -> Figure:

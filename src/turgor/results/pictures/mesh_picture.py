@@ -19,6 +19,7 @@ from turgor.results.pictures.colors import RUBBER
 from turgor.results.pictures.rendering import View, render
 from turgor.results.pictures.skin import Skin, drawn_triangles, visible_skin
 from turgor.results.pictures.state_picture import framed
+from turgor.results.plots.figures import check_ending, write_figure
 
 Array = NDArray[np.float64]
 
@@ -57,9 +58,8 @@ def write_mesh_picture(path: str | Path, mesh: Mesh, title: str = "", width: int
     width : int
         Width in pixels, 400 or more.
     """
-    if Path(path).suffix.lower() != ".png":
-        raise TurgorError(f"picture '{path}' ends in '{Path(path).suffix}'; allowed is .png.")
-    mesh_figure(mesh, title, width).savefig(path, metadata={"Software": None})
+    check_ending(path, "picture")
+    write_figure(path, mesh_figure(mesh, title, width), kind="picture")
 
 
 def mesh_figure(mesh: Mesh, title: str = "", width: int = 1600) -> Figure:

@@ -16,7 +16,7 @@ from turgor.results.pictures.cad_picture import named_faces_figure
 from turgor.results.pictures.colors import VON_MISES
 from turgor.results.pictures.mesh_picture import mesh_figure
 from turgor.results.pictures.state_picture import shared_view, state_figure
-from turgor.results.plots.figures import png_of
+from turgor.results.plots.figures import check_ending, png_of
 from turgor.solvers.solution import Solution, State
 from turgor.units import kPa
 
@@ -56,8 +56,7 @@ class Picture:
         Path
         """
         path = Path(path)
-        if path.suffix.lower() != ".png":
-            raise TurgorError(f"picture '{path}' ends in '{path.suffix}'; allowed is .png.")
+        check_ending(path, "picture")
         path.write_bytes(self.png)
         return path
 
@@ -106,6 +105,8 @@ def picture(
     >>> picture(FastPneuNet(chambers=2, length=20e-3).build(), width=400)
     Picture(caption='fast PneuNet, 2 chambers, half')
     """
+    if path is not None:
+        check_ending(path, "picture")
     name, figure = _drawn(of, state, (color_by, title, width))
     made = Picture(caption=name, png=png_of(figure))
     if path is not None:

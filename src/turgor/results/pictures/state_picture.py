@@ -25,6 +25,7 @@ from turgor.results.pictures.obstacle_skin import obstacle_skin
 from turgor.results.pictures.rendering import ASIDE, FRONT, MARGIN, Beside, View, frame, render
 from turgor.results.pictures.shading import INK
 from turgor.results.pictures.skin import Skin, visible_skin
+from turgor.results.plots.figures import check_ending, write_figure
 from turgor.solvers.solution import State
 from turgor.units import deg, kPa, mm
 
@@ -94,8 +95,8 @@ def write_picture(
     state, view, title, ghost
         See `state_figure`.
     """
-    figure = state_figure(state, view, title=title, ghost=ghost)
-    figure.savefig(path, metadata={"Software": None})
+    check_ending(path, "picture")
+    write_figure(path, state_figure(state, view, title=title, ghost=ghost), kind="picture")
 
 
 def state_figure(

@@ -4,14 +4,13 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 
-from turgor.errors import TurgorError
 from turgor.response import COLUMN_UNITS
 from turgor.results.convergence.extrapolation import MOST_ORDER
 from turgor.results.convergence.study import Convergence
-from turgor.results.plots.response_plots import BLUE, INK, QUIET, plot_response
+from turgor.results.plots.figures import PlotFigure, check_ending, write_figure
+from turgor.results.plots.response_plots import BLUE, plot_response
+from turgor.results.plots.styling import INK, QUIET
 from turgor.units import mm
 
 
@@ -33,6 +32,7 @@ def plot_convergence(axes: Axes, study: Convergence) -> Axes:
     Examples
     --------
     >>> import numpy as np
+    >>> from matplotlib.figure import Figure
     >>> from turgor.results.measures.measures import bending_angle
     >>> cells, sizes = np.array([1000, 8000, 64000]), np.array([4e-3, 2e-3, 1e-3])
     >>> study = Convergence(measure=bending_angle, sizes=sizes, cells=cells, unknowns=20 * cells, values=1 - sizes**2)
@@ -60,12 +60,9 @@ def plot_convergence(axes: Axes, study: Convergence) -> Axes:
 
 def write_convergence_plot(path: str | Path, study: Convergence, title: str = "") -> None:
     """Write `plot_convergence` as PNG or SVG, by the ending of the path."""
-    ending = Path(path).suffix.lower()
-    if ending not in (".png", ".svg"):
-        raise TurgorError(f"plot '{path}' ends in '{ending}'; allowed is .png or .svg.")
-    figure = Figure(figsize=(6.4, 4.2), layout="constrained", facecolor="white")
-    FigureCanvasAgg(figure)
+    check_ending(path, "plot")
+    figure = PlotFigure(figsize=(6.4, 4.2))
     plot_convergence(figure.add_subplot(), study)
     if title:
         figure.suptitle(title, x=0.01, ha="left", color=INK, fontsize=13)
-    figure.savefig(path, dpi=160, metadata={"Date": None} if ending == ".svg" else {"Software": None})
+    write_figure(path, figure, dpi=160)

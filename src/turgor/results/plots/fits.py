@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -13,7 +12,8 @@ from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.result import Fit
 from turgor.materials.laws.homogeneous import DEFORMATIONS, nominal_stress
-from turgor.results.plots.response_plots import INK, QUIET
+from turgor.results.plots.figures import PlotFigure, write_figure
+from turgor.results.plots.styling import INK, QUIET, style_axes
 
 #: Colors of laws, in turn, distinct for color-blind readers too (mostly Okabe and Ito 2008).
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6d4c41", "#000000")
@@ -143,8 +143,7 @@ def fit_figure(fits: Sequence[Fit], tests: Sequence[MaterialTest] = (), *, title
     modes = list(dict.fromkeys(test.mode for test in shown))
     columns = min(len(modes), 3)
     rows = -(-len(modes) // columns)
-    figure = Figure(figsize=(max(4.6 * columns, 6.0), 3.6 * rows + 0.5), layout="constrained", facecolor="white")
-    FigureCanvasAgg(figure)
+    figure = PlotFigure(figsize=(max(4.6 * columns, 6.0), 3.6 * rows + 0.5))
     for number, mode in enumerate(modes):
         axes = figure.add_subplot(rows, columns, number + 1)
         of_mode = [test for test in shown if test.mode == mode]
@@ -169,10 +168,7 @@ def write_fit_plot(path: str | Path, figure: Figure) -> None:
     figure : matplotlib.figure.Figure
         The figure, such as one from `fit_figure`.
     """
-    ending = Path(path).suffix.lower()
-    if ending not in (".png", ".svg"):
-        raise TurgorError(f"plot '{path}' ends in '{ending}'; allowed is .png or .svg.")
-    figure.savefig(path, dpi=150, metadata={"Date": None} if ending == ".svg" else {"Software": None})
+    write_figure(path, figure, dpi=150)
 
 
 def _panel(axes: Axes, fits: Sequence[Fit], tests: Sequence[MaterialTest], mode: str) -> None:
@@ -212,9 +208,4 @@ def _styled(axes: Axes, mode: str) -> Axes:
     axes.set_title(TITLES[mode], loc="left", fontsize=10, color=INK)
     axes.set_xlabel("amount of shear [-]" if mode == "simple_shear" else "stretch [-]", color=INK)
     axes.set_ylabel("nominal stress [MPa]", color=INK)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(QUIET)
-    axes.tick_params(colors=INK, color=QUIET)
-    axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
-    axes.set_axisbelow(True)
-    return axes
+    return style_axes(axes)

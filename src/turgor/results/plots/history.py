@@ -3,17 +3,18 @@
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
 from turgor.materials.experiments.material_test import MaterialTest
 from turgor.materials.fitting.history_points import HistoryPart
+from turgor.materials.fitting.result import FitResidual
 from turgor.materials.history.stress_history import stress_history
 from turgor.materials.laws.laws import Law
 from turgor.materials.material import Material
+from turgor.results.plots.figures import PlotFigure
 from turgor.results.plots.fits import COLORS, TITLES
-from turgor.results.plots.response_plots import INK, QUIET
+from turgor.results.plots.styling import INK, QUIET, style_axes
 
 KPA = 1e3
 
@@ -35,8 +36,7 @@ def history_figure(material: Material, tests: Sequence[MaterialTest], *, title: 
     """
     if not tests:
         raise TurgorError("no test was given; there is nothing to plot.")
-    figure = Figure(figsize=(13.0, 3.3 * len(tests) + 0.4), layout="constrained", facecolor="white")
-    FigureCanvasAgg(figure)
+    figure = PlotFigure(figsize=(13.0, 3.3 * len(tests) + 0.4))
     axes = figure.subplots(len(tests), 3, squeeze=False)
     for row, test in zip(axes, tests, strict=True):
         _row(row, material, test)
@@ -68,8 +68,6 @@ def _row(row: Sequence, material: Material, test: MaterialTest) -> None:
     labels = ("stretch [-]", "time [s]", "stretch [-]")
     for axes, label in zip(row, labels, strict=True):
         axes.set_xlabel(label, color=INK)
-        axes.grid(color="#e3e6ea", lw=0.6)
-        axes.spines[["top", "right"]].set_visible(False)
-        axes.tick_params(colors=INK, labelsize=8)
-    r2 = 1 - ((measured - model) ** 2).sum() / ((measured - measured.mean()) ** 2).sum()
+        style_axes(axes).tick_params(labelsize=8)
+    r2 = FitResidual.of(part.loaded_test, model).r2
     row[0].set_title(f"{test.name}: {TITLES[test.mode].lower()}, R² = {r2:.4f}", loc="left", fontsize=9, color=INK)

@@ -10,7 +10,8 @@ from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
 from turgor.results.plots.figures import PlotFigure
 from turgor.results.plots.materials import MODES
-from turgor.results.plots.response_plots import COLORS, INK, QUIET
+from turgor.results.plots.response_plots import COLORS
+from turgor.results.plots.styling import INK, style_axes
 from turgor.units import MPa, kPa
 
 #: Largest stretch that is drawn where the range of the tests is unknown.
@@ -61,8 +62,5 @@ def _curves(axes: Axes, material: Material) -> None:
     axes.set_xlabel("stretch [-]", color=INK)
     axes.set_ylabel(f"nominal stress [{name}]", color=INK)
     axes.set_title("range of the tests" if known else "range of the tests unknown", loc="left", fontsize=9, color=INK)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(QUIET)
-    axes.tick_params(colors=INK, color=QUIET)
-    axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
+    style_axes(axes)
     axes.legend(frameon=False, fontsize=8, labelcolor=INK)

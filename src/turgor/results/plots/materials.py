@@ -6,7 +6,6 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -20,7 +19,8 @@ from turgor.materials.library.doubts import find_doubts
 from turgor.materials.library.record import Record
 from turgor.materials.library.record_files import records
 from turgor.materials.library.records import find_record
-from turgor.results.plots.response_plots import INK, QUIET
+from turgor.results.plots.figures import PlotFigure, check_ending, write_figure
+from turgor.results.plots.styling import INK, style_axes
 
 Array = NDArray[np.float64]
 
@@ -74,12 +74,7 @@ def plot_records(axes: Axes, chosen: Sequence[Record], stretch: Array, mode: str
         axes.plot(stretch, stress, "--", color=color, lw=1.2)
         axes.plot(stretch[fitted], stress[fitted], "-", color=color, lw=2.4, label=label)
     axes.set_xlabel(f"stretch, {mode} [-]", color=INK)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(QUIET)
-    axes.tick_params(colors=INK, color=QUIET)
-    axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
-    axes.set_axisbelow(True)
-    return axes
+    return style_axes(axes)
 
 
 def curve(record: Record, stretch: Array, mode: str = "uniaxial") -> Array | None:
@@ -134,8 +129,7 @@ def material_figure(
         raise TurgorError(f"the tests are {' and '.join(sorted(modes))}; plot tests of one mode at a time.")
     (mode,) = modes
     across = _stretches(chosen, tests) if stretch is None else _between(*stretch)
-    figure = Figure(figsize=(8.4, 5.0), layout="constrained", facecolor="white")
-    FigureCanvasAgg(figure)
+    figure = PlotFigure(figsize=(8.4, 5.0))
     axes = plot_records(figure.add_subplot(), chosen, across, mode)
     for test in tests:
         seen = (test.stretch >= across[0]) & (test.stretch <= across[-1])
@@ -159,11 +153,8 @@ def write_material_plot(
     stretch: tuple[float, float] | None = None,
 ) -> None:
     """Write `material_figure` as PNG or SVG, by the ending of the path."""
-    ending = Path(path).suffix.lower()
-    if ending not in (".png", ".svg"):
-        raise TurgorError(f"plot '{path}' ends in '{ending}'; allowed is .png or .svg.")
-    fixed = {"Date": None} if ending == ".svg" else {"Software": None}
-    material_figure(name, record=record, tests=tests, stretch=stretch).savefig(path, dpi=160, metadata=fixed)
+    check_ending(path, "plot")
+    write_figure(path, material_figure(name, record=record, tests=tests, stretch=stretch), dpi=160)
 
 
 def _stretches(chosen: Sequence[Record], tests: Sequence[MaterialTest]) -> Array:

@@ -1,10 +1,8 @@
 """Plots of a response, without global state of matplotlib: functions take axes and return them, or make a figure."""
 
-from io import StringIO
 from itertools import cycle
 from pathlib import Path
 
-import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -13,9 +11,10 @@ from turgor.model.contact import SELF
 from turgor.response import Column, Response
 from turgor.results.drive import drive_of, face_of, pressures_in
 from turgor.results.measures.headlines import HEADLINE, headlines, with_parts
-from turgor.results.plots.figures import PlotFigure
+from turgor.results.plots.figures import PlotFigure, check_ending, svg_of, write_figure
+from turgor.results.plots.styling import INK, style_axes
 
-BLUE, INK, QUIET = "#1f5fa8", "#262b34", "#8a93a0"
+BLUE = "#1f5fa8"
 
 #: Colors of lines that share a panel, in this order, distinct for color-blind readers too (Okabe and Ito 2008).
 COLORS = (BLUE, "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
@@ -68,11 +67,7 @@ def plot_response(axes: Axes, response: Response, x: str, y: str, *, color: str 
     axes.plot(across.in_unit, upward.in_unit, "-o", color=color, lw=1.8, ms=3.5, label=label or None, clip_on=False)
     axes.set_xlabel(across.label, color=INK)
     axes.set_ylabel(upward.label, color=INK)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["left", "bottom"]].set_color(QUIET)
-    axes.tick_params(colors=INK, color=QUIET)
-    axes.grid(True, color=QUIET, alpha=0.25, lw=0.6)
-    axes.set_axisbelow(True)
+    style_axes(axes)
     if x == "stage" and response.stages:
         _name_stages(axes, list(dict.fromkeys(response.stages)))
     return axes
@@ -170,22 +165,10 @@ def _plot_lines(axes: Axes, response: Response, drive: str, names: list[str]) ->
 
 def write_plot(path: str | Path, response: Response, title: str = "") -> None:
     """Write `response_figure` as PNG or SVG, by the ending of the path."""
-    ending = Path(path).suffix.lower()
-    if ending not in (".png", ".svg"):
-        raise TurgorError(f"plot '{path}' ends in '{ending}'; allowed is .png or .svg.")
-    fixed = {"Date": None} if ending == ".svg" else {"Software": None}
-    response_figure(response, title).savefig(path, dpi=160, metadata=fixed)
+    check_ending(path, "plot")
+    write_figure(path, response_figure(response, title), dpi=160)
 
 
 def response_svg(response: Response) -> str:
     """Return `response_figure` as SVG text that can stand inside a web page; equal responses give equal text."""
     return svg_of(response_figure(response))
-
-
-def svg_of(figure: Figure) -> str:
-    """Return a figure as SVG text that can stand inside a web page; equal figures give equal text."""
-    stream = StringIO()
-    with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
-        figure.savefig(stream, format="svg", metadata={"Date": None})
-    text = stream.getvalue()
-    return text[text.index("<svg") :]

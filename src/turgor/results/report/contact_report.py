@@ -7,7 +7,8 @@ from turgor.model.model import Model
 from turgor.results.fields.contact import ContactResult, contact_results, drawn_obstacles
 from turgor.results.measures.contact_measures import area_on, force_on
 from turgor.results.measures.measures import measure
-from turgor.results.plots.response_plots import contact_figure, svg_of
+from turgor.results.plots.figures import svg_of
+from turgor.results.plots.response_plots import contact_figure
 from turgor.solvers.solution import Solution
 from turgor.units import kPa, mm, um
 

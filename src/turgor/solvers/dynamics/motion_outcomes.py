@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from turgor.shown import counted
 from turgor.solvers.energies import TOLERATED, imbalance
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.pressures import pressure_text
@@ -47,7 +48,7 @@ def came_to_rest(states: Sequence[State], steps: Sequence[Step]) -> Outcome:
         return Outcome(Status.CONVERGED, message)
     return Outcome(
         Status.CONVERGED,
-        f"{message} The last state is unstable ({states[-1].unstable_modes} negative modes).",
+        f"{message} The last state is unstable ({counted(states[-1].unstable_modes, 'negative mode')}).",
         "Disturb the symmetry a little, so that the actuator finds the way it would take.",
     )
 

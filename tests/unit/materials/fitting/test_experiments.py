@@ -74,6 +74,21 @@ def test_bad_tables_are_answered_with_a_sentence(file, text, sentence):
     assert "strip_uniaxial" in str(error.value)
 
 
+@pytest.mark.parametrize(
+    ("header", "column", "example"),
+    [
+        ("Clock,stretch,nominal stress (MPa)", "Clock", "s"),
+        ("Time (s),stretch,nominal stress", "nominal stress", "MPa"),
+        ("Time (s),stretch,force", "force", "N"),
+        ("Time (s),grip length,nominal stress (MPa)", "grip length", "mm"),
+    ],
+)
+def test_the_example_of_a_missing_unit_is_a_unit_of_the_column(file, header, column, example):
+    stated = {"time": "Clock"} if column == "Clock" else {}
+    with pytest.raises(TurgorError, match=rf"for example '{column} \({example}\)'"):
+        read_test(file(f"{header}\n0,1,0\n1,2,0.2\n"), columns=stated, specimen=STRIP)
+
+
 def test_forces_need_the_specimen(file):
     path = file("length_mm,force_N\n50,0\n100,3\n")
     with pytest.raises(TurgorError, match="specimen=Specimen"):

@@ -149,7 +149,8 @@ def test_a_scaled_law_has_a_scaled_stress(law):
     [
         ({"time": None}, {"terms": 1}, "has no time"),
         ({"mode": "simple_shear"}, {"terms": 1}, "is simple_shear; histories are fitted in uniaxial"),
-        ({}, {}, "ask for one term or more, or for softening"),
+        ({}, {}, "terms is 0 and stress_softening is False; .* terms=1 or stress_softening=True"),
+        ({}, {"terms": -1, "stress_softening": True}, "terms is -1; .* 0 or more"),
         ({"nominal_stress": np.zeros(4)}, {"terms": 1}, "no stress at all"),
     ],
 )

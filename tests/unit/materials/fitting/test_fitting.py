@@ -16,6 +16,7 @@ from turgor.materials.fitting.constrained import solve_constrained
 from turgor.materials.fitting.fit_laws import fit
 from turgor.materials.fitting.law_specs import law_spec
 from turgor.materials.fitting.ranking import rank
+from turgor.materials.fitting.result import FitResidual
 from turgor.materials.fitting.save import can_be_saved, records_toml, save_fits
 from turgor.materials.laws.laws import MooneyRivlin, NeoHooke, Ogden, Yeoh
 from turgor.materials.laws.stability import first_instability
@@ -181,6 +182,12 @@ def test_a_constant_stress_has_no_r2():
     none = MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=np.zeros(20), name="nothing")
     with pytest.raises(TurgorError, match="no stress at all"):
         fit("neo-hooke", none)
+
+
+def test_a_constant_stress_whose_mean_is_rounded_has_no_r2():
+    held = MaterialTest(mode="uniaxial", stretch=np.full(10, 1.5), nominal_stress=np.full(10, 83333.3), name="held")
+    assert held.measured.mean() != 83333.3
+    assert np.isnan(FitResidual.of(held, held.measured + 1e3).r2)
 
 
 def test_cycles_must_be_chosen_first():

@@ -5,7 +5,13 @@ import pytest
 
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
-from turgor.meshing.quality.cell_quality import cell_volumes, jacobian_range, quality, refuse_inverted
+from turgor.meshing.quality.cell_quality import (
+    cell_volumes,
+    jacobian_range,
+    jacobian_ratios,
+    quality,
+    refuse_inverted,
+)
 
 UNIT = np.vstack([np.zeros(3), np.eye(3)])
 
@@ -69,6 +75,14 @@ def test_a_cell_turned_inside_out_by_its_mid_node_is_refused() -> None:
     assert quality(mesh).min_shape > 0  # its corners alone do not show it
     with pytest.raises(TurgorError, match="1 of 1 cells are turned inside out, the first around"):
         refuse_inverted(mesh)
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_flat_cell_has_the_jacobian_ratio_0_and_counts_as_inverted() -> None:
+    flat = one_cell(UNIT * [1, 1, 0])
+    assert jacobian_ratios(flat).tolist() == [0.0]
+    measured = quality(flat)
+    assert (measured.inverted, measured.min_jacobian_ratio, measured.min_shape) == (1, 0.0, 0.0)
 
 
 def test_a_cell_of_negative_or_no_volume_is_refused() -> None:

@@ -18,6 +18,7 @@ from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.measures.measures import measure
 from turgor.results.notebook.markup import card, facts, numbers
+from turgor.results.notebook.pages import state_rows
 from turgor.shown import brief, listed
 from turgor.solvers.solution import LimitPoint, Status, Touch
 from turgor.units import kPa, mm
@@ -114,6 +115,11 @@ def test_what_the_pages_say(values):
     ):
         assert said in solution
     assert "pressure [kPa]" in values["response"]._repr_html_()
+
+
+@pytest.mark.parametrize(("modes", "said"), [(0, "stable"), (1, "unstable, 1 mode"), (2, "unstable, 2 modes")])
+def test_unstable_modes_of_a_state_are_counted(values, modes, said):
+    assert ("equilibrium", said) in state_rows(replace(values["state"], unstable_modes=modes))
 
 
 def test_a_solution_without_a_tip_or_a_converged_state_has_a_page(path):
