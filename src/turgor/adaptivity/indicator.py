@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.cells.element import tables_with
-from turgor.engine.cells.mean_stress_jumps import mean_stress_numbers
+from turgor.engine.cells.mean_stress_jumps import numbers_at_borders
 from turgor.engine.cells.reference import reference_nodes, smooth_basis
 from turgor.engine.fields import cell_fields
 from turgor.meshing.cells import HEXAHEDRON
@@ -38,7 +38,7 @@ def error_indicator(state: State) -> Array:
     r = tables_with(nodes, stress.shape[1])
     basis = smooth_basis(nodes, r.points)
     to_corners = smooth_basis(nodes, reference_nodes(nodes)[:corners]) @ np.linalg.pinv(basis)
-    numbers, count = mean_stress_numbers(model)
+    numbers, count = numbers_at_borders(model)
     volume = fields.weight.sum(axis=1)
     total = np.bincount(numbers.ravel(), np.repeat(volume, corners), minlength=count)
     at_corners = np.einsum("aq,cqk->cak", to_corners, stress) * volume[:, None, None]

@@ -3,11 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.rings import rings_of
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.refining.refinement import Refinement
 from turgor.meshing.refining.split import refine_tetrahedra
-from turgor.meshing.refining.split_hexahedra import refine_hexahedra, sheets
+from turgor.meshing.refining.split_hexahedra import CELL_EDGES, refine_hexahedra, sheets
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -48,16 +49,29 @@ def _tetrahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, f
     return refine_tetrahedra(mesh, edges), float(shares[marked].sum())
 
 
+def ring_sheets(mesh: Mesh, of_cell: Ints) -> Ints:
+    """Sheets of an axisymmetric mesh whose edges run around the axis: cutting them adds no degree of freedom."""
+    ring = rings_of(mesh).leader
+    found = []
+    for direction, edges in enumerate(CELL_EDGES):
+        ends = ring[mesh.cells[:, np.array(edges)]]
+        found.append(of_cell[(ends[..., 0] == ends[..., 1]).any(axis=1), direction])
+    return np.unique(np.concatenate(found))
+
+
 def _hexahedra(mesh: Mesh, shares: Array, growth: float) -> tuple[Refinement, float]:
     """Cut the sheets that gain most for their cells, one after another."""
     of_cell = sheets(mesh)
     count = int(of_cell.max()) + 1
+    around = ring_sheets(mesh, of_cell) if mesh.revolved else np.zeros(0, dtype=np.int64)
+    shares = np.where(np.isin(of_cell, around), 0.0, shares)
+    shares = shares / shares.sum()
     error, cells = np.zeros(count), np.zeros(count)
     np.add.at(error, of_cell, shares)
     np.add.at(cells, of_cell, 1.0)
-    order = np.argsort(-error / cells, kind="stable")
-    chosen = count
-    for number in range(1, count + 1):
+    order = np.argsort(-error / cells, kind="stable")[: count - len(around)]
+    chosen = len(order)
+    for number in range(1, len(order) + 1):
         parts = 2.0 ** np.isin(of_cell, order[:number]).sum(axis=1)
         if parts.sum() > growth * len(of_cell):
             chosen = max(1, number - 1)

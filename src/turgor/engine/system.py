@@ -75,7 +75,9 @@ class System:
         self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.contact = self._contact_terms()
         bodies = self.contact.bodies.held
-        self.held = np.concatenate([supports.mask.ravel(), np.zeros(self.element.mean_count, dtype=bool), bodies])
+        unused = np.ones(self.element.mean_count, dtype=bool)
+        unused[self.element.mean] = False
+        self.held = np.concatenate([supports.mask.ravel(), unused, bodies])
         self.size = len(self.held)
         scales, along_axes = (self.length, self.stress_scale), supports.along_axes
         self.terms = Terms(Setting(model, self.points, along_axes, self.dV, *scales, controlled))

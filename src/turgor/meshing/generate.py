@@ -25,6 +25,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
 from turgor.meshing.quality.mend import mended
 from turgor.meshing.quiet import captured_output
+from turgor.meshing.revolved.axisymmetric import axisymmetric_mesh
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.default_size import default_size
 from turgor.meshing.sizing.local_sizes import LocalSizes, local_sizes
@@ -85,8 +86,9 @@ def mesh(
     cells : str, optional
         ``"tetrahedra"`` of ten nodes, for any geometry, or ``"hexahedra"`` of 27 nodes, for families that are a section
         moved along a line or turned about an axis; these need several times fewer unknowns for the same error where
-        walls are thin. Where it is not given, hexahedra fill such families at their default size; a ``size`` or
-        ``face_sizes`` mean tetrahedra.
+        walls are thin; or ``"axisymmetric"``, for a quarter of a body of revolution whose loads are the same all
+        around: its states have the degrees of freedom of its meridian alone. Where it is not given, hexahedra fill
+        the families that are swept at their default size; a ``size`` or ``face_sizes`` mean tetrahedra.
 
     Returns
     -------
@@ -133,7 +135,7 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
     try:
         return in_child(meshing(geometry.name), _meshed, geometry, chosen)
     except TurgorError as error:
-        if len(geometry.regions) > 1 or isinstance(geometry._shape, SurfaceShape) or chosen.cells == "hexahedra":
+        if len(geometry.regions) > 1 or isinstance(geometry._shape, SurfaceShape) or chosen.cells != "tetrahedra":
             raise
         try:
             result = in_child(meshing(geometry.name), _meshed_by_facets, geometry, chosen)
@@ -173,9 +175,10 @@ def _by_facets(error: TurgorError, result: Mesh, geometry: Geometry) -> Finding:
 def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
     assert chosen.size is not None  # chosen where it was not given
     size, grading = chosen.size, float(chosen.grading)
-    if chosen.cells == "hexahedra":
+    if chosen.cells in ("hexahedra", "axisymmetric"):
         fine = Fineness(size=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading)
-        result = swept_mesh(geometry, fine)
+        made = swept_mesh if chosen.cells == "hexahedra" else axisymmetric_mesh
+        result = made(geometry, fine)
         _check_result(result, geometry)
         refuse_inverted(result)
         return result

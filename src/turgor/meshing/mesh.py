@@ -17,6 +17,10 @@ TETRAHEDRON_EDGES = TETRAHEDRON.edges
 #: Mid-side nodes 3..5 of a six-node triangle lie on these pairs of its vertices.
 TRIANGLE_EDGES = TRIANGLE.edges
 
+#: A revolved mesh that reaches its axis has a hole there of this share of its largest radius, so that no cell
+#: collapses. What is missing has 1e-8 of the section, and its wall cannot move away from the axis.
+PINHOLE = 1e-4
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Mesh(Shown):
@@ -40,6 +44,10 @@ class Mesh(Shown):
         What the mesh shows, for reports.
     findings : tuple of Finding
         What was noticed while it was made.
+    revolved : str
+        ``"x"``, ``"y"`` or ``"z"`` where it is a quarter of a body of revolution about a line along that axis, whose
+        states are axisymmetric: all nodes of a ring move alike (`turgor.engine.algebra.rings`). The line is where the
+        two mirror planes along the axis meet. Empty for any other mesh.
 
     Raises
     ------
@@ -53,6 +61,7 @@ class Mesh(Shown):
     faces: dict[str, NDArray[np.int64]]
     name: str = "mesh"
     findings: tuple[Finding, ...] = ()
+    revolved: str = ""
     vertex_count: int = field(init=False)
 
     def __post_init__(self) -> None:
@@ -127,6 +136,24 @@ class Mesh(Shown):
         return tuple(found)
 
     @property
+    def radii(self) -> NDArray[np.float64]:
+        """Distance of each node from the axis of a revolved mesh, (n,) [m]."""
+        planes = dict(self.mirror_planes)
+        across = [i for i in range(3) if "xyz"[i] != self.revolved]
+        if not set(across) <= set(planes):
+            raise TurgorError(
+                f"mesh '{self.name}' is revolved about {self.revolved}, but has no two mirror planes along that axis."
+            )
+        arms = self.points[:, across] - np.array([planes[i] for i in across])
+        return np.asarray(np.hypot(*arms.T))
+
+    @property
+    def on_axis(self) -> NDArray[np.bool_]:
+        """Which nodes of a revolved mesh stand for its axis, (n,): those around its pinhole."""
+        radii = self.radii
+        return np.asarray(radii <= 2 * PINHOLE * radii.max())
+
+    @property
     def cavities(self) -> tuple[str, ...]:
         """Names of the faces that enclose a cavity: those that begin with ``cavity``."""
         return cavity_names(self.faces)
@@ -138,5 +165,10 @@ class Mesh(Shown):
 
     @property
     def unknown_count(self) -> int:
-        """Displacement components plus mean stresses, before supports are applied."""
-        return 3 * len(self.points) + self.vertex_count
+        """Displacement components plus mean stresses, before supports are applied; of a revolved mesh, per ring."""
+        if not self.revolved:
+            return 3 * len(self.points) + self.vertex_count
+        axis = "xyz".index(self.revolved)
+        places = np.stack([self.points[:, axis], self.radii], axis=1) / (1e-6 * np.ptp(self.points, axis=0).max())
+        rings = [len(np.unique(part.round(), axis=0)) for part in (places, places[: self.vertex_count])]
+        return 2 * rings[0] + rings[1]

@@ -86,6 +86,8 @@ def find_rims(mesh: Mesh, rim: Ints) -> tuple[Rim, ...]:
         at_mirror |= np.isin(rim, nodes).all(axis=1)
         mirror[nodes, axis] = position
     rim = rim[~at_mirror]
+    if mesh.revolved:  # around the pinhole on the axis
+        rim = rim[~mesh.on_axis[rim].all(axis=1)]
     if not len(rim):
         return ()
     nodes, ends = np.unique(rim[:, :2], return_inverse=True)

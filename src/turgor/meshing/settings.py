@@ -19,7 +19,8 @@ class MeshSettings:
     wall_cells : int
         Cells at least through every wall: 1 or 2.
     cells : str or None
-        ``"tetrahedra"`` or ``"hexahedra"``; None takes what suits the geometry, see `chosen_settings`.
+        ``"tetrahedra"``, ``"hexahedra"`` or ``"axisymmetric"``; None takes what suits the geometry, see
+        `chosen_settings`.
 
     Examples
     --------

@@ -66,7 +66,10 @@ def outer_triangles(mesh: Mesh) -> Triangles:
     """
     sides = cell_sides(mesh.cells)
     _, index, count = np.unique(corner_keys(sides, len(mesh.points)), return_index=True, return_counts=True)
-    return np.asarray(sides[np.sort(index[count == 1])])
+    outer = sides[np.sort(index[count == 1])]
+    if mesh.revolved:  # the wall of the pinhole is no surface of the body
+        outer = outer[~mesh.on_axis[outer].all(axis=1)]
+    return np.asarray(outer)
 
 
 def rim_edges(triangles: Triangles) -> NDArray[np.int64]:

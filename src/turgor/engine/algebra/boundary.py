@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.algebra.multipoint import UNTIED, MultiPoint
 from turgor.engine.algebra.node_frames import NodeFrames
+from turgor.engine.algebra.rings import TANGENTIAL, rings_of
 from turgor.engine.algebra.sections import Section, coordinate_plane, plane_sections
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
@@ -38,7 +39,7 @@ class Held:
     along_axes : (n, 3) bool array
         Components along x, y and z that are prescribed.
     normals : (k, 3) array
-        Of each node with a frame, the direction that is held besides the axes.
+        Of each node with a frame, the direction that is held besides the axes; zero where there is none.
     ties : MultiPoint
         Components that are equal to one another; followers count as prescribed.
     """
@@ -61,7 +62,9 @@ class Held:
         moved = np.einsum("ki,ki->k", self.normals, out[self.frames.nodes])
         out = self.frames.to_local(out)
         # the component along the normal must be zero: the first direction compensates those of the held axes
-        out[self.frames.nodes, 0] = -moved / np.einsum("ki,ki->k", self.normals, self.frames.axes[:, 0])
+        along = np.einsum("ki,ki->k", self.normals, self.frames.axes[:, 0])
+        nodes = self.frames.nodes[along != 0]
+        out[nodes, 0] = -moved[along != 0] / along[along != 0]
         return out
 
 
@@ -87,7 +90,39 @@ def held_components(model: Model) -> Held:
     for section in sections:
         section.check(mask)
         mask[section.nodes, section.axis] = True
+    if model.mesh.revolved:
+        return _around_axis(model, mask, tuple(moving), sections)
     return _with_normals(mask, tuple(moving), radial_normals(model), sections)
+
+
+def _around_axis(
+    model: Model,
+    mask: NDArray[np.bool_],
+    moving: tuple[tuple[Ints, list[int], Displacement], ...],
+    sections: tuple[Section, ...],
+) -> Held:
+    """Hold and tie the nodes of a body of revolution ring by ring; see `turgor.engine.algebra.rings`."""
+    rings = rings_of(model.mesh)
+    for section in sections:
+        mask[section.nodes, section.axis] = False  # its leader is free, and the others follow it
+        if section.axis != rings.axis:
+            raise TurgorError(
+                f"PlaneSection of '{section.face}': its normal must be the axis {AXES[rings.axis]} of the axisymmetric "
+                "mesh."
+            )
+    local = rings.local_mask(mask, radial_normals(model)[0])
+    ties = rings.ties(_ties(mask, np.zeros(0, dtype=np.int64), sections))
+    held = Held(local, moving, rings.frames, mask, np.zeros_like(model.mesh.points), ties)
+    for nodes, _, support in moving:
+        swept = held.values(model.mesh.points, 1.0)[nodes]
+        astray = np.abs(swept[:, TANGENTIAL]).max(initial=0.0)
+        if astray > ROUND * np.abs(swept).max():
+            raise TurgorError(
+                f"Displacement of '{support.face}': it moves the face around the axis or across it, which an "
+                "axisymmetric mesh cannot follow; move it along the axis, or use another kind of cells."
+            )
+    local.ravel()[ties.followers] = True
+    return held
 
 
 def _with_normals(

@@ -63,20 +63,18 @@ class MultiPoint:
         """Rows (m, n) of unknowns that something couples, −1 for none, with the leaders of the followers among them.
 
         The whole nodes of the leaders are added, because directions are turned node by node. Rows without a follower
-        are left out.
+        are left out. A row may name an unknown several times.
         """
-        rows = rows[self._among(rows, self.followers)]
-        columns = [rows]
-        for leader in np.unique(self.leaders):
-            has = self._among(rows, self.followers[self.leaders == leader])
-            node = 3 * (leader // 3) + np.arange(3)
-            columns.append(np.where(has[:, None], node, -1))
-        return np.concatenate(columns, axis=1)
-
-    @staticmethod
-    def _among(rows: Ints, values: Ints) -> NDArray[np.bool_]:
-        """Which rows have any of some values."""
-        return np.asarray(np.isin(rows, values)).sum(axis=1) > 0
+        size = int(max(rows.max(initial=0), self.followers.max())) + 1
+        leader = np.full(size + 1, -1)
+        leader[self.followers] = self.leaders
+        of = leader[rows]  # -1 in a row means none, and finds the last entry, which is -1
+        has = (of >= 0).any(axis=1)
+        rows, of = rows[has], of[has]
+        columns = np.flatnonzero((of >= 0).any(axis=0))
+        nodes = np.where(of[:, columns] >= 0, 3 * (of[:, columns] // 3), -1)
+        whole = [np.where(nodes >= 0, nodes + i, -1) for i in range(3)]
+        return np.concatenate([rows, *whole], axis=1)
 
     def places(self, pattern: Pattern) -> "Places":
         """Where the entries of the followers go in a pattern that has room for them."""

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from turgor.engine.algebra.rings import rings_of, shared_numbers
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import cell_sides, corner_keys
@@ -39,8 +40,16 @@ def mean_stress_numbers(model: Model) -> tuple[Ints, int]:
     numbers : (c, m) int array
         Number of the mean stress at each corner of each cell. The first numbers are those of the vertices.
     count : int
-        How many mean stresses there are.
+        How many mean stresses there are, with those that no cell has: on an axisymmetric mesh, all but one of a ring.
     """
+    numbers, count = numbers_at_borders(model)
+    if model.mesh.revolved:
+        return shared_numbers(rings_of(model.mesh), model.mesh.cells, numbers), count
+    return numbers, count
+
+
+def numbers_at_borders(model: Model) -> tuple[Ints, int]:
+    """Number the mean stresses as `mean_stress_numbers`, but each node of a ring on its own."""
     if model.formulation == CONTINUOUS:
         return _at_vertices(model.mesh), model.mesh.vertex_count
     return _numbers(model.mesh, _alike(model), _acting(model))

@@ -16,6 +16,9 @@ Array = NDArray[np.float64]
 #: Parabolas along each edge of a rim; the area of a circle is then exact to 1e-6.
 PIECES = 48
 
+#: An edge is shorter than this [CAD units] only at the pole of a sphere or the tip of a cone.
+POLE = 1e-9
+
 #: Largest error of the volume of facets, as a share. An exact volume that differs by more is not used.
 FACETS_MISS = 0.1
 
@@ -71,7 +74,7 @@ def rim_loops(chosen: Sequence[Any]) -> list[Array]:
     for face in chosen:
         for edge in face.edges:
             count[edge] = count.get(edge, 0) + 1
-    edges = [edge for edge, times in count.items() if times == 1 and edge.mass > 0]
+    edges = [edge for edge, times in count.items() if times == 1 and edge.mass > POLE]
     if not edges:
         return []
     samples = [_samples(edge) for edge in edges]
@@ -114,7 +117,10 @@ def _samples(edge: Any) -> Array:
 
 def _mean_vertex(chosen: Sequence[Any]) -> Array:
     """Mean of the ends of all edges of all faces, the reference point of the kernel for an open shell."""
-    ends = [p for face in chosen for edge in face.edges for p in (edge.start, edge.end)]
+    # the edge at the pole of a sphere has no length and no curve, and the kernel dies when it is asked for its ends
+    edges = [edge for face in chosen for edge in face.edges]
+    ends = [p for edge in edges if edge.mass > POLE for p in (edge.start, edge.end)]
+    ends += [vertex.p for edge in edges if not edge.mass > POLE for vertex in edge.vertices]
     return np.array([[p.x, p.y, p.z] for p in ends]).mean(axis=0)
 
 

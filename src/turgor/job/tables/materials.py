@@ -174,7 +174,7 @@ def _law(kind: Any, constants: Mapping[str, Any]) -> Any:
 def refuse_shells(materials: Mapping[str, Material | Membrane], mesh: MeshTable | None, problems: Problems) -> None:
     """Note every shell on a mesh of tetrahedra, which do not support shells."""
     for name, entry in materials.items():
-        if mesh is not None and mesh.cells != "hexahedra" and isinstance(entry, Membrane) and entry.bending:
+        if mesh is not None and mesh.cells == "tetrahedra" and isinstance(entry, Membrane) and entry.bending:
             problems.add(("materials", name, "form"), '"shell" needs hexahedra; add cells = "hexahedra" to [mesh].')
 
 

@@ -162,10 +162,17 @@ def cell_shapes(mesh: Mesh) -> Array:
 
 
 def jacobian_ratios(mesh: Mesh) -> Array:
-    """Return the smallest over the largest Jacobian of each curved cell, (c,): ≤ 0 if inverted, 0 if flat."""
+    """Return the smallest over the largest Jacobian of each curved cell, (c,): ≤ 0 if inverted, 0 if flat.
+
+    Cells of a revolved mesh that touch its axis are wedges, whose Jacobian vanishes there; where it is positive
+    elsewhere, they count as 1.
+    """
     low, high = jacobian_range(mesh)
     largest = np.maximum(np.abs(low), np.abs(high))
-    return np.divide(low, largest, out=np.zeros(len(low)), where=largest > 0)
+    ratios = np.divide(low, largest, out=np.zeros(len(low)), where=largest > 0)
+    if mesh.revolved:
+        ratios[mesh.on_axis[mesh.cells].any(axis=1) & (low > 0)] = 1.0
+    return ratios
 
 
 def refuse_inverted(mesh: Mesh) -> None:

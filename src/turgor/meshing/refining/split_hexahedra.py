@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Edges of a hexahedron by their direction in the cell, and of a quadrilateral by theirs.
-_CELL_EDGES = (((0, 1), (3, 2), (4, 5), (7, 6)), ((0, 3), (1, 2), (4, 7), (5, 6)), ((0, 4), (1, 5), (2, 6), (3, 7)))
+CELL_EDGES = (((0, 1), (3, 2), (4, 5), (7, 6)), ((0, 3), (1, 2), (4, 7), (5, 6)), ((0, 4), (1, 5), (2, 6), (3, 7)))
 _SIDE_EDGES = (((0, 1), (3, 2)), ((0, 3), (1, 2)))
 
 #: Reference coordinates of the corners of a square and a cube, in the node order of the cells.
@@ -40,7 +40,7 @@ def sheets(mesh: Mesh) -> Ints:
     mesh : Mesh
         27-node hexahedra.
     """
-    edges = np.sort(np.stack([mesh.cells[:, list(e)] for group in _CELL_EDGES for e in group], axis=1), axis=2)
+    edges = np.sort(np.stack([mesh.cells[:, list(e)] for group in CELL_EDGES for e in group], axis=1), axis=2)
     keys = edges[..., 0] * len(mesh.points) + edges[..., 1]
     found, place = np.unique(keys, return_inverse=True)
     place = place.reshape(-1, 3, 4)
@@ -166,7 +166,7 @@ def _cut_edges(mesh: Mesh, chosen: Ints, of_cell: Ints) -> Ints:
     """Keys of the edges that cross a chosen sheet."""
     keys = [
         _edge_keys(mesh.cells[np.isin(of_cell[:, direction], chosen)][:, list(edge)], len(mesh.points))
-        for direction, group in enumerate(_CELL_EDGES)
+        for direction, group in enumerate(CELL_EDGES)
         for edge in group
     ]
     return np.unique(np.concatenate(keys))

@@ -11,7 +11,7 @@ from turgor.units import mm
 
 #: Without a given size, cells are this many times longer than the thinnest wall is thick. Measured with hexahedra: at
 #: four times, an eccentric bender was 3 % off and ring sectors 6 %, at three times 0.3 % and 1 %.
-DEFAULT_SIZE_PER_WALL = {"tetrahedra": 2.0, "hexahedra": 3.0}
+DEFAULT_SIZE_PER_WALL = {"tetrahedra": 2.0, "hexahedra": 3.0, "axisymmetric": 2.0}
 
 #: Without a given size, the part is at least this many cells long.
 DEFAULT_CELLS_PER_EXTENT = 8.0
@@ -30,7 +30,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     ----------
     geometry : Geometry
     cells : str
-        ``"tetrahedra"`` or ``"hexahedra"``, which are shorter beside walls by themselves.
+        ``"tetrahedra"``, ``"hexahedra"``, which are shorter beside walls by themselves, or ``"axisymmetric"``.
 
     Returns
     -------
@@ -49,7 +49,7 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     size = per_wall * geometry.smallest_wall
     if cells == "hexahedra" and geometry._sweep is not None:
         size = _fewer(geometry, min(size, high))
-    else:
+    elif cells != "axisymmetric":  # few unknowns whatever the size
         size = max(size, size_for(geometry, DEFAULT_UNKNOWNS))
     size = min(size, high)
     digits = 1 - floor(log10(size / mm))

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil
+from math import ceil, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,6 +49,8 @@ class Fineness:
     edge : float or None [m]
         Length of the cells beside a feature line within, from which they grow to the size; None makes one cell of a
         third of the size there. Stresses have no bound along sharp edges; reference values need short cells there.
+    quarter_cells : int or None
+        Cells around a quarter of a turn, even; None takes as many as size and curvature ask for.
     """
 
     size: float
@@ -56,6 +58,7 @@ class Fineness:
     curvature: float = 2.0
     grading: float = 0.5
     edge: float | None = None
+    quarter_cells: int | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -240,6 +243,8 @@ def divided_turn(lines: Array, radius: float, fine: Fineness, multiple: int = 1)
     multiple : int
         The number of cells in each interval is a multiple of this.
     """
+    if fine.quarter_cells is not None:
+        return _cut(lines, [round(gap / (pi / 2) * fine.quarter_cells) for gap in np.diff(lines)])
     wanted = [max(gap * fine.curvature, gap * radius / fine.size) for gap in np.diff(lines)]
     return _cut(lines, [multiple * ceil(count / multiple - 1e-6) for count in wanted])
 

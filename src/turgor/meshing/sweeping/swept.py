@@ -19,7 +19,7 @@ from turgor.meshing.sweeping.section import Fineness, SectionMesh
 QUARTER = pi / 2
 
 #: Kinds of cells that a mesh can be made of.
-KINDS = ("tetrahedra", "hexahedra")
+KINDS = ("tetrahedra", "hexahedra", "axisymmetric")
 
 
 def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
@@ -52,11 +52,11 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     (373, '27-node hexahedron', 'cavity')
     """
     sweep = _sweep_of(geometry)
-    section = _section(sweep, sweep.outlines, fine)
+    section = section_of(sweep, sweep.outlines, fine)
     if not reaches_axis(sweep, section):
         return assemble(fill(sweep, section, fine), geometry, sweep)
     radius = core_radius(sweep)
-    section = without_core(_section(sweep, (*sweep.outlines, core_outline(sweep)), fine), radius)
+    section = without_core(section_of(sweep, (*sweep.outlines, core_outline(sweep)), fine), radius)
     quarters = round((sweep.layers[-1].end - sweep.layers[0].start) / QUARTER)
     return assemble(
         with_core(fill(sweep, section, fine, multiple=2 * quarters), sweep, section, radius, fine), geometry, sweep
@@ -90,9 +90,9 @@ def check_cells(geometry: Geometry, cells: object, face_sizes: Mapping[str, floa
         raise unknown("kind of cells", str(cells), KINDS)
     if cells == "hexahedra":
         _sweep_of(geometry)
-        if face_sizes:
-            name = next(iter(face_sizes))
-            raise TurgorError(f"mesh size of face '{name}' is given, but only tetrahedra can follow sizes of faces.")
+    if cells != "tetrahedra" and face_sizes:
+        name = next(iter(face_sizes))
+        raise TurgorError(f"mesh size of face '{name}' is given, but only tetrahedra can follow sizes of faces.")
     return str(cells)
 
 
@@ -127,6 +127,7 @@ def _lattice(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> Secti
     return section
 
 
-def _section(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
+def section_of(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
+    """Mesh a section: along its own lines or circles where it has such, else with paired triangles."""
     section = _lattice(sweep, outlines, fine)
     return general_section(outlines, fine) if section is None else section

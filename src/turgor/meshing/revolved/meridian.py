@@ -1,0 +1,206 @@
+"""Meridian: the section of a body of revolution, read from the mirror plane of its quarter."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import atan2, hypot, pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError
+from turgor.geometry.cad.volumes import POLE
+from turgor.geometry.geometry import Geometry
+from turgor.geometry.shapes.sections import Outline
+from turgor.geometry.sweep import Fill
+
+Array = NDArray[np.float64]
+
+#: Two ends of edges are one corner if they are nearer than this share of the size of the part.
+SAME = 1e-7
+
+#: An edge is straight, or an arc, if its points are nearer to the line or circle than this share of its length.
+STRAIGHT = 1e-6
+
+#: The turned section has the volume of the part up to this share, which free-form edges miss by less.
+SAME_VOLUME = 1e-3
+
+#: Arcs that stand for a free-form edge.
+PIECES = 16
+
+#: Points of each edge, from which the sides of cells find it again.
+SAMPLES = 400
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Meridian:
+    """The section of a body of revolution in coordinates (along the axis, radius).
+
+    Parameters
+    ----------
+    axis : int
+        Number of the axis.
+    center : (3,) array [m]
+        A point on the axis.
+    fill : tuple of (region or None, Outline) [m]
+        What lies within each loop of edges; later ones cover earlier ones.
+    edges : tuple of (name, (s, 2) array [m])
+        Name of the face that each edge bounds, and points on the edge.
+    cut : float or None [m]
+        Where a mirror plane across the axis cuts it.
+    """
+
+    axis: int
+    center: Array
+    fill: tuple[Fill, ...]
+    edges: tuple[tuple[str, Array], ...]
+    cut: float | None = None
+
+
+def meridian_of(geometry: Geometry) -> Meridian:
+    """Read the meridian of a quarter of a body of revolution.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        Cut at two mirror planes, such as ``symmetry_y`` and ``symmetry_z``; their line is the axis.
+
+    Raises
+    ------
+    TurgorError
+        If it is no such quarter, or no body of revolution.
+    """
+    letters = [letter for letter in "xyz" if f"symmetry_{letter}" in geometry.faces]
+    if len(letters) < 2 or not hasattr(geometry._shape, "solids"):
+        have = ", ".join(f"symmetry_{letter}" for letter in letters) or "none"
+        raise TurgorError(
+            f"'{geometry.name}' cannot be meshed as axisymmetric: it is no quarter between two mirror planes (it has "
+            f'{have}). Use quarter = true of the actuator, or symmetry = "automatic" of the CAD part.'
+        )
+    # of a part with three mirror planes each axis may be the one
+    possible = [axis for axis in range(3) if set("xyz") - {"xyz"[axis]} <= set(letters)]
+    for axis in possible:
+        found = _about(geometry, axis)
+        volume = _turned_volume(found)
+        if abs(volume - geometry.solid_volume) <= SAME_VOLUME * geometry.solid_volume:
+            return found
+    raise TurgorError(
+        f"'{geometry.name}' is no body of revolution: its section, turned by a quarter, has {volume * 1e9:.6g} mm³, "
+        f"the part has {geometry.solid_volume * 1e9:.6g} mm³. Use another kind of cells."
+    )
+
+
+def _about(geometry: Geometry, axis: int) -> Meridian:
+    """The meridian if the part is revolved about an axis."""
+    planes = {letter: _position(geometry, letter) for letter in "xyz" if f"symmetry_{letter}" in geometry.faces}
+    center = np.array([0.0 if i == axis else planes["xyz"[i]] for i in range(3)])
+    across = ["xyz"[i] for i in range(3) if i != axis]
+    loops, edges = _loops(geometry, axis, across, center)
+    loops.sort(key=lambda loop: (-abs(loop[1].area), loop[0] is not None))
+    return Meridian(axis=axis, center=center, fill=tuple(loops), edges=tuple(edges), cut=planes.get("xyz"[axis]))
+
+
+def _turned_volume(meridian: Meridian) -> float:
+    """Volume of the section turned by a quarter [m³], after Pappus."""
+    parts = [(name, pi / 2 * outline.centroid[1] * outline.area) for name, outline in meridian.fill]
+    return sum(part if name is not None else -part for name, part in parts)
+
+
+def _position(geometry: Geometry, letter: str) -> float:
+    """Where a mirror plane is [m]."""
+    face = next(f for f in geometry._shape.faces if f.name == f"symmetry_{letter}")
+    return float(getattr(face.center, letter)) * geometry.length_scale
+
+
+def _loops(
+    geometry: Geometry, axis: int, letters: Sequence[str], center: Array
+) -> tuple[list[Fill], list[tuple[str, Array]]]:
+    """Loops of the section with what is in them, and its edges by the faces that meet there."""
+    plane, radial = letters[0], "xyz".index(letters[1])
+    scale = geometry.length_scale
+    beside = [(face, set(face.edges)) for face in geometry._shape.faces]
+    loops: list[Fill] = []
+    edges: list[tuple[str, Array]] = []
+    for solid in geometry._shape.solids:
+        for face in solid.faces:
+            if face.name != f"symmetry_{plane}":
+                continue
+            for number, wire in enumerate(_by_area(face)):
+                lines = [_points(edge, axis, radial, center / scale) * scale for edge in wire]
+                loops.append((str(solid.name) if number == 0 else None, _outline(lines)))
+                for edge, line in zip(wire, lines, strict=True):
+                    names = [str(f.name) for f, owned in beside if edge in owned and not f.name.startswith("symmetry_")]
+                    if names:
+                        edges.append((names[0], line))
+    return loops, edges
+
+
+def _by_area(face: Any) -> list[list[Any]]:
+    """The loops of edges of a face, the outer one first."""
+    wires = [[edge for edge in wire.edges if edge.mass > POLE] for wire in face.wires]
+    size = [sum(float(edge.mass) for edge in wire) for wire in wires]
+    return [wires[i] for i in np.argsort(size)[::-1]]
+
+
+def _points(edge: Any, axis: int, radial: int, center: Array) -> Array:
+    """Points of an edge (SAMPLES + 1, 2) along the axis and the radius, in the order of its parameter."""
+    low, high = edge.parameter_interval
+    values = [edge.Value(t) for t in np.linspace(low, high, SAMPLES + 1)]
+    points = np.array([(p.x, p.y, p.z) for p in values]) - center
+    return np.stack([points[:, axis], np.abs(points[:, radial])], axis=1)
+
+
+def _outline(lines: Sequence[Array]) -> Outline:
+    """Chain edges into an outline, counterclockwise."""
+    left = list(lines)
+    chain = [left.pop(0)]
+    size = max(float(np.ptp(line, axis=0).max()) for line in lines)
+    while left:
+        end = chain[-1][-1]
+        gaps = [min(hypot(*(line[0] - end)), hypot(*(line[-1] - end))) for line in left]
+        line = left.pop(int(np.argmin(gaps)))
+        chain.append(line if hypot(*(line[0] - end)) <= hypot(*(line[-1] - end)) else line[::-1])
+    if hypot(*(chain[-1][-1] - chain[0][0])) > 1e-4 * size:  # the first edge was taken backwards
+        chain[0] = chain[0][::-1]
+    pieces = [piece for line in chain for piece in _pieces(line)]
+    outline = Outline(corners=tuple(p for p, _ in pieces), arcs=tuple(arc for _, arc in pieces))
+    if outline.area >= 0:
+        return outline
+    corners = tuple(reversed(outline.corners))
+    return Outline(corners=corners, arcs=tuple(-arc for arc in (*reversed(outline.arcs[:-1]), outline.arcs[-1])))
+
+
+def _pieces(line: Array) -> list[tuple[tuple[float, float], float]]:
+    """An edge as straight pieces and arcs: the start of each, and the angle through which it turns."""
+    length = float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
+    turn = _turn(line[0], line[SAMPLES // 2], line[-1])
+    if _off(line, turn) <= STRAIGHT * length:
+        return [(_pair(line[0]), turn)]
+    step = SAMPLES // PIECES
+    starts = range(0, SAMPLES, step)
+    return [(_pair(line[i]), _turn(line[i], line[i + step // 2], line[i + step])) for i in starts]
+
+
+def _pair(point: Array) -> tuple[float, float]:
+    return float(point[0]), float(point[1])
+
+
+def _turn(start: Array, middle: Array, end: Array) -> float:
+    """Angle through which an arc from start through middle to end turns, 0 for a straight line."""
+    first, second = middle - start, end - middle
+    cross, dot = first[0] * second[1] - first[1] * second[0], float(first @ second)
+    angle = 2 * atan2(cross, dot)
+    return 0.0 if abs(angle) < STRAIGHT else angle
+
+
+def _off(line: Array, turn: float) -> float:
+    """Largest distance of the points of an edge from the straight line or arc between its ends."""
+    start, end = line[0], line[-1]
+    span = end - start
+    chord = hypot(*span)
+    if not turn:
+        return float(np.abs(span[0] * (line[:, 1] - start[1]) - span[1] * (line[:, 0] - start[0])).max() / chord)
+    radius = chord / 2 / abs(np.sin(turn / 2))
+    apothem = chord / 2 / np.tan(turn / 2)
+    center = (start + end) / 2 + apothem * np.array([-span[1], span[0]]) / chord
+    return float(np.abs(np.hypot(*(line - center).T) - radius).max())
