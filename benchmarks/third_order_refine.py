@@ -5,8 +5,8 @@ elements: on such cells the slow PneuNet and the joint stood still 0.8 % and 1.2
 bisected. The indicator is a recovery (Zienkiewicz and Zhu 1987): a stress against its projection onto continuous
 functions, region by region, over the stiffness of the region.
 
-Bisected cells are short along an edge as well, where nothing varies. Cells that are cut in layers along re-entrant edges,
-each layer an eighth as thick as the next one, stay long there: prisms, pyramids and hexahedra of NGSolve.
+Bisected cells are short along an edge as well, where nothing varies. Cells that are cut in layers along re-entrant
+edges, each layer an eighth as thick as the next one, stay long there: prisms, pyramids and hexahedra of NGSolve.
 """
 
 import math

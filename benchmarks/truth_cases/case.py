@@ -9,7 +9,7 @@ from turgor.units import kPa
 
 NO_CONTACT = tg.Contact(self_contact=False)
 #: Steps of the set, as times the default size; those that are refined start from the default one.
-STEPS = {"double": 2.0, "default": 1.0, "half": 0.5, "target": 1.0, "refined": 1.0, "graded": 1.0}
+STEPS = {"double": 2.0, "default": 1.0, "half": 0.5, "quarter": 0.25, "target": 1.0, "refined": 1.0, "graded": 1.0}
 #: The step with a size of its own and short cells beside sharp edges.
 GRADED = "graded"
 #: Those whose mesh error is estimated.
@@ -73,8 +73,8 @@ class Case:
 
     @property
     def touches(self) -> bool:
-        """Whether walls meet, which the independent code cannot model."""
-        return self.contact.self_contact is not None
+        """Whether walls meet each other or an obstacle, which the independent code cannot model."""
+        return self.contact.self_contact is not None or bool(self.contact.obstacles)
 
     def model(self, mesh: tg.Mesh, formulation: str = "mixed") -> tg.Model:
         """The question on a mesh."""
