@@ -25,7 +25,7 @@ import numpy as np
 
 import turgor as tg
 from third_order_energies import rubber_energy, surface_energies
-from third_order_refine import bisected
+from third_order_refine import bisected, mark_edges
 from truth_cases import CASES
 
 #: Strains over which the bend between slack and taut threads is rounded off, one after the other; taut ones have 4e-4.
@@ -66,7 +66,11 @@ def curved_mesh(case: Any, size: float, order: int, grading: float = 0.5) -> ng.
     for face in shape.faces:
         if face.name in case.face_sizes:
             face.maxh = min(size, case.face_sizes[face.name])
+    if case.layers:
+        mark_edges(shape)
     mesh = ng.Mesh(shape.GenerateMesh(maxh=size, grading=grading, curvaturesafety=2.0, ngs_mesh=False))
+    if case.layers:
+        mesh.RefineHP(case.layers)
     mesh.Curve(order)
     return mesh
 

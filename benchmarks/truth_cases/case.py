@@ -9,7 +9,7 @@ from turgor.units import kPa
 
 NO_CONTACT = tg.Contact(self_contact=False)
 #: Steps of the set, as times the default size; those that are refined start from the default one.
-STEPS = {"double": 2.0, "default": 1.0, "half": 0.5, "target": 1.0, "refined": 1.0, "graded": 1.0}
+STEPS = {"double": 2.0, "default": 1.0, "half": 0.5, "quarter": 0.25, "target": 1.0, "refined": 1.0, "graded": 1.0}
 #: The step with a size of its own and short cells beside sharp edges.
 GRADED = "graded"
 #: Those whose mesh error is estimated.
@@ -45,10 +45,12 @@ class Case:
         Smaller sizes of the independent code for some faces.
     bisections : tuple of float
         Shares of the cells of the independent code that are bisected, round by round.
+    layers : int
+        Layers of thin cells of the independent code along re-entrant edges, each an eighth as thick as the next one.
     graded : (float, float) or None [mm]
         Where sharp edges decide the error: size of hexahedra, and length of those beside the edges, for the reference.
     first : str
-        Whose values are the reference: of the third order, or of graded hexahedra.
+        Whose values are the reference: of the third order, of hexahedra, or the mean of both discretizations.
     """
 
     name: str
@@ -65,13 +67,14 @@ class Case:
     jumps: bool = False
     face_sizes: Mapping[str, float] = field(default_factory=dict)
     bisections: tuple[float, ...] = (0.1, 0.02)
+    layers: int = 0
     graded: tuple[float, float] | None = None
     first: str = "third order"
 
     @property
     def touches(self) -> bool:
-        """Whether walls meet, which the independent code cannot model."""
-        return self.contact.automatic
+        """Whether walls meet each other or an obstacle, which the independent code cannot model."""
+        return self.contact.self_contact is not None or bool(self.contact.obstacles)
 
     def model(self, mesh: tg.Mesh, formulation: str = "mixed") -> tg.Model:
         """The question on a mesh."""

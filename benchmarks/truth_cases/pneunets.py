@@ -66,6 +66,7 @@ CASES = (
         pressures={"cavity": 16.0},
         measures=(tg.bending_angle, tg.cavity_volume),
         third_order_size=0.0,
+        first="mean",
         contact=tg.Contact(),
     ),
 )

@@ -9,6 +9,8 @@ DRAGON = tg.from_library("dragon-skin-30", record="yeoh-yang-2020")
 ECOFLEX = tg.from_library("ecoflex-00-30", record="yeoh-steck-2019")
 PLASTIC = tg.Material(name="stiff plastic", law=tg.laws.NeoHooke(C10=50 * MPa))
 FLEXIBLE = tg.Material(name="flexible plastic", law=tg.laws.NeoHooke(C10=2 * MPa))
+#: A plate 0.5 mm above the tube; its image in the mirror plane is below.
+PLATE = tg.obstacles.Obstacle(name="plate", shape=tg.obstacles.Plane(point=(0, 0, 8.85 * mm), normal=(0, 0, -1)))
 
 CASES = (
     Case(
@@ -20,6 +22,17 @@ CASES = (
         measures=(tg.measures.tip_displacement_x, tg.cavity_volume),
         third_order_size=3.0,
         bisections=(),
+    ),
+    Case(
+        name="tube_between_plates",
+        title="Closed tube between two rigid plates, 0.5 mm from each, 50 kPa",
+        actuator=tg.actuators.ExtendingCylinder(length=40 * mm),
+        materials={"body": ELASTOSIL},
+        pressures={"cavity": 50.0},
+        measures=(tg.cavity_volume, tg.measures.tip_displacement_x),
+        contact=tg.Contact(self_contact=False, obstacles=[PLATE], tolerance=1e-3),
+        third_order_size=0.0,
+        first="hexahedra",
     ),
     Case(
         name="omnidirectional_circles",

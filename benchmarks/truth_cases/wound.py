@@ -55,6 +55,7 @@ CASES = (
             replace(ROD, face="strain_limiting_layer", winding=LENGTHWISE),
         ),
         third_order_size=5.0,
+        layers=1,
         bisections=(),
     ),
     Case(

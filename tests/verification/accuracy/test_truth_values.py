@@ -31,6 +31,7 @@ AGREED = (
     "fast_pneunet_paper",
     "held_cylinder",
     "wound_cylinder",
+    "wound_bender",
     "twisting_tube",
     "closed_tube",
     "omnidirectional_circles",
