@@ -20,6 +20,8 @@ class MeshSettings:
         Cells at least through every wall: 1 or 2.
     cells : str or None
         ``"tetrahedra"`` or ``"hexahedra"``; None takes what suits the geometry, see `chosen_settings`.
+    ignore_features_below : float or None [m]
+        Fillets and other rounds of a smaller radius make cells no smaller; None decides by itself.
 
     Examples
     --------
@@ -32,3 +34,4 @@ class MeshSettings:
     face_sizes: Mapping[str, float] = field(default_factory=dict)
     wall_cells: int = 1
     cells: str | None = None
+    ignore_features_below: float | None = None

@@ -117,6 +117,45 @@ def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: fl
             raise TurgorError(f"mesh size of face '{name}' is {value / mm:.6g} mm; allowed is {shown}.")
 
 
+def check_features(geometry: Geometry, limit: object, size: float, cells: str) -> None:
+    """Refuse a limit of small features that is no length, larger than the cells, or has no meaning for them.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    limit : float or None [m]
+        Radius below which rounds are left coarse.
+    size : float [m]
+        Size of the mesh.
+    cells : str
+        Kind of the cells.
+
+    Raises
+    ------
+    TurgorError
+        What is given, and what is allowed.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> check_features(FastPneuNet().build(), 5e-3, 2e-3, "tetrahedra")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: mesh ignore_features_below is 5 mm; allowed is 0 to 2 mm, the size of the mesh.
+    """
+    if limit is None:
+        return
+    if isinstance(limit, bool) or not isinstance(limit, Real) or not isfinite(limit):
+        raise TurgorError(f"mesh ignore_features_below is {limit!r}; a length in meters is needed, such as 1*mm.")
+    if not 0 <= float(limit) <= size:
+        raise TurgorError(
+            f"mesh ignore_features_below is {float(limit) / mm:.6g} mm; allowed is 0 to {size / mm:.6g} mm, the size "
+            "of the mesh."
+        )
+    if cells == "hexahedra" or isinstance(geometry._shape, SurfaceShape):
+        what = "hexahedra of a swept section" if cells == "hexahedra" else "cells in a part that is given by facets"
+        raise TurgorError(f"mesh ignore_features_below is given, but {what} are not smaller at rounds; leave it out.")
+
+
 def extent_of(geometry: Geometry) -> float:
     """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
     if not isinstance(geometry._shape, SurfaceShape):
