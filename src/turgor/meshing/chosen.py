@@ -51,7 +51,7 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     """
     cells = chosen_cells(geometry, settings)
     size = default_size(geometry, cells) if settings.size is None else settings.size
-    check_settings(geometry, replace(settings, size=size))
+    check_settings(geometry, replace(settings, size=size, cells=cells))
     check_face_sizes(geometry, settings.face_sizes, float(size))
     check_features(geometry, settings.ignore_features_below, float(size), cells)
     return replace(settings, size=float(size), cells=check_cells(geometry, cells, settings.face_sizes))

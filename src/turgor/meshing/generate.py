@@ -77,8 +77,8 @@ def mesh(
         Corners of cavities about which thin walls bend (`turgor.geometry.thin_corners`) get a third of ``size``, and
         curved walls that end there 0.7 of it, unless the cavity is named here.
     wall_cells : int
-        Cells at least through every wall: 1 leaves them as they come; 2 gives smaller sizes to walls that are thinner
-        than a quarter of ``size``, and cuts cells in two that still reach through a wall.
+        Cells at least through every wall, 1 to 4: 1 leaves them as they come; 2 gives smaller sizes to walls that are
+        thinner than a quarter of ``size``, and cuts cells in two that still reach through a wall; more cut them again.
     cells : str, optional
         ``"tetrahedra"`` of ten nodes, for any geometry, or ``"hexahedra"`` of 27 nodes, for families that are a section
         moved along a line or turned about an axis; these need several times fewer unknowns for the same error where
@@ -159,7 +159,10 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
     assert chosen.size is not None  # chosen where it was not given
     size, grading = chosen.size, float(chosen.grading)
     if chosen.cells == "hexahedra":
-        fine = Fineness(size=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading)
+        wide = min(size, max(size_range(geometry)[1], size_range(geometry)[0]))  # walls of a section bend
+        fine = Fineness(
+            size=wide, along=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading
+        )
         result = swept_mesh(geometry, fine)
         _check_result(result, geometry)
         refuse_inverted(result)

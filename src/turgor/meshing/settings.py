@@ -17,7 +17,7 @@ class MeshSettings:
     face_sizes : mapping of str to float [m]
         Smaller sizes for some faces, by name.
     wall_cells : int
-        Cells at least through every wall: 1 or 2.
+        Cells at least through every wall: 1 to 4.
     cells : str or None
         ``"tetrahedra"`` or ``"hexahedra"``; None takes what suits the geometry, see `chosen_settings`.
     ignore_features_below : float or None [m]

@@ -1,7 +1,7 @@
 """Meshes of planar sections: nine-node quadrilaterals that follow every outline of a sweep."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
 
 import numpy as np
@@ -49,6 +49,8 @@ class Fineness:
     edge : float or None [m]
         Length of the cells beside a feature line within, from which they grow to the size; None makes one cell of a
         third of the size there. Stresses have no bound along sharp edges; reference values need short cells there.
+    along : float or None [m]
+        Longest edge along a straight path, if it is larger than the size: cells grow to it from a third of the size.
     """
 
     size: float
@@ -56,6 +58,14 @@ class Fineness:
     curvature: float = 2.0
     grading: float = 0.5
     edge: float | None = None
+    along: float | None = None
+
+    @property
+    def of_path(self) -> "Fineness":
+        """How fine cells are along a straight path."""
+        if self.along is None or self.along <= self.size:
+            return self
+        return replace(self, size=self.along, edge=self.edge or SHORT_CELL * self.size)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
