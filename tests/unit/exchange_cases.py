@@ -64,6 +64,49 @@ def gmsh_2(points, blocks, names):
     return "\n".join(lines)
 
 
+def gmsh_2_binary(points, blocks, names, order="<"):
+    """As `gmsh_2`, in a byte order."""
+    head = "\n".join(["$PhysicalNames", str(len(names)), *(f'{d} {g} "{n}"' for (d, g), n in names.items())])
+    nodes = b"".join(struct.pack(order + "i3d", i, *point) for i, point in enumerate(points.tolist(), 1))
+    number, elements = 0, b""
+    for kind, cells, groups in blocks:
+        elements += struct.pack(order + "3i", kind, len(cells), 2)
+        for cell, group in zip(cells, groups, strict=True):
+            number += 1
+            elements += struct.pack(f"{order}{3 + len(cell)}i", number, group, 1, *(cell + 1))
+    out = b"$MeshFormat\n2.2 1 8\n" + struct.pack(order + "i", 1) + b"\n$EndMeshFormat\n" + head.encode()
+    out += b"\n$EndPhysicalNames\n$Nodes\n" + f"{len(points)}\n".encode() + nodes
+    return out + b"\n$EndNodes\n$Elements\n" + f"{number}\n".encode() + elements + b"\n$EndElements\n"
+
+
+def gmsh_4_binary(points, blocks, names, order="<"):
+    """As `gmsh_4`, in a byte order; the second half of the nodes has a parameter on a curve."""
+    head = "\n".join(["$PhysicalNames", str(len(names)), *(f'{d} {g} "{n}"' for (d, g), n in names.items())])
+    known = sorted({(dimension, entity) for dimension, entity, _, _ in blocks})
+    entities = struct.pack(order + "4Q", *(sum(d == dimension for d, _ in known) for dimension in range(4)))
+    for d, entity in known:
+        groups = [entity] if (d, entity) in names else []
+        entities += struct.pack(f"{order}i6dQ{len(groups)}iQ2i", entity, *6 * [0.0], len(groups), *groups, 2, 7, 8)
+    half, count = len(points) // 2, len(points)
+    nodes = struct.pack(order + "4Q", 2, count, 1, count)
+    for start, end, dimension in ((0, half, 0), (half, count, 1)):
+        nodes += struct.pack(order + "3iQ", dimension, 1, dimension, end - start)
+        nodes += struct.pack(f"{order}{end - start}Q", *range(start + 1, end + 1))
+        nodes += b"".join(
+            struct.pack(f"{order}{3 + dimension}d", *point, *dimension * [0.5]) for point in points[start:end]
+        )
+    total = sum(len(cells) for *_, cells in blocks)
+    elements, number = struct.pack(order + "4Q", len(blocks), total, 1, total), 0
+    for d, entity, kind, cells in blocks:
+        elements += struct.pack(order + "3iQ", d, entity, kind, len(cells))
+        for cell in cells:
+            number += 1
+            elements += struct.pack(f"{order}{1 + len(cell)}Q", number, *(cell + 1))
+    out = b"$MeshFormat\n4.1 1 8\n" + struct.pack(order + "i", 1) + b"\n$EndMeshFormat\n" + head.encode()
+    out += b"\n$EndPhysicalNames\n$Entities\n" + entities + b"\n$EndEntities\n$Nodes\n" + nodes
+    return out + b"\n$EndNodes\n$Elements\n" + elements + b"\n$EndElements\n"
+
+
 def gmsh_4(points, blocks, names):
     """Blocks of (dimension, entity, gmsh number, nodes); names of (dimension, entity), group number = entity."""
     entities = sorted({(dimension, entity) for dimension, entity, _, _ in blocks})
@@ -175,3 +218,10 @@ def vtu(points, blocks, form="ascii", compressed=False, header="UInt32", order="
         encoding = "raw" if form == "raw" else "base64"
         out += f'<AppendedData encoding="{encoding}">_'.encode() + appended + b"</AppendedData>"
     return out + b"</VTKFile>"
+
+
+def centers(mesh, name):
+    """Centers of the sides of a face, sorted."""
+    corners = mesh.faces[name][:, : mesh.cell_type.side.corners]
+    found = mesh.points[corners].mean(axis=1)
+    return found[np.lexsort(np.round(found, 9).T)]

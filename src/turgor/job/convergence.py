@@ -140,7 +140,10 @@ def _limits(job: Job) -> tuple[float, float]:
 def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress | None) -> Solution:
     share = size / job.mesh_size
     faces = {name: length * share for name, length in job.mesh.face_sizes.items()}
-    model, _ = prepare(replace(job, mesh=replace(job.mesh_settings, size=size, face_sizes=faces)), say)
+    limit = job.mesh.ignore_features_below
+    limit = None if limit is None else min(limit, size)  # no mesh allows more than its size
+    settings = replace(job.mesh_settings, size=size, face_sizes=faces, ignore_features_below=limit)
+    model, _ = prepare(replace(job, mesh=settings), say)
     options = EngineOptions(notify=say)
     if job.threads is not None:
         options = replace(options, threads=job.threads)

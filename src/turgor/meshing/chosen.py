@@ -7,7 +7,7 @@ from turgor.geometry.geometry import Geometry
 from turgor.meshing.quality.cell_quality import refuse_inverted
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.default_size import default_size
-from turgor.meshing.sizing.sizes import check_face_sizes, check_settings
+from turgor.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
 from turgor.meshing.sweeping.section import Fineness
 from turgor.meshing.sweeping.swept import check_cells, is_lattice, swept_mesh
 
@@ -51,8 +51,9 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     """
     cells = chosen_cells(geometry, settings)
     size = default_size(geometry, cells) if settings.size is None else settings.size
-    check_settings(geometry, replace(settings, size=size))
+    check_settings(geometry, replace(settings, size=size, cells=cells))
     check_face_sizes(geometry, settings.face_sizes, float(size))
+    check_features(geometry, settings.ignore_features_below, float(size), cells)
     return replace(settings, size=float(size), cells=check_cells(geometry, cells, settings.face_sizes))
 
 
@@ -60,7 +61,7 @@ def chosen_cells(geometry: Geometry, settings: MeshSettings) -> str:
     """Return the kind of cells that settings ask for, or the one that suits the geometry; see `chosen_settings`."""
     if settings.cells is not None:
         return settings.cells
-    free = settings.size is None and not settings.face_sizes
+    free = settings.size is None and not settings.face_sizes and settings.ignore_features_below is None
     return "hexahedra" if free and _fillable(geometry) else "tetrahedra"
 
 

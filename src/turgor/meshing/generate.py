@@ -1,46 +1,38 @@
 """Generate a mesh: curved ten-node tetrahedra from a geometry, with its names."""
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
-from typing import Any
-
-import numpy as np
-from netgen.meshing import MeshingParameters, NgException, Pnt, SetMessageImportance
-from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
-from turgor.geometry.cad.facets import find_facets
-from turgor.geometry.cad.surface.shape import SurfaceFace, SurfaceShape
+from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.bodies.assemble import Raw, assemble
 from turgor.meshing.chosen import chosen_settings
+from turgor.meshing.enveloped.faceted import faceted, meshed_by_facets
 from turgor.meshing.enveloped.tetrahedra import enveloped_cells
 from turgor.meshing.foreign import meshing
+from turgor.meshing.generator import GeneratorSizes, generated_cells, sizes_on_faces
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
 from turgor.meshing.quality.mend import mended
-from turgor.meshing.quiet import captured_output
 from turgor.meshing.revolved.axisymmetric import axisymmetric_mesh
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.default_size import default_size
-from turgor.meshing.sizing.local_sizes import LocalSizes, local_sizes
+from turgor.meshing.sizing.local_sizes import local_sizes
 from turgor.meshing.sizing.sizes import (
     CELLS_PER_RADIUS,
     LARGEST_SIZE_PER_WALL,
     size_range,
 )
-from turgor.meshing.sizing.thin_walls import ThinWalls, find_thin_walls, thin_walls_left
+from turgor.meshing.sizing.small_features import edges_left, features_left, has_tiny_edges, small_features
+from turgor.meshing.sizing.thin_walls import find_thin_walls, thin_walls_left
 from turgor.meshing.sizing.walls import refine_walls
 from turgor.meshing.sweeping.section import Fineness
 from turgor.meshing.sweeping.swept import swept_mesh
-from turgor.units import mm
-
-Ints = NDArray[np.int64]
 
 __all__ = ["default_size", "mesh", "size_range"]
 
@@ -49,6 +41,10 @@ ROUNDS = 3
 
 #: A finished mesh fills the geometry; quadratic cells may miss this share of it at curved faces.
 LOST_VOLUME = 0.01
+
+#: Where small features may be left out, a mesh that does not keep their edges is taken if it has at most this share of
+#: the unknowns of one that keeps them: its cells are less regular.
+FEWER = 0.7
 
 
 def mesh(
@@ -59,6 +55,7 @@ def mesh(
     face_sizes: Mapping[str, float] = MappingProxyType({}),
     wall_cells: int = 1,
     cells: str | None = None,
+    ignore_features_below: float | None = None,
 ) -> Mesh:
     """Generate quadratic cells that fill the geometry and carry its names: tetrahedra, or hexahedra for a sweep.
 
@@ -81,14 +78,18 @@ def mesh(
         Corners of cavities about which thin walls bend (`turgor.geometry.thin_corners`) get a third of ``size``, and
         curved walls that end there 0.7 of it, unless the cavity is named here.
     wall_cells : int
-        Cells at least through every wall: 1 leaves them as they come; 2 gives smaller sizes to walls that are thinner
-        than a quarter of ``size``, and cuts cells in two that still reach through a wall.
+        Cells at least through every wall, 1 to 4: 1 leaves them as they come; 2 gives smaller sizes to walls that are
+        thinner than a quarter of ``size``, and cuts cells in two that still reach through a wall; more cut them again.
     cells : str, optional
         ``"tetrahedra"`` of ten nodes, for any geometry, or ``"hexahedra"`` of 27 nodes, for families that are a section
         moved along a line or turned about an axis; these need several times fewer unknowns for the same error where
         walls are thin; or ``"axisymmetric"``, for a quarter of a body of revolution whose loads are the same all
         around: its states have the degrees of freedom of its meridian alone. Where it is not given, hexahedra fill
         the families that are swept at their default size; a ``size`` or ``face_sizes`` mean tetrahedra.
+    ignore_features_below : float [m], optional
+        Fillets and other rounds of a smaller radius make cells no smaller: one reaches over the arc of a fillet, six go
+        around a hole. 0 follows all of them. Where it is not given, half the size is taken for parts of CAD files whose
+        rounds would make more unknowns than all the rest; a finding (G11) says which faces these are.
 
     Returns
     -------
@@ -110,7 +111,14 @@ def mesh(
     Traceback (most recent call last):
     turgor.errors.TurgorError: mesh size is 0 mm; allowed is 0.291 mm to 4 mm (four times the thinnest wall, 1 mm).
     """
-    settings = MeshSettings(size=size, grading=grading, face_sizes=face_sizes, wall_cells=wall_cells, cells=cells)
+    settings = MeshSettings(
+        size=size,
+        grading=grading,
+        face_sizes=face_sizes,
+        wall_cells=wall_cells,
+        cells=cells,
+        ignore_features_below=ignore_features_below,
+    )
     return mesh_with(geometry, settings)
 
 
@@ -141,42 +149,21 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
             result = in_child(meshing(geometry.name), _meshed_by_facets, geometry, chosen)
         except TurgorError:
             raise error from None
-        return replace(result, findings=(*result.findings, _by_facets(error, result, geometry)))
+        return replace(result, findings=(*result.findings, meshed_by_facets(error, result, geometry)))
 
 
 def _meshed_by_facets(geometry: Geometry, chosen: MeshSettings) -> Mesh:
-    """Mesh the facets of a CAD shape of one body, whose faces are too small or too odd for the mesh generator."""
-    shape = geometry._shape
-    faces = list(dict.fromkeys(shape.faces))
-    facets = find_facets(shape, faces)
-    surface = SurfaceShape(
-        points=facets.points,
-        triangles=facets.triangles,
-        face=facets.face,
-        faces=tuple(SurfaceFace(name=str(face.name), mass=float(face.mass)) for face in faces),
-    )
-    filled = surface.mass * geometry.length_scale**3
-    return _meshed(replace(geometry, _shape=surface, solid_volume=filled), chosen)
-
-
-def _by_facets(error: TurgorError, result: Mesh, geometry: Geometry) -> Finding:
-    lost = 1 - float(cell_volumes(result).sum()) / geometry.solid_volume
-    return Finding(
-        code="G10",
-        severity=Severity.NOTE,
-        message="The part was meshed from flat facets of its faces, because the faces themselves could not be meshed: "
-        f"{str(error).split(';')[0].rstrip('.')}. The cells fill {abs(lost):.2%} {'less' if lost > 0 else 'more'} than "
-        "the part.",
-        advice="Faces far smaller than the cells are the usual cause; leave them out in the CAD program to get cells "
-        "on the true faces.",
-    )
+    return _meshed(faceted(geometry), chosen)
 
 
 def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
     assert chosen.size is not None  # chosen where it was not given
     size, grading = chosen.size, float(chosen.grading)
     if chosen.cells in ("hexahedra", "axisymmetric"):
-        fine = Fineness(size=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading)
+        wide = min(size, max(size_range(geometry)[1], size_range(geometry)[0]))  # walls of a section bend
+        fine = Fineness(
+            size=wide, along=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading
+        )
         made = swept_mesh if chosen.cells == "hexahedra" else axisymmetric_mesh
         result = made(geometry, fine)
         _check_result(result, geometry)
@@ -184,33 +171,55 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
         return result
     if isinstance(geometry._shape, SurfaceShape):
         return refine_walls(_sound(geometry, partial(enveloped_cells, geometry, chosen)), chosen.wall_cells)
-    sizes = _Sizes(size=size, grading=grading, local=local_sizes(geometry, size, chosen.face_sizes))
-    with _sizes_on_faces(geometry, sizes.local.faces):
-        try:
-            result = _fitting_walls(geometry, sizes)
-        except TurgorError as error:
-            try:  # most failures come from arcs with too few cells
-                finer = _fitting_walls(geometry, replace(sizes, curvature=2 * sizes.curvature))
-            except TurgorError:
-                raise error from None
-            result = replace(finer, findings=(*finer.findings, _meshed_finer(error)))
+    result = _following(geometry, chosen, size)
+    if chosen.ignore_features_below and has_tiny_edges(geometry, chosen.ignore_features_below):
+        result = _with_fewer_cells(result, geometry, chosen)
     return refine_walls(result, chosen.wall_cells)
 
 
-@dataclass(frozen=True, slots=True)
-class _Sizes:
-    """Sizes for the generator [m]: one for all, how fast cells grow, smaller ones at some points."""
+def _with_fewer_cells(result: Mesh, geometry: Geometry, chosen: MeshSettings) -> Mesh:
+    """The mesh within an envelope of the facets, which keeps no small edge, if it has far fewer unknowns."""
+    if len(geometry.regions) > 1:
+        return result  # facets are those of one body
+    try:
+        coarse = _sound(faceted(geometry), partial(enveloped_cells, faceted(geometry), chosen))
+    except TurgorError:
+        return result
+    if coarse.unknown_count > FEWER * result.unknown_count:
+        return result
+    filled = float(cell_volumes(coarse).sum()) / geometry.solid_volume
+    found = edges_left(chosen.ignore_features_below or 0.0, 1 - coarse.unknown_count / result.unknown_count, filled)
+    return replace(coarse, findings=(*coarse.findings, found))
 
-    size: float
-    grading: float
-    local: LocalSizes
-    curvature: float = field(default_factory=lambda: CELLS_PER_RADIUS)
-    places: tuple[ThinWalls, ...] = ()
+
+def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
+    """A mesh of a CAD shape: small features coarse at first, and more cells along arcs where this fails."""
+    local = local_sizes(geometry, size, chosen.face_sizes)
+    plain = GeneratorSizes(size=size, grading=float(chosen.grading), local=local, curvature=CELLS_PER_RADIUS)
+    features = small_features(geometry, size, chosen.ignore_features_below)
+    attempts = [plain, replace(plain, curvature=2 * plain.curvature)]  # most failures come from arcs with too few cells
+    if features is not None:
+        attempts.insert(0, replace(plain, features=features))
+    first: TurgorError | None = None
+    with sizes_on_faces(geometry, local.faces):
+        for sizes in attempts:
+            try:
+                result = _fitting_walls(geometry, sizes)
+            except TurgorError as error:
+                first = first or error
+                continue
+            if sizes.features is not None:
+                filled = float(cell_volumes(result).sum()) / geometry.solid_volume
+                found = features_left(sizes.features, chosen.ignore_features_below is not None, filled)
+                result = replace(result, findings=(*result.findings, found))
+            return result if first is None else replace(result, findings=(*result.findings, _meshed_finer(first)))
+    assert first is not None
+    raise first from None
 
 
-def _fitting_walls(geometry: Geometry, sizes: _Sizes) -> Mesh:
+def _fitting_walls(geometry: Geometry, sizes: GeneratorSizes) -> Mesh:
     """A valid mesh whose cells suit their walls: made again with smaller sizes at walls that are too thin."""
-    result = _sound(geometry, partial(_generate, geometry, sizes))
+    result = _sound(geometry, partial(generated_cells, geometry, sizes))
     if sizes.size <= LARGEST_SIZE_PER_WALL * geometry.smallest_wall * (1 + 1e-9):
         return result  # the size suits every wall
     for _ in range(ROUNDS):
@@ -218,7 +227,7 @@ def _fitting_walls(geometry: Geometry, sizes: _Sizes) -> Mesh:
         if not len(walls.points):
             return result
         sizes = replace(sizes, places=(*sizes.places, walls))
-        result = _sound(geometry, partial(_generate, geometry, sizes))
+        result = _sound(geometry, partial(generated_cells, geometry, sizes))
     walls = find_thin_walls(result, sizes.size)
     if len(walls.points):
         result = replace(result, findings=(*result.findings, thin_walls_left(walls)))
@@ -238,76 +247,8 @@ def _meshed_finer(error: TurgorError) -> Finding:
     return Finding(
         code="G08",
         severity=Severity.NOTE,
-        message=f"Curved faces were meshed with twice the cells along their arcs, because at first {cause}.",
+        message=f"Curved faces were meshed with more cells along their arcs, because at first {cause}.",
         advice="A smaller size does the same with fewer surprises.",
-    )
-
-
-@contextmanager
-def _sizes_on_faces(geometry: Geometry, sizes: Mapping[int, float]) -> Iterator[None]:
-    """Set sizes on the faces of the shape while it is meshed, and remove them afterwards."""
-    faces = {place: face for place, face in enumerate(geometry._shape.faces) if place in sizes}
-    before = {place: face.maxh for place, face in faces.items()}
-    try:
-        for place, face in faces.items():
-            face.maxh = sizes[place] / geometry.length_scale
-        yield
-    finally:
-        for place, face in faces.items():
-            face.maxh = before[place]
-
-
-def _generate(geometry: Geometry, sizes: _Sizes) -> Raw:
-    before = SetMessageImportance(0)
-    with captured_output() as text:  # at level 0 its warnings and errors still go to stdout, line after line
-        try:
-            # the generator takes sizes from a triangulation stored with the shape; making it here gives the same mesh
-            # whether or not the shape was meshed, measured or drawn before
-            geometry._shape.MakeTriangulation()
-            netgen_mesh = geometry._shape.GenerateMesh(
-                mp=_local_sizes(sizes, geometry.length_scale),
-                maxh=sizes.size / geometry.length_scale,
-                grading=sizes.grading,
-                curvaturesafety=sizes.curvature,
-                parallel_meshing=False,  # the same mesh for half the work: its threads spin where a machine is busy
-                ngs_mesh=False,
-            )
-            netgen_mesh.SecondOrder()
-        except NgException as error:
-            causes = [line.strip() for line in text().splitlines() if " error: " in line.lower()]
-            raise TurgorError(
-                f"'{geometry.name}' could not be meshed at size {sizes.size / mm:.4g} mm; use a smaller one. "
-                f"The mesh generator says: {causes[-1] if causes else error}"
-            ) from error
-        finally:
-            SetMessageImportance(before)
-    return _read(netgen_mesh, geometry.length_scale)
-
-
-def _local_sizes(sizes: _Sizes, scale: float) -> MeshingParameters | None:
-    """Smaller sizes at points and along lines, as the generator takes them."""
-    if not sizes.places and not len(sizes.local.lines):
-        return None
-    parameters = MeshingParameters()
-    for start, end in sizes.local.lines / scale:
-        parameters.RestrictHLine(Pnt(*start), Pnt(*end), sizes.local.line_size / scale)
-    for rounds, walls in enumerate(sizes.places):
-        for (x, y, z), size in zip(walls.points / scale, walls.sizes(rounds) / scale, strict=True):
-            parameters.RestrictH(x, y, z, size)
-    return parameters
-
-
-def _read(netgen_mesh: Any, scale: float) -> Raw:
-    cells, triangles = netgen_mesh.Elements3D().NumPy(), netgen_mesh.Elements2D().NumPy()
-    descriptors = netgen_mesh.FaceDescriptors()
-    return Raw(
-        points=np.array(netgen_mesh.Coordinates(), dtype=np.float64) * scale,
-        cells=cells["nodes"][:, :10].astype(np.int64) - 1,
-        cell_region=cells["index"].astype(np.int64) - 1,
-        regions=tuple(netgen_mesh.GetMaterial(i + 1) for i in range(int(cells["index"].max(initial=0)))),
-        corners=triangles["nodes"][:, :3].astype(np.int64) - 1,
-        corner_face=triangles["index"].astype(np.int64) - 1,
-        faces=tuple(descriptor.bcname for descriptor in descriptors),
     )
 
 

@@ -17,10 +17,12 @@ class MeshSettings:
     face_sizes : mapping of str to float [m]
         Smaller sizes for some faces, by name.
     wall_cells : int
-        Cells at least through every wall: 1 or 2.
+        Cells at least through every wall: 1 to 4.
     cells : str or None
         ``"tetrahedra"``, ``"hexahedra"`` or ``"axisymmetric"``; None takes what suits the geometry, see
         `chosen_settings`.
+    ignore_features_below : float or None [m]
+        Fillets and other rounds of a smaller radius make cells no smaller; None decides by itself.
 
     Examples
     --------
@@ -33,3 +35,4 @@ class MeshSettings:
     face_sizes: Mapping[str, float] = field(default_factory=dict)
     wall_cells: int = 1
     cells: str | None = None
+    ignore_features_below: float | None = None

@@ -278,8 +278,8 @@ def test_a_cell_inside_out_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
         raw.points[raw.cells[0, 0]] = raw.points[raw.cells[0, 1]]  # flat: straight edges do not help
         return raw
 
-    original = generate._generate
-    monkeypatch.setattr(generate, "_generate", bent)
+    original = generate.generated_cells
+    monkeypatch.setattr(generate, "generated_cells", bent)
     monkeypatch.setattr(generate, "LOST_VOLUME", 1e9)
     with pytest.raises(TurgorError, match="cells are turned inside out"):
         mesh(box_with(("outside",), ("body",), 1000), size=6 * mm)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.chamber_row import ChamberRow, check_row, row_of
-from turgor.geometry.parts.pneunet import check_envelope, copies, finished
+from turgor.geometry.parts.pneunet import check_envelope, copies, finished, with_base
 from turgor.geometry.shapes.solids import cut
 from turgor.geometry.sweeps.rows import row_blocks, row_sweep
 from turgor.units import mm
@@ -41,7 +41,7 @@ class FastPneuNet:
     floor : float [m]
         Thickness of the silicone between cavity and strain-limiting layer.
     base : float [m]
-        Thickness of the silicone below the strain-limiting layer.
+        Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     channel_width, channel_height : float [m]
         Air channel that joins the chambers, on the floor in the middle.
     channel_wall : float [m]
@@ -143,8 +143,8 @@ class FastPneuNet:
             If the CAD volumes are not those of the dimensions.
         """
         row = self._row
-        body, base = cut(row.slab((self.base, self.height)), row.gaps()), row.slab((0, self.base))
-        blocks, cavities = [("body", body), ("base", base)], {"cavity": row.cavity()}
+        body = cut(row.slab((self.base, self.height)), row.gaps())
+        blocks, cavities = with_base(body, self.base, row.slab), {"cavity": row.cavity()}
         sweep = row_sweep(row, row_blocks(row), self.base)
         return replace(finished(self, "fast PneuNet", blocks, cavities, self.base), _sweep=sweep)
 

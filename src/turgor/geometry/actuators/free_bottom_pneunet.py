@@ -98,6 +98,8 @@ ends between floor and top of the chambers.
 
     def __post_init__(self) -> None:
         check_envelope(self)
+        why = "because the base closes the chambers"
+        check_length("base", self.base, high=self.height - 3 * SMALLEST_LENGTH, why=why)
         check_row(row_of(self))
         if self.chambers > 1:
             self._check_free_part()

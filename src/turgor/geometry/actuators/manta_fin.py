@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from turgor.errors import TurgorError
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.chamber_block import ChamberBlock, block_of, check_block
-from turgor.geometry.parts.pneunet import check_envelope, finished
+from turgor.geometry.parts.pneunet import check_envelope, finished, with_base
 from turgor.geometry.rules import check_length
 from turgor.geometry.sweeps.rows import block_sweep
 from turgor.units import mm
@@ -43,7 +43,7 @@ class MantaFin:
     floor : float [m]
         Thickness of the silicone between cavity and strain-limiting layer.
     base : float [m]
-        Thickness of the silicone below the strain-limiting layer.
+        Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     channel_width, channel_height : float [m]
         Air channel through the walls between the chambers, on the floor in the middle.
     clamp_length : float [m]
@@ -124,7 +124,7 @@ class MantaFin:
             If the CAD volumes are not those of the dimensions.
         """
         block = self._block
-        blocks = [("body", block.filled((self.base, self.height))), ("base", block.filled((0.0, self.base)))]
+        blocks = with_base(block.filled((self.base, self.height)), self.base, block.filled)
         made = finished(self, "manta fin", blocks, {"cavity": block.cavity()}, self.base)
         return replace(made, _sweep=block_sweep(block))
 

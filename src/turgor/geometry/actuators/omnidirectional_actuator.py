@@ -1,7 +1,7 @@
 """Omnidirectional actuator: a cylinder with several independent chambers around its axis."""
 
 from dataclasses import dataclass
-from math import pi
+from math import pi, sin, sqrt
 from typing import Any
 
 from netgen.occ import Fuse
@@ -106,7 +106,10 @@ of 0.1 mm between them.
         high = self.outer_radius - self.bore_radius - 3 * least
         check_length("wall", self.wall, low=least, high=high, why="so that chambers fit inside it")
         if self.chamber_shape == "ring_sector":
-            check_length("web", self.web, low=least, high=(self.outer_radius - self.wall) / 2)
+            # the thinnest ring that is accepted is between two sectors' sides and within the wall
+            beside = (self.outer_radius - self.wall - least) * sin(pi / self.chambers)
+            why = f"so that {self.chambers} ring sectors keep an inside"
+            check_length("web", self.web, low=least, high=2 * sqrt(max(beside**2 - (least / 2) ** 2, 0.0)), why=why)
         self._check_size()
 
     def _check_size(self) -> None:

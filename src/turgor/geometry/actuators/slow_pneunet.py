@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.chamber_block import ChamberBlock, block_of, check_block
-from turgor.geometry.parts.pneunet import check_envelope, copies, finished
+from turgor.geometry.parts.pneunet import check_envelope, copies, finished, with_base
 from turgor.geometry.sweeps.rows import block_sweep
 from turgor.units import mm
 
@@ -34,7 +34,7 @@ class SlowPneuNet:
     floor : float [m]
         Thickness of the silicone between cavity and strain-limiting layer.
     base : float [m]
-        Thickness of the silicone below the strain-limiting layer.
+        Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     channel_width, channel_height : float [m]
         Air channel through the walls between the chambers, on the floor in the middle.
     clamp_length : float [m]
@@ -108,7 +108,7 @@ class SlowPneuNet:
             If the CAD volumes are not those of the dimensions.
         """
         block = self._block
-        blocks = [("body", block.filled((self.base, self.height))), ("base", block.filled((0.0, self.base)))]
+        blocks = with_base(block.filled((self.base, self.height)), self.base, block.filled)
         made = finished(self, "slow PneuNet", blocks, {"cavity": block.cavity()}, self.base)
         return replace(made, _sweep=block_sweep(block))
 

@@ -6,7 +6,7 @@ from math import atan2, ceil, tan
 
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.bellows_row import BellowsRow, bellows_of, check_bellows, check_inside
-from turgor.geometry.parts.pneunet import check_envelope, finished
+from turgor.geometry.parts.pneunet import check_envelope, finished, with_base
 from turgor.geometry.rules import SMALLEST_LENGTH, check_angle, check_length
 from turgor.geometry.sweeps.profiles import bellows_sweep
 from turgor.units import deg, mm
@@ -42,7 +42,7 @@ class TrapezoidalPneuNet:
     floor : float [m]
         Thickness of the silicone between cavity and strain-limiting layer.
     base : float [m]
-        Thickness of the silicone below the strain-limiting layer.
+        Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     channel_height : float [m]
         Height of the air space below the gaps.
     clamp_length : float [m]
@@ -140,7 +140,7 @@ feet 12.38 mm long.
             If the CAD volumes are not those of the dimensions.
         """
         row = self._row
-        blocks = [("body", row.filled()), ("base", row.slab((0.0, self.base)))]
+        blocks = with_base(row.filled(), self.base, row.slab)
         made = finished(self, "trapezoidal PneuNet", blocks, {"cavity": row.cavity()}, self.base)
         return replace(made, _sweep=bellows_sweep(row))
 

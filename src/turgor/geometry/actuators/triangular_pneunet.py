@@ -6,7 +6,7 @@ from math import atan2
 
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.bellows_row import BellowsRow, bellows_of, check_bellows, check_inside, foot
-from turgor.geometry.parts.pneunet import check_envelope, finished
+from turgor.geometry.parts.pneunet import check_envelope, finished, with_base
 from turgor.geometry.sweeps.profiles import bellows_sweep
 from turgor.units import mm
 
@@ -39,7 +39,7 @@ class TriangularPneuNet:
     floor : float [m]
         Thickness of the silicone between cavity and strain-limiting layer.
     base : float [m]
-        Thickness of the silicone below the strain-limiting layer.
+        Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     channel_height : float [m]
         Height of the air space below the gaps.
     clamp_length : float [m]
@@ -123,7 +123,7 @@ height of 15 mm.
             If the CAD volumes are not those of the dimensions.
         """
         row = self._row
-        blocks = [("body", row.filled()), ("base", row.slab((0.0, self.base)))]
+        blocks = with_base(row.filled(), self.base, row.slab)
         made = finished(self, "triangular PneuNet", blocks, {"cavity": row.cavity()}, self.base)
         return replace(made, _sweep=bellows_sweep(row))
 

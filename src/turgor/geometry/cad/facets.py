@@ -26,6 +26,9 @@ Mirror = tuple[int, float]
 #: Corners closer than this share of the size of the part are merged: the display has seven digits.
 WELD = 2e-6
 
+#: Normals of the display that differ by less are those of a plane: they have seven digits.
+PLAIN = 1e-5
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Facets:
@@ -102,6 +105,55 @@ def named_facets(shape: Any) -> list[tuple[str, Array]]:
     corners = data["vertices"].reshape(-1, 3, 3).astype(np.float64)
     number = data["indices"].astype(np.int64)
     return [(str(face.name), corners[number == i]) for i, face in enumerate(_unique(OCCGeometry(shape).faces))]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class RoundFacets:
+    """Triangles of a shape with the normals of the true surface at their corners.
+
+    Parameters
+    ----------
+    corners, normals : (t, 3, 3) float array [CAD units, -]
+    face : (t,) int array
+        Place of the face of each triangle in ``faces``.
+    faces : list of CAD faces
+        Each once.
+    """
+
+    corners: Array
+    normals: Array
+    face: Ints
+    faces: list[Any]
+
+    @property
+    def areas(self) -> Array:
+        """Area of each triangle, (t,) [CAD units²]."""
+        a, b, c = (self.corners[:, i] for i in range(3))
+        return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+
+    @property
+    def radii(self) -> Array:
+        """Smallest radius of curvature of each triangle, (t,) [CAD units]; inf for plane ones.
+
+        Along an edge of length d whose normals differ by n it is d / |n|: exact for circles.
+        """
+        length = np.linalg.norm(self.corners - np.roll(self.corners, 1, axis=1), axis=2)
+        turned = np.linalg.norm(self.normals - np.roll(self.normals, 1, axis=1), axis=2)
+        turned[turned < PLAIN] = 0.0
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(turned > 0, length / turned, np.inf).min(axis=1)
+
+
+def round_facets(shape: Any) -> RoundFacets:
+    """Return the triangles of the display of a shape, with the normals of the true surface at their corners."""
+    geometry = OCCGeometry(shape)
+    data = geometry._visualizationData()
+    return RoundFacets(
+        corners=data["vertices"].reshape(-1, 3, 3).astype(np.float64),
+        normals=data["normals"].reshape(-1, 3, 3).astype(np.float64),
+        face=data["indices"].astype(np.int64),
+        faces=_unique(geometry.faces),
+    )
 
 
 def mirrored(facets: Facets, mirrors: Sequence[Mirror], cuts: Sequence[int]) -> Facets:

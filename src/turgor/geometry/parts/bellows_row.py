@@ -103,7 +103,7 @@ class BellowsRow:
     @property
     def thinnest(self) -> float:
         """Thickness of the thinnest wall [m]."""
-        return min(self.wall, self.side_wall, self.end_wall, self.base, self.floor, self.top_wall or inf)
+        return min(self.wall, self.side_wall, self.end_wall, self.base or inf, self.floor, self.top_wall or inf)
 
     @property
     def cavity_volume(self) -> float:
@@ -192,7 +192,8 @@ def check_bellows(actuator: Any) -> None:
     )  # fmt: skip
     left, why = actuator.height, f"so that bellows remain within the height of {in_mm(actuator.height)}"
     for count, name in enumerate(("base", "floor", "channel_height")):
-        check_length(name, getattr(actuator, name), high=left - (6 - count) * least, why=why)
+        if name != "base" or actuator.base:
+            check_length(name, getattr(actuator, name), high=left - (6 - count) * least, why=why)
         left -= getattr(actuator, name)
     check_length("wall", actuator.wall, high=left - 3 * least, why=why)
 

@@ -5,7 +5,7 @@ from math import cos, tan
 from typing import Any
 
 from turgor.geometry.parts.plates import plan
-from turgor.geometry.parts.pneunet import across, check_inlet, copies, inlet, inlet_volume
+from turgor.geometry.parts.pneunet import across, check_base, check_inlet, copies, inlet, inlet_volume
 from turgor.geometry.rules import SMALLEST_LENGTH, check_length, in_mm
 from turgor.geometry.shapes.solids import Range, box, union
 from turgor.units import m, mm
@@ -110,7 +110,7 @@ class ChamberRow:
     def thinnest(self) -> float:
         """Thickness of the thinnest wall [m]."""
         outer = [self.side_wall, self.top_wall, self.end_wall, self.floor]
-        outer += [] if self.base is None else [self.base]
+        outer += [self.base] if self.base else []
         return min(outer) if self.chambers == 1 else min(*outer, self.wall, self.channel_wall)
 
     @property
@@ -226,7 +226,7 @@ def _check_across(row: ChamberRow) -> None:
 def _check_up(row: ChamberRow) -> None:
     least, why = SMALLEST_LENGTH, f"so that a cavity remains within the height of {in_mm(row.height)}"
     if row.base is not None:
-        check_length("base", row.base, high=row.height - 3 * least, why=why)
+        check_base(row.base, high=row.height - 3 * least, why=why)
     check_length("floor", row.floor, high=row.height - (row.base or 0.0) - 2 * least, why=why)
     check_length("top_wall", row.top_wall, high=row.height - row.floor_top - least, why=why)
     if row.chambers > 1:

@@ -1,6 +1,6 @@
 """Common parts of all PneuNets: rules for their ends, clamped block, air inlet, and names of their faces."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from typing import Any, Protocol
 
@@ -88,6 +88,25 @@ def check_inlet(part: Part, width: float, height: float) -> None:
     """
     high, why = min(width, height) - SMALLEST_LENGTH, f"less than the chamber, {in_mm(width)} x {in_mm(height)} inside"
     check_length("inlet_diameter", part.inlet_diameter, low=0.0, high=high, why=why)
+
+
+def check_base(base: float, *, high: float, why: str) -> None:
+    """Raise an error for a base that is neither left out (0) nor between the smallest length and ``high`` [m].
+
+    Examples
+    --------
+    >>> check_base(0.0, high=1e-3, why="")
+    >>> check_base(2e-3, high=1e-3, why="0 leaves it out")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: base is 2 mm; allowed is 0.01 mm to 1 mm, 0 leaves it out.
+    """
+    if base:
+        check_length("base", base, high=high, why=why)
+
+
+def with_base(body: Any, base: float, slab: Callable[[Range], Any]) -> list[tuple[str, Any]]:
+    """Return the body, and below it the base, made by ``slab`` from its range along z [m], with their regions."""
+    return [("body", body), *([("base", slab((0.0, base)))] if base else [])]
 
 
 def across(part: Part, width: float) -> Range:

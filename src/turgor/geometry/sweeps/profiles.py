@@ -23,12 +23,11 @@ def bellows_sweep(row: "BellowsRow") -> Sweep | None:
         return None
     end = row.clamp_length + row.length
     outside, inside = ((0.0 if row.symmetric else -width / 2, width / 2) for width in (row.width, row.inner_width))
-    parts: list[Part] = [
-        ("base", rectangle((0.0, end), (0.0, row.base)), outside),
-        ("body", polygon(row.roof()), outside),
-    ]
+    parts: list[Part] = [("base", rectangle((0.0, end), (0.0, row.base)), outside)] if row.base else []
+    parts.append(("body", polygon(row.roof()), outside))
     if row.clamp_length:  # a boundary between cells at the end of the clamped block
-        parts.append(("base", rectangle((0.0, row.clamp_length), (0.0, row.base)), outside))
+        if row.base:
+            parts.append(("base", rectangle((0.0, row.clamp_length), (0.0, row.base)), outside))
         parts.append(("body", rectangle((0.0, row.clamp_length), (row.base, row.valley)), outside))
     parts.append(("cavity", polygon(row.air_space()), inside))
     return Sweep(layers=layers_of(parts), path=Along(axis=1), names=pneunet_names(row, row.base))

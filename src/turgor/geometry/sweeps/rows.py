@@ -133,10 +133,12 @@ def block_sweep(block: "ChamberBlock") -> Sweep | None:
     if block.inlet_diameter:
         return None
     fin = polygon(block.outline((0.0, block.length), block.root_width, block.tip_width))
-    parts: list[Part] = [("base", fin, (0.0, block.base)), ("body", fin, (block.base, block.height))]
+    base: list[Part] = [("base", fin, (0.0, block.base))] if block.base else []
+    parts: list[Part] = [*base, ("body", fin, (block.base, block.height))]
     if block.clamp_length:
         clamp = rectangle((0.0, block.clamp_length), _across(block, block.root_width))
-        parts += [("base", clamp, (0.0, block.base)), ("body", clamp, (block.base, block.height))]
+        parts += [("base", clamp, (0.0, block.base))] if block.base else []
+        parts += [("body", clamp, (block.base, block.height))]
     up = (block.floor_top, block.height - block.top_wall)
     parts += [("cavity", polygon(corners), up) for corners in block.chamber_plans()]
     up = (block.floor_top, block.floor_top + block.channel_height)

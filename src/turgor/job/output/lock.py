@@ -155,8 +155,14 @@ def _mesh(job: Job) -> dict[str, Any]:
         "face_sizes": {name: format_quantity(size, "mm") for name, size in mesh.face_sizes.items()},
         "wall_cells": mesh.wall_cells,
         "cells": mesh.cells,
+        **_features(mesh.ignore_features_below),
         **_target(job),
     }
+
+
+def _features(limit: float | None) -> dict[str, Any]:
+    """Key of the limit of small features, if one is given."""
+    return {} if limit is None else {"ignore_features_below": format_quantity(limit, "mm")}
 
 
 def _target(job: Job) -> dict[str, Any]:

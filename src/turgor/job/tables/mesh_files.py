@@ -33,11 +33,13 @@ class MeshFileTable(Table):
     ----
     file : str
         Mesh of gmsh, Abaqus, CalculiX or VTK, or a closed STL; its path counts from the folder of the job file.
+    unit : str
+        Unit of length of the file; mm by default, and m for VTU files of turgor, which state it.
     """
 
     type: str
     file: str = Field(examples=['"finger.msh"'])
-    unit: str = "mm"
+    unit: str | None = Field(default=None, examples=['"mm"'])
     axes: list[str] = Field(default_factory=lambda: ["x", "y", "z"])
     regions: dict[str, SelectorTable | list[SelectorTable]] = Field(
         default_factory=dict, examples=['{ body = { name = "RUBBER" } }']
@@ -101,7 +103,7 @@ def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
     """Write an actuator that comes from a mesh file as `read_mesh_file` reads it, without its type."""
     values: dict[str, Any] = {
         "file": Path(actuator.file).as_posix(),
-        "unit": actuator.unit,
+        **({"unit": actuator.unit} if actuator.unit else {}),
         "axes": list(actuator.axes),
         "sha256": actuator.sha256,
     }

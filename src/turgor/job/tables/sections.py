@@ -22,7 +22,7 @@ from turgor.job.text.quantities import (
 from turgor.meshing.chosen import chosen_cells
 from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.sizing.default_size import default_size
-from turgor.meshing.sizing.sizes import check_face_sizes, check_settings
+from turgor.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
 from turgor.meshing.sweeping.swept import check_cells
 
 
@@ -59,6 +59,8 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     settings = table.settings
     problems.attempt(key, lambda: check_settings(geometry, settings), fields=("size", "grading", "wall_cells"))
     problems.attempt((*key, "face_sizes"), lambda: check_face_sizes(geometry, table.face_sizes, size))
+    limit = table.ignore_features_below
+    problems.attempt((*key, "ignore_features_below"), lambda: check_features(geometry, limit, size, cells))
     problems.attempt((*key, "cells"), lambda: check_cells(geometry, cells, table.face_sizes))
     return table
 

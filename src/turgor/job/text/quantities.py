@@ -112,6 +112,9 @@ class MeshTable(Table):
         Largest edge length aimed at; chosen for the actuator by default.
     cells : str
         Kind of the cells; what suits the actuator by default.
+    ignore_features_below : float [m]
+        Fillets and other rounds of a smaller radius make cells no smaller; by default half the size, where rounds of a
+        CAD file would make more unknowns than the rest of it.
     target : float, optional
         Largest mesh error of a measure at the last state, as a share; the mesh is refined until it is met.
     target_measure : str, optional
@@ -125,6 +128,7 @@ class MeshTable(Table):
     face_sizes: dict[str, Length] = Field(default_factory=dict, examples=['{ cavity = "1 mm" }'])
     wall_cells: int = _MESH.wall_cells
     cells: str | None = Field(default=_MESH.cells, examples=['"hexahedra"'])
+    ignore_features_below: Length | None = Field(default=None, examples=['"1 mm"'])
     target: Share | None = None
     target_measure: Annotated[str, AfterValidator(_measure)] | None = None
     most_unknowns: int = 200_000
@@ -138,6 +142,7 @@ class MeshTable(Table):
             face_sizes=self.face_sizes,
             wall_cells=self.wall_cells,
             cells=self.cells,
+            ignore_features_below=self.ignore_features_below,
         )
 
 

@@ -1,6 +1,6 @@
 """MeshFile: an actuator that comes as a mesh, as a job names it."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
 from pathlib import Path
@@ -12,7 +12,7 @@ from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.exchange.fill import mesh_surfaces
 from turgor.meshing.exchange.formats.raw import Ints
-from turgor.meshing.exchange.read import read_mesh
+from turgor.meshing.exchange.read import DEFAULT_UNIT, read_mesh
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import outer_triangles
@@ -47,8 +47,8 @@ class MeshFile:
     ----------
     file : Path
         The file.
-    unit : str
-        Unit of length of the file.
+    unit : str, optional
+        Unit of length of the file; as for `read_mesh`.
     axes : (str, str, str)
         Directions in the file of our x, y and z.
     regions, faces : mapping of str to Choice
@@ -71,7 +71,7 @@ class MeshFile:
     """
 
     file: Path
-    unit: str = "mm"
+    unit: str | None = None
     axes: tuple[str, str, str] = ("x", "y", "z")
     regions: Mapping[str, Choice] = field(default_factory=dict)
     faces: Mapping[str, Choice] = field(default_factory=dict)
@@ -91,10 +91,11 @@ class MeshFile:
 
     def read(self) -> Mesh:
         """Read the mesh."""
-        reader = mesh_surfaces if Path(self.file).suffix.lower() == ".stl" else read_mesh
+        surface = Path(self.file).suffix.lower() == ".stl"
+        reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
         return reader(
             self.file,
-            unit=self.unit,
+            unit=self.unit or (DEFAULT_UNIT if surface else None),
             regions=self.regions,
             faces=self.faces,
             cavities=self.cavities,

@@ -30,6 +30,9 @@ READERS: Mapping[str, Callable[[Path], RawMesh]] = {
     ".vtu": read_vtu,
 }
 
+#: Unit of length of files that state none.
+DEFAULT_UNIT = "mm"
+
 #: Range of the longest side of an actuator; outside it the unit is wrong.
 SMALLEST_EXTENT, LARGEST_EXTENT = 1e-3, 2.0
 
@@ -43,7 +46,7 @@ CURVED_SHARE = 0.05
 def read_mesh(
     path: str | Path,
     *,
-    unit: str = "mm",
+    unit: str | None = None,
     regions: Mapping[str, Choice] | None = None,
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
@@ -59,8 +62,9 @@ def read_mesh(
     ----------
     path : str or Path
         The file; its ending says what it is.
-    unit : str
-        Unit of length of the file, ``"mm"``, ``"cm"``, ``"m"``, ``"um"`` or ``"in"``; mesh files do not state it.
+    unit : str, optional
+        Unit of length of the file, ``"mm"``, ``"cm"``, ``"m"``, ``"um"`` or ``"in"``. Only VTU files of turgor state
+        it; others are in mm where it is not given.
     regions : mapping of str to str or selector, optional
         Region names with what they mean: a group of the file, or a box (`InBox`) that holds the centers of its
         cells. Other cells keep their group, or are ``body``.
@@ -83,10 +87,11 @@ def read_mesh(
         If the file cannot be read, has no cells that can be solved on, cells turned inside out, or an unlikely size.
     """
     file = Path(path)
-    frame = Frame(unit=unit, axes=axes)
-    return named_mesh(
-        _read(file), Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame)
-    )
+    if unit is not None:
+        Frame(unit=unit, axes=axes)  # what is wrong with these is told before the file is read
+    raw = _read(file)
+    frame = Frame(unit=unit or raw.unit or DEFAULT_UNIT, axes=axes)
+    return named_mesh(raw, Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame))
 
 
 def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:

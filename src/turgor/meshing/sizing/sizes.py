@@ -8,6 +8,7 @@ from typing import Any
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.geometry import Geometry
+from turgor.geometry.sweep import Along
 from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
 
@@ -32,8 +33,11 @@ CELLS_PER_RADIUS = 2.0
 #: Relative mesh errors that can be asked for.
 LEAST_TARGET, MOST_TARGET = 1e-4, 0.5
 
+#: A sweep is a tube where one layer is longer than this share of its path, and than so many times the thinnest wall.
+TUBE, LONG_PER_WALL = 0.5, 20.0
+
 #: Cells through a wall that can be asked for.
-MOST_WALL_CELLS = 2
+MOST_WALL_CELLS = 4
 
 
 def size_range(geometry: Geometry) -> tuple[float, float]:
@@ -60,7 +64,8 @@ def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
     """
     grading: object = settings.grading
     _check_wall_cells(settings.wall_cells)
-    _check_size(geometry, settings.size, size_range(geometry)[1] if settings.wall_cells == 1 else extent_of(geometry))
+    long = settings.wall_cells > 1 or (settings.cells == "hexahedra" and _is_tube(geometry))
+    _check_size(geometry, settings.size, extent_of(geometry) if long else size_range(geometry)[1])
     if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
         raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
 
@@ -117,6 +122,45 @@ def check_face_sizes(geometry: Geometry, face_sizes: Mapping[str, Any], size: fl
             raise TurgorError(f"mesh size of face '{name}' is {value / mm:.6g} mm; allowed is {shown}.")
 
 
+def check_features(geometry: Geometry, limit: object, size: float, cells: str) -> None:
+    """Refuse a limit of small features that is no length, larger than the cells, or has no meaning for them.
+
+    Parameters
+    ----------
+    geometry : Geometry
+    limit : float or None [m]
+        Radius below which rounds are left coarse.
+    size : float [m]
+        Size of the mesh.
+    cells : str
+        Kind of the cells.
+
+    Raises
+    ------
+    TurgorError
+        What is given, and what is allowed.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> check_features(FastPneuNet().build(), 5e-3, 2e-3, "tetrahedra")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: mesh ignore_features_below is 5 mm; allowed is 0 to 2 mm, the size of the mesh.
+    """
+    if limit is None:
+        return
+    if isinstance(limit, bool) or not isinstance(limit, Real) or not isfinite(limit):
+        raise TurgorError(f"mesh ignore_features_below is {limit!r}; a length in meters is needed, such as 1*mm.")
+    if not 0 <= float(limit) <= size:
+        raise TurgorError(
+            f"mesh ignore_features_below is {float(limit) / mm:.6g} mm; allowed is 0 to {size / mm:.6g} mm, the size "
+            "of the mesh."
+        )
+    if cells == "hexahedra" or isinstance(geometry._shape, SurfaceShape):
+        what = "hexahedra of a swept section" if cells == "hexahedra" else "cells in a part that is given by facets"
+        raise TurgorError(f"mesh ignore_features_below is given, but {what} are not smaller at rounds; leave it out.")
+
+
 def extent_of(geometry: Geometry) -> float:
     """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
     if not isinstance(geometry._shape, SurfaceShape):
@@ -156,12 +200,21 @@ def _check_size(geometry: Geometry, size: object, high: float) -> None:
     raise TurgorError(f"{given}, {what}; {allowed}{hint}")
 
 
+def _is_tube(geometry: Geometry) -> bool:
+    """Whether the same section fills most of a straight path, so that its walls hardly bend along their length."""
+    sweep = geometry._sweep
+    if sweep is None or not isinstance(sweep.path, Along):
+        return False
+    lengths = [layer.end - layer.start for layer in sweep.layers]
+    return max(lengths) > TUBE * sum(lengths) and max(lengths) > LONG_PER_WALL * geometry.smallest_wall
+
+
 def _check_wall_cells(wall_cells: object) -> None:
     whole = isinstance(wall_cells, Integral) and not isinstance(wall_cells, bool)
     if not whole or not 1 <= int(wall_cells) <= MOST_WALL_CELLS:  # type: ignore[call-overload]
         raise TurgorError(
-            f"mesh wall_cells is {wall_cells!r}; allowed is 1, which leaves the walls as they come, or "
-            f"{MOST_WALL_CELLS}, which puts two cells through every wall; a smaller size puts more."
+            f"mesh wall_cells is {wall_cells!r}; allowed is 1, which leaves the walls as they come, to "
+            f"{MOST_WALL_CELLS}, which puts so many cells through every wall at least; a smaller size puts more."
         )
 
 

@@ -85,7 +85,7 @@ def _stations(sweep: Sweep, section: SectionMesh, fine: Fineness, multiple: int)
     """Where the nodes lie along the path, and the layer of each interval between two of every second of them."""
     ends = np.array([sweep.layers[0].start, *(layer.end for layer in sweep.layers)])
     if isinstance(sweep.path, Along):
-        along = divided(ends, fine)
+        along = divided(ends, fine.of_path)
     else:
         along = divided_turn(ends, float(section.points[:, 1].max()), fine, multiple)
     return along, np.searchsorted(ends, along[1::2]) - 1

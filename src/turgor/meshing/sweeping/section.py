@@ -1,7 +1,7 @@
 """Meshes of planar sections: nine-node quadrilaterals that follow every outline of a sweep."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, pi
 
 import numpy as np
@@ -51,6 +51,8 @@ class Fineness:
         third of the size there. Stresses have no bound along sharp edges; reference values need short cells there.
     quarter_cells : int or None
         Cells around a quarter of a turn, even; None takes as many as size and curvature ask for.
+    along : float or None [m]
+        Longest edge along a straight path, if it is larger than the size: cells grow to it from a third of the size.
     """
 
     size: float
@@ -59,6 +61,14 @@ class Fineness:
     grading: float = 0.5
     edge: float | None = None
     quarter_cells: int | None = None
+    along: float | None = None
+
+    @property
+    def of_path(self) -> "Fineness":
+        """How fine cells are along a straight path."""
+        if self.along is None or self.along <= self.size:
+            return self
+        return replace(self, size=self.along, edge=self.edge or SHORT_CELL * self.size)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

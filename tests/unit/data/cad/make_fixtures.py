@@ -9,7 +9,25 @@ the CAD kernel and must not meet in one process.
 
 from pathlib import Path
 
-from build123d import Align, Box, Color, Compound, Cylinder, Part, Pos, Rot, export_step
+from build123d import (
+    Align,
+    Axis,
+    Box,
+    Color,
+    Compound,
+    Cylinder,
+    Part,
+    Plane,
+    Polyline,
+    Pos,
+    Rot,
+    Text,
+    export_step,
+    extrude,
+    fillet,
+    make_face,
+    revolve,
+)
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parents[3] / "examples"
@@ -58,7 +76,43 @@ def finger():
     return Compound(label="finger", children=parts)
 
 
+def lobes(wall, start, end):
+    """A quarter of a solid of revolution about x with six lobes, whose edges have fillets of 0.8 mm.
+
+    The outer surface has wall = 0; the air within has the wall's thickness and ends at other places.
+    """
+    root, crest, pitch, width = 8.0, 14.0, 6.5, 4.0
+    corners = [(start, 0), (start, root - wall)]
+    for i in range(6):
+        a = 5.5 + i * pitch
+        b = a + width
+        corners += [
+            (a + wall, root - wall),
+            (a + wall, crest - wall),
+            (b - wall, crest - wall),
+            (b - wall, root - wall),
+        ]
+    corners += [(end, root - wall), (end, 0)]
+    face = make_face(Polyline(*corners, close=True).edges())
+    rounded = fillet([v for v in face.vertices() if start < v.X < end], 0.8)
+    return revolve(rounded, Axis.X, 90)
+
+
+def bellows():
+    """A quarter of a closed bellows of six lobes along x, with a wall of 1 mm and fillets of 0.8 mm."""
+    return solid((lobes(0, 0, 47.5) - lobes(1, 3, 44.5)).solid(), "bellows", (0.2, 0.6, 0.9))
+
+
+def labeled_box():
+    """A closed box with walls of 2 mm and text engraved 0.4 mm deep in its roof."""
+    box = Box(50, 16, 12, align=LOW) - Pos(2, 0, 2) * Box(46, 12, 8, align=LOW)
+    text = Pos(25, 0, 12) * extrude(Plane.XY * Text("soft", font_size=6), amount=-0.4)
+    return solid((box - text).solid(), "box", (0.8, 0.8, 0.2))
+
+
 if __name__ == "__main__":
     export_step(tube(), HERE / "tube_radial_inlet.step", write_pcurves=False)
     export_step(cup_and_plate(), HERE / "cup_and_plate.step", write_pcurves=False)
+    export_step(bellows(), HERE / "bellows.step", write_pcurves=False)
+    export_step(labeled_box(), HERE / "labeled_box.step", write_pcurves=False)
     export_step(finger(), EXAMPLES / "cad_file.step", write_pcurves=False)

@@ -3,7 +3,7 @@
 import cad_cases as cases
 import numpy as np
 import pytest
-from netgen.occ import Box, Compound, Pnt
+from netgen.occ import Axes, Box, Compound, Pnt, ThruSections, WorkPlane, X, Y
 
 import turgor as tg
 from turgor.errors import TurgorError
@@ -11,6 +11,7 @@ from turgor.geometry.cad.cad_file import CadFile
 from turgor.geometry.cad.read import read_here as read_cad
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, WithNormal
 from turgor.geometry.cad.split import SplitPlane
+from turgor.meshing.quality.cell_quality import cell_volumes
 from turgor.units import mm
 
 ENDS = {"fixed": WithNormal("-x"), "tip": WithNormal("+x")}
@@ -177,6 +178,53 @@ def test_two_bodies_that_touch_share_a_face_after_reading(tmp_path):
     part = read_cad(cases.written(tmp_path, Compound(bodies)))
     assert part.regions == ("body_1", "body_2")
     assert areas(part)["interface"] == pytest.approx(36)
+
+
+def test_three_colored_solids_become_three_bonded_regions(tmp_path):
+    low, lid = Box(Pnt(0, 0, 0), Pnt(30, 10, 2)), Box(Pnt(0, 0, 8), Pnt(30, 10, 10))
+    walls = Box(Pnt(0, 0, 2), Pnt(30, 10, 8)) - Box(Pnt(3, 2, 2), Pnt(27, 8, 8))
+    for body, color in ((low, (1, 0, 0)), (walls, (0, 1, 0)), (lid, (0, 0, 1))):
+        body.faces.col = color
+    colors = {"base": ByColor("red"), "walls": ByColor("#00ff00"), "lid": ByColor("blue")}
+    part = read_cad(cases.written(tmp_path, Compound([low, walls, lid])), faces=ENDS, regions=colors)
+    assert set(part.regions) == {"base", "walls", "lid"}
+    assert [volume / mm**3 for volume in part.cavity_volumes.values()] == pytest.approx([24 * 6 * 6])
+    assert areas(part)["interface"] == pytest.approx(2 * (30 * 10 - 24 * 6))
+    mesh = tg.mesh(part, size=4 * mm)
+    nodes = {name: set(np.unique(mesh.cells[cells]).tolist()) for name, cells in mesh.regions.items()}
+    heights = {pair: np.unique(mesh.points[sorted(nodes[pair[0]] & nodes[pair[1]]), 2]) for pair in (
+        ("base", "walls"), ("walls", "lid"), ("base", "lid")
+    )}  # fmt: skip
+    assert heights["base", "walls"] == pytest.approx([2 * mm])
+    assert heights["walls", "lid"] == pytest.approx([8 * mm])
+    assert not len(heights["base", "lid"])
+    assert len(np.unique(np.round(mesh.points, 9), axis=0)) == len(mesh.points), "bonded: no node is there twice"
+
+
+def test_walls_of_splines_are_followed(tmp_path):
+    def loft(start, radii, step):
+        circles = [WorkPlane(Axes((start + i * step, 0, 0), n=X, h=Y)).Circle(0, 0, r) for i, r in enumerate(radii)]
+        return ThruSections([circle.Wire() for circle in circles])
+
+    part = read_cad(cases.written(tmp_path, loft(0, (8, 11, 8), 15) - loft(3, (6, 9, 6), 12)), faces=ENDS)
+    mesh = tg.mesh(part, size=4 * mm)
+    assert cell_volumes(mesh).sum() == pytest.approx(part.solid_volume, rel=1e-3)
+    ring = mesh.points[mesh.face_nodes("cavity")]
+    middle = np.hypot(*ring[np.abs(ring[:, 0] - 15 * mm) < 0.5 * mm, 1:].T)
+    assert middle == pytest.approx(9 * mm, rel=5e-3)
+
+
+def test_an_assembly_of_many_bodies_keeps_their_names(tmp_path):
+    bodies = [Box(Pnt(6 * i, 0, 4 * k), Pnt(6 * i + 6, 10, 4 * k + 4)) for i in range(12) for k in range(2)]
+    for number, body in enumerate(bodies):
+        body.name = f"part {number}"
+    part = read_cad(cases.written(tmp_path, Compound(bodies)), faces=ENDS)
+    assert set(part.regions) == {f"part {number}" for number in range(24)}
+    assert areas(part)["interface"] == pytest.approx(12 * 60 + 2 * 11 * 40)
+    mesh = tg.mesh(part, size=6 * mm)
+    assert {name: cell_volumes(mesh)[cells].sum() for name, cells in mesh.regions.items()} == pytest.approx(
+        dict.fromkeys(part.regions, 240 * mm**3)
+    )
 
 
 def test_a_cad_file_notices_that_its_content_has_changed(tmp_path):

@@ -7,6 +7,8 @@ from tube_cases import areas, assert_meshes, assert_shape
 
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, HelicalPneuNet
+from turgor.meshing.generate import mesh
+from turgor.meshing.quality.cell_quality import cell_volumes
 from turgor.units import deg, mm
 
 FACES = {"cavity", "fixed", "outside", "strain_limiting_layer", "tip"}
@@ -67,6 +69,15 @@ def test_it_meshes_coarsely():
 def test_an_impossible_dimension_is_refused(wrong, message):
     with pytest.raises(TurgorError, match=message):
         HelicalPneuNet(**wrong)
+
+
+@pytest.mark.parametrize(("chambers", "angle"), [(8, 45), (5, 60), (5, -60)])
+def test_steep_chambers_mesh_where_there_are_few(chambers, angle):
+    part = HelicalPneuNet(chambers=chambers, chamber_angle=angle * deg).build()
+    made = mesh(part, size=4 * mm, cells="hexahedra")
+    assert cell_volumes(made).sum() == pytest.approx(part.solid_volume)
+    with pytest.raises(TurgorError, match="fewer chambers or a larger length allow more"):
+        HelicalPneuNet(chambers=chambers + 1, chamber_angle=angle * deg)
 
 
 def test_the_largest_angle_is_built():

@@ -1,15 +1,19 @@
 """Every format gives the same hollow cube: cells, names, volumes."""
 
+from dataclasses import fields
+
 import exchange_cases as cases
 import numpy as np
 import pytest
 from results_cases import body, model, state
 
+import turgor as tg
 from turgor.errors import TurgorError
 from turgor.meshing.exchange.boundary import enclosed_volume, sides_of
 from turgor.meshing.exchange.frame import Frame
 from turgor.meshing.exchange.read import READERS, read_mesh
 from turgor.meshing.exchange.solids import read_solids
+from turgor.results.files.mesh_vtu import write_mesh_vtu
 from turgor.results.files.vtu import write_state
 
 MM3 = 1e-9
@@ -44,17 +48,20 @@ def check_cube(mesh, cells):
 
 @pytest.mark.parametrize("tetrahedra", [True, False])
 @pytest.mark.parametrize("version", [2, 4])
-def test_gmsh_groups_become_regions_and_faces(tmp_path, tetrahedra, version):
+@pytest.mark.parametrize("binary", [None, "<", ">"])
+def test_gmsh_groups_become_regions_and_faces(tmp_path, tetrahedra, version, binary):
     points, cells, low = cases.hollow_cube(tetrahedra)
     flat = (cases.triangles_at if tetrahedra else cases.quads_at)(cells, points, 0, 0.0)
     solid, sheet = (4, 2) if tetrahedra else (5, 3)
     if version == 2:
         blocks = [(15, [np.array([0])], [7]), (sheet, flat, [3] * len(flat)), (solid, cells, np.where(low, 1, 2))]
-        text = cases.gmsh_2(points, blocks, {(3, 1): "base", (3, 2): "body", (2, 3): "fixed"})
+        write, swapped = cases.gmsh_2, cases.gmsh_2_binary
     else:
         blocks = [(2, 3, sheet, flat), (3, 1, solid, cells[low]), (3, 2, solid, cells[~low])]
-        text = cases.gmsh_4(points, blocks, {(3, 1): "base", (3, 2): "body", (2, 3): "fixed"})
-    mesh = read_mesh(written(tmp_path, "cube.msh", text))
+        write, swapped = cases.gmsh_4, cases.gmsh_4_binary
+    names = {(3, 1): "base", (3, 2): "body", (2, 3): "fixed"}
+    content = swapped(points, blocks, names, binary) if binary else write(points, blocks, names)
+    mesh = read_mesh(written(tmp_path, "cube.msh", content))
     check_cube(mesh, len(cells))
     assert {name: len(rows) for name, rows in mesh.regions.items()} == {
         "base": int(low.sum()),
@@ -153,16 +160,65 @@ def test_own_vtu_files_are_read_again(tmp_path):
     mesh = body()
     file = tmp_path / "state.vtu"
     write_state(file, state(model(mesh)))
-    again = read_mesh(file, unit="m")
+    again = read_mesh(file)
+    assert list(again.regions) == list(mesh.regions)
     assert again.points[again.cells] == pytest.approx(mesh.points[mesh.cells], abs=1e-7)
     assert len(again.faces["cavity"]) == len(mesh.faces["cavity"])
+
+
+@pytest.mark.parametrize("version", [2, 4])
+@pytest.mark.parametrize("kept", [0.4, 0.8, 0.95])
+def test_binary_gmsh_files_that_break_off_are_told(tmp_path, version, kept):
+    points, cells, _ = cases.hollow_cube()
+    if version == 2:
+        content = cases.gmsh_2_binary(points, [(5, cells, [1] * len(cells))], {})
+    else:
+        content = cases.gmsh_4_binary(points, [(3, 1, 5, cells)], {})
+    with pytest.raises(TurgorError, match=r"breaks off or is damaged|has no section"):
+        read_mesh(written(tmp_path, "cube.msh", content[: int(kept * len(content))]))
+
+
+def test_binary_gmsh_files_with_wrong_counts_are_told(tmp_path):
+    points, cells, _ = cases.hollow_cube()
+    content = cases.gmsh_2_binary(points, [(5, cells, [1] * len(cells))], {})
+    at = content.index(b"$Elements") + 10
+    block = content.index(b"\n", at) + 5  # the number of cells of the first block
+    for count in (0, -1, 10**6):
+        damaged = content[:block] + count.to_bytes(4, "little", signed=True) + content[block + 4 :]
+        with pytest.raises(TurgorError, match="breaks off or is damaged"):
+            read_mesh(written(tmp_path, "cube.msh", damaged))
+
+
+@pytest.mark.parametrize("cells", ["tetrahedra", "hexahedra"])
+def test_meshes_that_were_written_come_back_with_all_names(tmp_path, cells):
+    mesh = tg.mesh(tg.FastPneuNet(chambers=2, length=20e-3).build(), size=4e-3, cells=cells)
+    write_mesh_vtu(tmp_path / "finger.vtu", mesh)
+    again = read_mesh(tmp_path / "finger.vtu")
+    assert list(again.regions) == list(mesh.regions)
+    assert {name: len(rows) for name, rows in again.regions.items()} == {n: len(r) for n, r in mesh.regions.items()}
+    assert {name: len(face) for name, face in again.faces.items()} == {n: len(f) for n, f in mesh.faces.items()}
+    assert np.array_equal(again.points[again.cells], mesh.points[mesh.cells])
+    assert not again.findings
+    for name in mesh.faces:
+        assert cases.centers(again, name) == pytest.approx(cases.centers(mesh, name), abs=1e-12)
+
+
+def test_a_face_with_a_node_too_many_is_told(tmp_path):
+    mesh = body()
+    wrong = {name: np.full_like(face, 10**6) for name, face in mesh.faces.items()}
+    broken = object.__new__(type(mesh))
+    for item in fields(mesh):
+        object.__setattr__(broken, item.name, wrong if item.name == "faces" else getattr(mesh, item.name))
+    write_mesh_vtu(tmp_path / "a.vtu", broken)
+    with pytest.raises(TurgorError, match="a face names a node outside"):
+        read_mesh(tmp_path / "a.vtu")
 
 
 @pytest.mark.parametrize(
     ("name", "content", "sentence"),
     [
         ("a.msh", "$MeshFormat\n4.0 0 8\n$EndMeshFormat\n", "gmsh version 4.0; 2.2 and 4.1 can be read"),
-        ("a.msh", "$MeshFormat\n4.1 1 8\n$EndMeshFormat\n", "binary gmsh file"),
+        ("a.msh", b"$MeshFormat\n4.1 1 8\n\1\0\0\0\n$EndMeshFormat\n", "has no section \\$Nodes"),
         ("a.msh", "hello", "no section \\$MeshFormat"),
         ("a.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 5 1 5\n$EndNodes\n$Elements\n0\n", "breaks off"),
         ("a.vtk", "hello", "no legacy VTK file"),

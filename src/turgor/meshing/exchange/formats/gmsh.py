@@ -1,12 +1,14 @@
-"""Read gmsh's .msh files: versions 2.2 and 4.1, ASCII, with physical groups."""
+"""Read gmsh's .msh files: versions 2.2 and 4.1, text or binary, with physical groups."""
 
+import struct
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 
 from turgor.errors import TurgorError
+from turgor.meshing.exchange.formats.gmsh_binary import Content, binary_sections, byte_order, content_2, content_4
 from turgor.meshing.exchange.formats.raw import KINDS, Block, Ints, RawMesh, rows_of
 
 #: gmsh's numbers of the kinds of cells.
@@ -57,15 +59,13 @@ def read_gmsh(path: Path) -> RawMesh:
     Raises
     ------
     TurgorError
-        If the file is binary, of another version, or breaks off.
+        If the file is of another version, or breaks off.
     """
     sections = _sections(path)
     if "MeshFormat" not in sections:
         raise TurgorError(f"'{path}' is no gmsh file: it has no section $MeshFormat.")
     version, binary = sections["MeshFormat"][0].split()[:2]
-    if binary != "0":
-        raise TurgorError(f"'{path}' is a binary gmsh file; save it as ASCII (gmsh: Mesh.Binary = 0).")
-    readers = {"2": _read_2, "4.1": _read_4}
+    readers = {"2": _read_2, "4.1": _read_4} if binary == "0" else {"2": _read_binary_2, "4.1": _read_binary_4}
     reader = readers.get(version) or readers.get(version.split(".")[0])
     if reader is None:
         raise TurgorError(f"'{path}' is gmsh version {version}; 2.2 and 4.1 can be read (gmsh: Mesh.MshFileVersion).")
@@ -74,7 +74,7 @@ def read_gmsh(path: Path) -> RawMesh:
             raise TurgorError(f"'{path}' has no section ${name}.")
     try:
         return reader(path, sections)
-    except (ValueError, IndexError, StopIteration) as error:
+    except (ValueError, IndexError, StopIteration, struct.error) as error:
         if isinstance(error, TurgorError):
             raise
         raise TurgorError(f"'{path}' breaks off or is damaged: {error or 'a section is too short'}.") from error
@@ -134,6 +134,26 @@ def _read_4(path: Path, sections: dict[str, list[str]]) -> RawMesh:
         for _ in range(count):
             cells[kind].append(([int(word) for word in next(lines).split()[1:]], groups))
     return _mesh(path, np.array(points, dtype=np.float64), np.array(ids, dtype=np.int64), cells)
+
+
+def _read_binary_2(path: Path, sections: dict[str, list[str]]) -> RawMesh:
+    return _read_binary(path, sections, content_2)
+
+
+def _read_binary_4(path: Path, sections: dict[str, list[str]]) -> RawMesh:
+    return _read_binary(path, sections, content_4)
+
+
+def _read_binary(path: Path, sections: dict[str, list[str]], content: Callable[..., Content]) -> RawMesh:
+    """Read nodes and cells from the bytes of a file, and names, which are text, from its lines."""
+    parts, names = binary_sections(path.read_bytes()), _names(sections)
+    found = content(parts, byte_order(parts["MeshFormat"]), lambda number: KINDS[_kind(path, number)].nodes)
+    cells: dict[str, list[tuple[list[int], list[str]]]] = defaultdict(list)
+    for block in found.elements:
+        kind = _kind(path, block.number)
+        for nodes, tags in zip(block.nodes.tolist(), block.groups, strict=True):
+            cells[kind].append((nodes, [_group(names, KINDS[kind].dimension, tag) for tag in tags]))
+    return _mesh(path, found.points, found.ids, cells)
 
 
 def _entities(lines: list[str]) -> dict[tuple[int, int], list[int]]:

@@ -98,6 +98,8 @@ class RawMesh:
         Groups that the file gives a material, which together hold every cell once.
     named : bool
         Whether the groups were named by a person: they then become regions and faces without being asked for.
+    unit : str
+        Unit of length that the file states; empty where it states none.
     """
 
     path: Path
@@ -107,6 +109,7 @@ class RawMesh:
     surfaces: Mapping[str, Ints] = field(default_factory=dict)
     sections: tuple[str, ...] = ()
     named: bool = True
+    unit: str = ""
 
     def solids(self) -> tuple[Block, ...]:
         """The blocks of solid cells."""

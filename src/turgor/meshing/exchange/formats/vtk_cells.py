@@ -1,6 +1,7 @@
 """From the cell arrays of VTK files to blocks of cells of one kind."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -94,3 +95,29 @@ def vtk_mesh(path: Path, points: Array, found: VtkCells) -> RawMesh:
         }
         blocks.append(Block(kind=kind, nodes=nodes.astype(np.int64), groups=groups))
     return RawMesh(path=path, points=points, blocks=tuple(blocks), named=False)
+
+
+def with_names(raw: RawMesh, regions: Sequence[str], faces: Mapping[str, Ints]) -> RawMesh:
+    """Give the cells and sides of a file of our own their names.
+
+    Parameters
+    ----------
+    raw : RawMesh
+        Whose cells are numbered by their region in the groups ``"region 0"``, ``"region 1"`` …
+    regions : sequence of str
+    faces : mapping of str to (s, 4) int array
+        Corners of sides, -1 in the last place of triangles.
+
+    Returns
+    -------
+    RawMesh
+    """
+    groups = {f"region {i}": name for i, name in enumerate(regions)}
+    blocks = tuple(
+        replace(block, groups={groups[key]: rows for key, rows in block.groups.items() if key in groups})
+        for block in raw.blocks
+    )
+    if any(((corners < -1) | (corners >= len(raw.points))).any() for corners in faces.values()):
+        raise TurgorError(f"'{raw.path}' is damaged: a face names a node outside 0..{len(raw.points) - 1}.")
+    sections = tuple(regions) if len(regions) > 1 else ()
+    return replace(raw, blocks=blocks, surfaces=dict(faces), sections=sections, named=True)

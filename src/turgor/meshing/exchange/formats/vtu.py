@@ -5,7 +5,7 @@ import lzma
 import re
 import zlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.meshing.exchange.formats.raw import RawMesh
-from turgor.meshing.exchange.formats.vtk_cells import VtkCells, vtk_mesh
+from turgor.meshing.exchange.formats.vtk_cells import VtkCells, vtk_mesh, with_names
 
 _TYPES = {
     "Int8": "i1",
@@ -49,6 +49,8 @@ class _File:
 
 def read_vtu(path: Path) -> RawMesh:
     """Read a .vtu file; the pieces of a file with several are put together.
+
+    A file of our own has the names of its regions, its faces and its unit.
 
     Parameters
     ----------
@@ -85,7 +87,30 @@ def read_vtu(path: Path) -> RawMesh:
     common = {name for name in labels[0] if all(name in found for found in labels)}
     joined = {name: np.concatenate([found[name] for found in labels]) for name in sorted(common)}
     cells = VtkCells(np.concatenate(nodes), np.concatenate(ends), np.concatenate(types), joined)
-    return vtk_mesh(path, np.concatenate(points), cells)
+    raw = vtk_mesh(path, np.concatenate(points), cells)
+    regions = _names(grid, "region_names")
+    return _ours(file, grid, raw, regions) if regions else raw
+
+
+def _ours(file: _File, grid: ElementTree.Element, raw: RawMesh, regions: list[str]) -> RawMesh:
+    """Names and unit in a file that `turgor.results.files` wrote."""
+    arrays = {array.get("Name"): array for array in grid.iterfind("FieldData/DataArray")}
+    faces = {}
+    names = _names(grid, "face_names")
+    if names and {"face_corners", "face_ends"} <= set(arrays):
+        corners = _values(file, arrays["face_corners"]).reshape(-1, 4).astype(np.int64)
+        ends = _values(file, arrays["face_ends"]).astype(np.int64)
+        faces = dict(zip(names, np.split(corners, ends[:-1]), strict=True))
+    unit = grid.findtext("Piece/Points/DataArray/InformationKey", default="").strip()
+    return replace(with_names(raw, regions, faces), unit=unit)
+
+
+def _names(grid: ElementTree.Element, name: str) -> list[str]:
+    """Texts of the field data, see `turgor.results.files.vtu_xml.names_array`; none where they are missing."""
+    for array in grid.iterfind("FieldData/Array"):
+        if array.get("Name") == name and array.get("format") == "ascii":
+            return bytes(map(int, (array.text or "").split())).decode().split("\0")[:-1]
+    return []
 
 
 def _open(path: Path) -> tuple[_File, ElementTree.Element]:
