@@ -120,7 +120,7 @@ def membrane_forces(x, triangles, gradients, areas, stress):
 
 @njit(cache=True, parallel=True)
 def membrane_tangents(x, triangles, gradients, areas, moduli, stress):
-    """Stiffness (f, 3n, 3n) at nodal positions ``x`` of moduli (f, q, 3, 3), a stress (f, q, 3) in its geometric part."""
+    """Stiffness (f, 3n, 3n) at nodal positions ``x``: moduli (f, q, 3, 3), stress (f, q, 3) in the geometric part."""
     out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
     for f in prange(len(triangles)):
         B = np.zeros((3, 3 * triangles.shape[1]))

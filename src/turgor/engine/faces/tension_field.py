@@ -25,8 +25,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 #: The toe over the stiffness of the sheet in scaled units: a tension of the rubber's modulus times an edge of the mesh
-#: is reached at a stretch of √(2 × 1e-6) = 0.14 %, however stiff the sheet is. A sheet as soft as the rubber has a toe of
-#: 1e-6. The longest toe, at which a sheet bears half a percent of its stiffness less than it would.
+#: is reached at a stretch of √(2 × 1e-6) = 0.14 %, however stiff the sheet is. A sheet as soft as the rubber has a toe
+#: of 1e-6. The longest toe, beyond which a sheet is half a percent longer than it would be.
 TOE_PER_STIFFNESS, LONGEST_TOE = 1e-6, 1e-2
 
 #: Stiffness that a sheet keeps in compression, in scaled units: that of rubber of a thirtieth of an edge. Its tension
@@ -107,7 +107,7 @@ ALIKE = 1e-9
 
 
 def tension_field(moduli: Array, compression: float) -> TensionField:
-    """Make the tension field of scaled moduli times thickness, with a share of the stiffness that works in compression."""
+    """Make the tension field of scaled moduli times thickness, and of the share that works in compression."""
     stiffness = float(moduli[0, 0])
     share = max(compression, min(LARGEST_SHARE, LEFT_STIFFNESS / stiffness))
     return TensionField(moduli, share, min(TOE_PER_STIFFNESS * stiffness, LONGEST_TOE))
