@@ -37,11 +37,15 @@ class Membrane:
     bending : bool
         Whether it resists bending like a plate of its thickness (a shell); paper of 0.1 mm between layers of silicone
         hardly does, a sheet of 0.5 mm does.
+    compression : float
+        Share of the stiffness that works in compression: 1 for a sheet that bears compression, 0 for one that wrinkles
+        and bears tension only (tension field). A sheet that resists bending keeps all of it.
     """
 
     material: Material
     thickness: float
     bending: bool = False
+    compression: float = 1.0
 
     def __post_init__(self) -> None:
         if not isinstance(self.material.law, Hooke):
@@ -51,6 +55,20 @@ class Membrane:
             )
         if not 0 < self.thickness <= 0.01:
             raise TurgorError(f"membrane thickness is {self.thickness * 1e3:g} mm; allowed is more than 0 up to 10 mm.")
+        if not 0 <= self.compression <= 1:
+            raise TurgorError(
+                f"membrane compression is {self.compression:g}; allowed is 0 (it wrinkles) to 1 (as in tension)."
+            )
+        if self.bending and self.compression < 1:
+            raise TurgorError(
+                f"membrane compression is {self.compression:g}, but the sheet resists bending; a shell bears "
+                "compression (1) and buckles by itself."
+            )
+
+    @property
+    def wrinkles(self) -> bool:
+        """Whether it bears less compression than tension."""
+        return self.compression < 1
 
 
 @dataclass(frozen=True, slots=True, init=False)

@@ -84,8 +84,10 @@ def write_inp(
 
 def _check_extras(model: Model) -> None:
     bent = [name for name, membrane in model.membranes.items() if membrane.bending]
+    wrinkling = [name for name, membrane in model.membranes.items() if membrane.wrinkles]
     what = [f"winding of fibers on '{fibers.name}'" for fibers in model.reinforcements]
     what += [f"the sheet on '{name}', which resists bending," for name in bent]
+    what += [f"the sheet on '{name}', which wrinkles," for name in wrinkling]
     what += [f"the obstacle '{obstacle.name}'" for obstacle in model.contact.obstacles]
     if what:
         raise TurgorError(f"{what[0]} has no form in .inp files; leave it out to compare the rest.")

@@ -250,6 +250,9 @@ def test_forms_of_the_layer(tmp_path):
     shell = read(tmp_path, BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell"'))
     assert shell.materials["strain_limiting_layer"] == replace(bare, bending=True)
     assert again(tmp_path, shell) == shell
+    field = read(tmp_path, BENDER.replace('"0.1 mm"', '"0.1 mm", compression = 0'))
+    assert field.materials["strain_limiting_layer"] == replace(bare, compression=0.0)
+    assert again(tmp_path, field) == field
 
 
 def test_combined_constants_go_to_the_base(tmp_path):
@@ -282,6 +285,12 @@ FORMS = [
      "needs a thickness, actuator.layer."),
     (BENDER.replace('C10 = "0.12 MPa" }', 'C10 = "0.12 MPa", form = "shell" }'),
      "materials.body.form: 'body' is a region; \"shell\" is for sheets on faces."),
+    (BENDER.replace('C10 = "0.12 MPa" }', 'C10 = "0.12 MPa", compression = 0 }'),
+     "materials.body.compression: only a membrane on a face has a compression; leave it out."),
+    (BENDER.replace('"0.1 mm"', '"0.1 mm", compression = 2'),
+     "materials.strain_limiting_layer.compression: 2; allowed is 0 (it wrinkles) to 1"),
+    (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell", compression = 0'),
+     "materials.strain_limiting_layer.compression: 0, but the sheet resists bending; a shell bears compression"),
 ]  # fmt: skip
 
 

@@ -37,8 +37,8 @@ def stretched(rubber, stretch, **sheets):
     return cases.state(model, lambda X: X * [stretch, stretch**-0.5, stretch**-0.5])
 
 
-def film(bending=False):
-    return Membrane(Material(name="film", law=Hooke(E=1 * GPa, nu=0.3)), 0.1 * mm, bending)
+def film(bending=False, compression=1.0):
+    return Membrane(Material(name="film", law=Hooke(E=1 * GPa, nu=0.3)), 0.1 * mm, bending, compression)
 
 
 def test_a_law_that_turns_over():
@@ -112,6 +112,7 @@ def test_a_film_that_wrinkles():
 def test_a_film_in_tension_or_with_bending_stiffness_does_not_wrinkle():
     assert wrinkled_film(stretched(cases.RUBBER, 0.97, tip=film())) is None  # the tip grows in its plane
     assert wrinkled_film(stretched(cases.RUBBER, 0.97, outside=film(bending=True))) is None
+    assert wrinkled_film(stretched(cases.RUBBER, 0.97, outside=film(compression=0.0))) is None
     assert wrinkled_film(stretched(cases.RUBBER, 0.97, outside=film())) is not None
 
 

@@ -48,4 +48,4 @@ def _touch_surfaces(points: np.ndarray, sides: np.ndarray) -> None:
     gradients, areas = membranes.surface_gradients(points, sides)
     stress = membranes.membrane_stress(points, points, sides, gradients, areas, np.eye(3))
     membranes.membrane_forces(points, sides, gradients, areas, stress)
-    membranes.membrane_tangents(points, sides, gradients, areas, np.eye(3), stress)
+    membranes.membrane_tangents(points, sides, gradients, areas, np.zeros((*areas.shape, 3, 3)), stress)

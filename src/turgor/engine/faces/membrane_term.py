@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.faces import membranes
 from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
+from turgor.engine.faces.tension_field import TensionField, tension_field
 from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.materials.laws.laws import Hooke
 from turgor.model.model import Model
@@ -17,7 +18,7 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MembraneTerm(Term):
-    """A layer with in-plane stress.
+    """A layer with in-plane stress, which may wrinkle.
 
     Parameters
     ----------
@@ -29,12 +30,15 @@ class MembraneTerm(Term):
         Areas of the Gauss points.
     moduli : (3, 3) array
         Scaled moduli times thickness.
+    field : TensionField or None
+        Where the layer wrinkles.
     """
 
     nodes: Ints
     gradients: Array
     areas: Array
     moduli: Array
+    field: TensionField | None = None
 
     @property
     def unknowns(self) -> Ints:
@@ -43,26 +47,39 @@ class MembraneTerm(Term):
 
     def add_forces(self, out: Array, at: Configuration) -> None:
         """Add the internal forces of the stress."""
-        stress = self.stresses(at.position, np.zeros_like(at.position))
+        stress = np.ascontiguousarray(self.stresses(at.position, np.zeros_like(at.position))[..., :3])
         local = membranes.membrane_forces(at.position, self.nodes, self.gradients, self.areas, stress)
         add_at_nodes(out, self.nodes, local)
 
     def energy(self, position: Array) -> float:
-        """½ S : ℂ⁻¹ : S over the area."""
-        stress = self.stresses(position, np.zeros_like(position))
-        strain = stress @ np.linalg.pinv(self.moduli)
-        return 0.5 * float((self.areas[..., None] * stress * strain).sum())
+        """Energy of the strain over the area."""
+        strain = self._linear(position, np.zeros_like(position), np.eye(3))
+        if self.field is not None:
+            return float((self.areas * self.field.energy(strain)).sum())
+        return 0.5 * float(np.einsum("fq,fqi,ij,fqj->", self.areas, strain, self.moduli, strain))
 
     def stresses(self, position: Array, update: Array) -> Array:
-        """Stress times thickness (f, q, 3)."""
-        return np.asarray(
-            membranes.membrane_stress(position, update, self.nodes, self.gradients, self.areas, self.moduli)
-        )
+        """Stress times thickness (f, q, 3); where the layer wrinkles, that of the linearized strain."""
+        if self.field is None:
+            return self._linear(position, update, self.moduli)
+        return self.field.stress(self._linear(position, update, np.eye(3)))
 
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Material part, and the geometric part of the stresses."""
-        local = membranes.membrane_tangents(at.position, self.nodes, self.gradients, self.areas, self.moduli, stresses)
+        moduli = np.ascontiguousarray(self._tangent_moduli(at.position))
+        local = membranes.membrane_tangents(at.position, self.nodes, self.gradients, self.areas, moduli, stresses)
         return lower(local)
+
+    def _linear(self, position: Array, update: Array, moduli: Array) -> Array:
+        """Moduli times the strain linearized for an update, (f, q, 3)."""
+        found = membranes.membrane_stress(position, update, self.nodes, self.gradients, self.areas, moduli)
+        return np.asarray(found)
+
+    def _tangent_moduli(self, position: Array) -> Array:
+        """Derivatives of the stresses by the strains, (f, q, 3, 3)."""
+        if self.field is None:
+            return np.broadcast_to(self.moduli, (*self.areas.shape, 3, 3))
+        return self.field.tangent(self._linear(position, np.zeros_like(position), np.eye(3)))
 
 
 def membrane_terms(setting: Setting) -> list[MembraneTerm]:
@@ -72,6 +89,7 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
         law, scale = membrane.material.law, membrane.thickness / (setting.length * setting.stress)
         assert isinstance(law, Hooke)
         moduli = membranes.plane_stress_moduli(law) * scale
+        field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
         if membrane.bending:
             layers = shell_layers(model.mesh, name, membrane.thickness, setting.length)
             across = shear_layers(model.mesh, name, setting.length)
@@ -80,7 +98,7 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
         else:
             sides = np.ascontiguousarray(model.mesh.face(name))
             layers = [(sides, *membranes.surface_gradients(setting.points, sides))]
-        terms += [MembraneTerm(*layer, moduli) for layer in layers]
+        terms += [MembraneTerm(*layer, moduli, field) for layer in layers]
     return terms
 
 

@@ -120,12 +120,12 @@ def membrane_forces(x, triangles, gradients, areas, stress):
 
 @njit(cache=True, parallel=True)
 def membrane_tangents(x, triangles, gradients, areas, moduli, stress):
-    """Stiffness (f, 3n, 3n) at nodal positions ``x``, with a stress (f, q, 3) in its geometric part."""
+    """Stiffness (f, 3n, 3n) at nodal positions ``x``: moduli (f, q, 3, 3), stress (f, q, 3) in the geometric part."""
     out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
     for f in prange(len(triangles)):
         B = np.zeros((3, 3 * triangles.shape[1]))
         for q in range(areas.shape[1]):
-            g = gradients[f, q]
+            g, C = gradients[f, q], moduli[f, q]
             t = np.zeros((2, 3))
             for a in range(triangles.shape[1]):
                 for k in range(2):
@@ -139,9 +139,9 @@ def membrane_tangents(x, triangles, gradients, areas, moduli, stress):
             w = areas[f, q]
             S0, S1, S2 = stress[f, q, 0], stress[f, q, 1], stress[f, q, 2]
             for r in range(3 * triangles.shape[1]):
-                h0 = moduli[0, 0] * B[0, r] + moduli[0, 1] * B[1, r] + moduli[0, 2] * B[2, r]
-                h1 = moduli[1, 0] * B[0, r] + moduli[1, 1] * B[1, r] + moduli[1, 2] * B[2, r]
-                h2 = moduli[2, 0] * B[0, r] + moduli[2, 1] * B[1, r] + moduli[2, 2] * B[2, r]
+                h0 = C[0, 0] * B[0, r] + C[0, 1] * B[1, r] + C[0, 2] * B[2, r]
+                h1 = C[1, 0] * B[0, r] + C[1, 1] * B[1, r] + C[1, 2] * B[2, r]
+                h2 = C[2, 0] * B[0, r] + C[2, 1] * B[1, r] + C[2, 2] * B[2, r]
                 for c in range(3 * triangles.shape[1]):
                     out[f, r, c] += w * (h0 * B[0, c] + h1 * B[1, c] + h2 * B[2, c])
             for a in range(triangles.shape[1]):

@@ -194,6 +194,8 @@ def _material(entry: Material | Membrane) -> dict[str, Any]:
     if isinstance(entry, Membrane):
         values["thickness"] = format_quantity(entry.thickness, "mm")
         values["form"] = "shell" if entry.bending else "membrane"
+        if entry.wrinkles:
+            values["compression"] = entry.compression
     source = material.source
     return values | {"source": {"text": source.text, "detail": source.detail, "doubts": list(source.doubts)}}
 

@@ -53,6 +53,9 @@ class LibraryTable(Table):
     form : str
         How a strain-limiting layer is modeled: ``"membrane"`` (the default), ``"shell"``, ``"solid"`` or
         ``"combined"``.
+    compression : float
+        Share of a membrane's stiffness that works in compression: 1 (the default), or 0 for one that wrinkles and bears
+        tension only.
     density : float [kg/m³]
         Density, for weight and dynamics; that of the record by default.
     viscoelasticity : table
@@ -66,6 +69,7 @@ class LibraryTable(Table):
     record: str | None = Field(default=None, examples=['"yeoh-steck-2019"'])
     thickness: Length | None = None
     form: str | None = None
+    compression: float | None = None
     density: Density | None = None
     viscoelasticity: Viscoelasticity | None = None
     stress_softening: Softening | None = None
@@ -103,6 +107,9 @@ class StatedTable(Table):
     form : str
         How a strain-limiting layer is modeled: ``"membrane"`` (the default), ``"shell"``, ``"solid"`` or
         ``"combined"``.
+    compression : float
+        Share of a membrane's stiffness that works in compression: 1 (the default), or 0 for one that wrinkles and bears
+        tension only.
     density : float [kg/m³]
         Density, for weight and dynamics.
     stretch_range : list of two floats
@@ -122,6 +129,7 @@ class StatedTable(Table):
     name: str | None = Field(default=None, examples=['"my silicone"'])
     thickness: Length | None = None
     form: str | None = None
+    compression: float | None = None
     density: Density | None = None
     stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
     source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])

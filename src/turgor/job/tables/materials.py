@@ -77,16 +77,23 @@ def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: P
     material = _stated(table, key, problems) if stated else _from_library(table, key, problems)
     if material is None or not _form_fits(table.form, material, table.thickness, key, geometry, problems):
         return None
-    if table.form == COMBINED:
-        return material
-    if table.form == SOLID:
-        return as_solid(material)
-    if not _suits(material, table.thickness, key, geometry, problems):
+    layer = table.form in (SOLID, COMBINED)
+    if not layer and not _suits(material, table.thickness, key, geometry, problems):
         return None
-    if table.thickness is None:
-        return material
+    if table.thickness is not None:
+        return _sheet(table, material, key, problems)
+    if table.compression is not None:
+        problems.add((*key, "compression"), "only a membrane on a face has a compression; leave it out.")
+        return None
+    return as_solid(material) if table.form == SOLID else material
+
+
+def _sheet(table: Any, material: Material, key: Key, problems: Problems) -> Membrane | None:
     bending = table.form == SHELL
-    return problems.attempt(key, lambda: Membrane(material, table.thickness, bending), fields=("thickness",))
+    kept = 1.0 if table.compression is None else table.compression
+    return problems.attempt(
+        key, lambda: Membrane(material, table.thickness, bending, kept), fields=("thickness", "compression")
+    )
 
 
 def _form_of(entry: Any) -> Any:

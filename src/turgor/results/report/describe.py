@@ -242,6 +242,8 @@ def material(names: list[str], used: Material | Membrane) -> MaterialText:
     if isinstance(used, Membrane):
         where += " (sheet that resists bending)" if used.bending else " (membrane)"
         values.append(("thickness", f"{used.thickness / mm:g} mm"))
+        if used.wrinkles:
+            values.append(("in compression", f"{100 * used.compression:g} % of the stiffness: it wrinkles"))
     else:
         kappa = "infinite: fully incompressible" if isinf(held.bulk_modulus) else _modulus(held.bulk_modulus)
         stiff = isinstance(held.law, Hooke)

@@ -77,7 +77,7 @@ def wrinkled_film(state: State) -> Why | None:
     """
     model = state.model
     for name, sheet in model.membranes.items():
-        if sheet.bending:
+        if sheet.bending or sheet.wrinkles:
             continue
         force, area = least_tension(model, name, state.displacement)
         sides = model.mesh.face(name)
@@ -88,8 +88,8 @@ def wrinkled_film(state: State) -> Why | None:
             return Why(
                 f" The film on '{name}' is compressed in {100 * share:.0f} % of its area, by up to "
                 f"{-force.min():.3g} N/m; it has no bending stiffness and wrinkles there.",
-                f"Let it resist bending (form = \"shell\" for '{name}', Membrane(..., bending=True)), or leave it out "
-                "where it is compressed: a real film wrinkles too, and then carries hardly any load.",
+                f"A real film wrinkles too, and then bears hardly any compression: let '{name}' bear none (compression "
+                '= 0, Membrane(..., compression=0)), or let it resist bending (form = "shell", bending=True).',
             )
     return None
 
