@@ -10,7 +10,7 @@ from turgor.engine.algebra.linear import SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.cells.memory import History
 from turgor.engine.chambers import Chambers
-from turgor.engine.points.motion import motions
+from turgor.engine.points.read_motion import motions
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.transfer import Transfer

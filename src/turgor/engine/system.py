@@ -137,7 +137,7 @@ class System:
 
     def rates(self, unknowns: Array, velocity: Array) -> Array:
         """Rates (size,) of the unknowns for a velocity (n, 3) [m/s] of the nodes of the mesh at some unknowns."""
-        own = carried_velocity(self, self.split(unknowns)[0], velocity)
+        own = carried_velocity(self.carriers, self.points, self.length, self.split(unknowns)[0], velocity)
         out = np.zeros(self.size)
         components = self._frames.to_local(np.concatenate([velocity / self.length, own])).ravel()
         out[: len(components)] = components
@@ -179,7 +179,7 @@ class System:
 
         A reference point whose motion is not given has that of its face.
         """
-        own = carried_displacement(self, displacement, points or {})
+        own = carried_displacement(self.carriers, (self.length, self.stress_scale), displacement, points or {})
         components = self._frames.to_local(np.concatenate([displacement / self.length, own])).ravel()
         components[self._ties.followers] = 0.0
         return np.concatenate([components, mean_stress / self.stress_scale])

@@ -147,7 +147,7 @@ class Model(Saved, Shown):
                     raise TurgorError(f"materials.{name}: '{material.name}' has no density, and gravity needs it.")
 
     def _check_faces(self) -> None:
-        check_points(self)
+        check_points(self.mesh, self.supports, self.loads)
         points = self.points
         for support in self.supports:
             if isinstance(support, Rotation | Hinge) or (isinstance(support, Displacement) and support.face == "*"):

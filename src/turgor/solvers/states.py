@@ -3,7 +3,7 @@
 import numpy as np
 
 from turgor.engine.contact.pressure import nodal_pressure, touched_area
-from turgor.engine.points.motion import motions
+from turgor.engine.points.read_motion import motions
 from turgor.engine.system import Evaluation, System
 from turgor.model.drive import pressures_at
 from turgor.solvers.solution import State, Touch

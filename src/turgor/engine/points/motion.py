@@ -1,18 +1,12 @@
-"""PointMotion: how a reference point has moved, and what holds it; read from the unknowns, and put back into them."""
+"""PointMotion: how a reference point has moved, and what holds it; put back into the unknowns."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.points.carriers import Carrier
-from turgor.engine.points.spring_term import SpringTerm
-
-if TYPE_CHECKING:
-    from turgor.engine.evaluation import Evaluation
-    from turgor.engine.system import System
 
 Array = NDArray[np.float64]
 
@@ -41,59 +35,18 @@ class PointMotion:
     multipliers: Array
 
 
-def motions(system: "System", at: "Evaluation") -> dict[str, PointMotion]:
-    """Motions of all reference points at an evaluation, by their names.
-
-    Parameters
-    ----------
-    system : System
-    at : Evaluation
-
-    Returns
-    -------
-    dict of str to PointMotion
-    """
-    if not system.carriers:
-        return {}
-    u = system.split(at.unknowns)[0]
-    unit = system.stress_scale * system.length**2
-    forces = system.by_node(at.residual)
-    for term in system.terms.all:
-        if isinstance(term, SpringTerm):  # what is left besides the springs comes from supports and springs
-            sprung = np.zeros_like(forces)
-            term.add_forces(sprung, system.configuration(at))
-            forces = forces - sprung
-    found = {}
-    for each in system.carriers:
-        arrows = u[each.arrows] + each.radius / system.length * np.eye(3)
-        found[each.point.name] = PointMotion(
-            displacement=u[each.node] * system.length,
-            rotation=arrows.T * system.length / each.radius,
-            force=_of_whole(system, each, forces[each.node] * unit, False),
-            moment=_of_whole(system, each, _moment(arrows, forces[each.arrows]) * unit * system.length, True),
-            multipliers=u[np.concatenate([each.stress, each.ties])] * unit,
-        )
-    return found
-
-
-def _moment(arrows: Array, forces: Array) -> Array:
-    return np.asarray(np.cross(arrows, forces).sum(axis=0))
-
-
-def _of_whole(system: "System", carrier: Carrier, vector: Array, axial: bool) -> Array:
-    """A force or an axial moment together with its mirror images (3,)."""
-    out = vector * system.model.mesh.symmetry_factor
-    for axis in carrier.mirrored:
-        out[[k for k in range(3) if (k != axis) == axial]] = 0.0
-    return np.asarray(out)
-
-
-def carried_displacement(system: "System", displacement: Array, known: Mapping[str, PointMotion]) -> Array:
+def carried_displacement(
+    carriers: Sequence[Carrier],
+    scales: tuple[float, float],
+    displacement: Array,
+    known: Mapping[str, PointMotion],
+) -> Array:
     """Scaled values (e, 3) of the nodes of reference points: those known, else of the motion of their faces.
 
     Parameters
     ----------
-    system : System
+    carriers : sequence of Carrier
+    scales : (length, stress)
     displacement : (n, 3) array [m]
         Of the nodes of the mesh.
     known : mapping of str to PointMotion
@@ -102,16 +55,17 @@ def carried_displacement(system: "System", displacement: Array, known: Mapping[s
     -------
     array
     """
+    length, stress = scales
     out = [np.zeros((0, 3))]
-    for each in system.carriers:
+    for each in carriers:
         values, motion = np.zeros((each.count, 3)), known.get(each.point.name)
         place, rotation = (
             _fitted(each, displacement[each.nodes]) if motion is None else (motion.displacement, motion.rotation)
         )
-        values[0] = place / system.length
-        values[1:4] = (rotation.T - np.eye(3)) * each.radius / system.length
+        values[0] = place / length
+        values[1:4] = (rotation.T - np.eye(3)) * each.radius / length
         if motion is not None and len(motion.multipliers) == each.count - 4:
-            values[4:] = motion.multipliers / (system.stress_scale * system.length**2)
+            values[4:] = motion.multipliers / (stress * length**2)
         out.append(values)
     return np.concatenate(out)
 
@@ -129,12 +83,18 @@ def _fitted(carrier: Carrier, displacement: Array) -> tuple[Array, Array]:
     return middle - (rotation - np.eye(3)) @ carrier.center, rotation
 
 
-def carried_velocity(system: "System", displacement: Array, velocity: Array) -> Array:
+def carried_velocity(
+    carriers: Sequence[Carrier], points: Array, length: float, displacement: Array, velocity: Array
+) -> Array:
     """Scaled rates (e, 3) of the nodes of reference points that are nearest to the velocity of their faces.
 
     Parameters
     ----------
-    system : System
+    carriers : sequence of Carrier
+    points : (n + e, 3) array
+        Scaled positions at rest.
+    length : float [m]
+        Scale.
     displacement : (n + e, 3) array
         Scaled displacements.
     velocity : (n, 3) array [m/s]
@@ -144,17 +104,17 @@ def carried_velocity(system: "System", displacement: Array, velocity: Array) -> 
     array
     """
     out = [np.zeros((0, 3))]
-    for each in system.carriers:
+    for each in carriers:
         values, weights = np.zeros((each.count, 3)), np.abs(each.weights) / np.abs(each.weights).sum()
-        x = (system.points[each.nodes] + displacement[each.nodes]) * system.length
-        place = (system.points[each.node] + displacement[each.node]) * system.length
+        x = (points[each.nodes] + displacement[each.nodes]) * length
+        place = (points[each.node] + displacement[each.node]) * length
         about, moved = x - weights @ x, velocity[each.nodes]
         inertia = (weights @ (about**2).sum(axis=1)) * np.eye(3) - (weights[:, None] * about).T @ about
         spin = np.linalg.solve(inertia, weights @ np.cross(about, moved))
         spin[[k for k in range(3) if each.mirrored and each.mirrored != (k,)]] = 0.0
-        values[0] = (weights @ moved + np.cross(spin, place - weights @ x)) / system.length
+        values[0] = (weights @ moved + np.cross(spin, place - weights @ x)) / length
         values[0, list(each.mirrored)] = 0.0
-        arrows = displacement[each.arrows] + each.radius / system.length * np.eye(3)
+        arrows = displacement[each.arrows] + each.radius / length * np.eye(3)
         values[1:4] = np.cross(spin, arrows)
         out.append(values)
     return np.concatenate(out)
