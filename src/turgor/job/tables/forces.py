@@ -2,15 +2,27 @@
 
 from collections.abc import Mapping
 from functools import partial
-from typing import Any
+from typing import Any, Protocol
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import CavityTable, ForceTable, GravityTable, read_table
+from turgor.job.text.quantities import ForceTable, GravityTable, read_table
 from turgor.model.history import RAMP, over_time
 from turgor.model.loads import STANDARD_GRAVITY, Force
+
+
+class Timed(Protocol):
+    """A table with a history."""
+
+    @property
+    def history(self) -> Any:
+        """Over the load factor."""
+
+    @property
+    def history_over_time(self) -> Any:
+        """Over the time."""
 
 
 def is_force(name: str, value: object, cavities: tuple[str, ...]) -> bool:
@@ -65,7 +77,7 @@ def _check_mirror(load: Force, geometry: Geometry | None, problems: Problems) ->
             )
 
 
-def history_of(table: CavityTable | GravityTable | ForceTable, what: str, duration: float | None) -> Any:
+def history_of(table: Timed, what: str, duration: float | None) -> Any:
     """History of a table, over the load factor or, with a duration, over the time in seconds."""
     if table.history_over_time is None:
         return RAMP if table.history is None else table.history
