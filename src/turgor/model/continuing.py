@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.model.contact import Contact
 from turgor.model.history import History, share_at
-from turgor.model.loads import Force, Hanging, Load, Moment, Pressure, Traction
+from turgor.model.loads import Force, Hanging, LineForce, Load, Moment, PointForce, Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Path, Vector
 from turgor.model.points import Rotation
@@ -130,6 +130,10 @@ def _place(load: Load) -> tuple[str, str]:
         return type(load).__name__.lower(), load.face
     if isinstance(load, Moment | Hanging):
         return type(load).__name__.lower(), load.point
+    if isinstance(load, PointForce):
+        return "point force", str(load.at)
+    if isinstance(load, LineForce):
+        return "line force", " and ".join(load.faces)
     return type(load).__name__.lower(), ""
 
 

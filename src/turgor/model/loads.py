@@ -126,6 +126,79 @@ class Force:
 
 
 @dataclass(frozen=True, slots=True)
+class PointForce:
+    """Dead load at a point of the surface: fixed in direction, carried by the side of a cell on which the point lies.
+
+    The deformation at the point itself depends on the mesh, as that of any body under a point load does.
+
+    Parameters
+    ----------
+    at : (3,) floats [m]
+        Where it acts at rest, up to 1 % of the size of the part beside the surface.
+    vector : (3,) floats [N]
+        The force at this point. On a mirror plane the modeled part carries its share; elsewhere the mirror image of the
+        point carries the mirror image of the force.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
+
+    Raises
+    ------
+    TurgorError
+        If the history is none, or a number is not finite.
+
+    Examples
+    --------
+    >>> PointForce((0.1, 0, 0.02), (0, 0, -0.3)).vector
+    (0.0, 0.0, -0.3)
+    """
+
+    at: tuple[float, float, float]
+    vector: tuple[float, float, float]
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "at", vector("point force: at", self.at))
+        object.__setattr__(self, "vector", vector("point force", self.vector))
+        object.__setattr__(self, "history", checked(self.history, "point force"))
+
+
+@dataclass(frozen=True, slots=True)
+class LineForce:
+    """Dead load along the edge between two faces: force per reference length, fixed in direction.
+
+    Parameters
+    ----------
+    faces : (str, str)
+        Two faces that meet along the line.
+    vector : (3,) floats [N/m]
+        Force per length at rest, on the whole actuator.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
+
+    Raises
+    ------
+    TurgorError
+        If the history is none, the faces are not two, or a number is not finite.
+
+    Examples
+    --------
+    >>> LineForce(("tip", "outside"), (0, 0, -2.0)).faces
+    ('tip', 'outside')
+    """
+
+    faces: tuple[str, str]
+    vector: tuple[float, float, float]
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "faces", tuple(self.faces))
+        if len(set(self.faces)) != 2:
+            raise TurgorError(f"line force: faces is {self.faces!r}; two faces are needed that meet along the line.")
+        object.__setattr__(self, "vector", vector(f"line force on {' and '.join(self.faces)}", self.vector))
+        object.__setattr__(self, "history", checked(self.history, "line force"))
+
+
+@dataclass(frozen=True, slots=True)
 class Moment:
     """Moment on a reference point.
 
@@ -268,4 +341,4 @@ class BodyForce:
         object.__setattr__(self, "history", checked(self.history, "body force"))
 
 
-Load = Pressure | Traction | Force | Moment | Hanging | Gravity | BodyForce
+Load = Pressure | Traction | Force | PointForce | LineForce | Moment | Hanging | Gravity | BodyForce

@@ -13,7 +13,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
-from turgor.model.loads import Force, Gravity, Hanging, Load, Moment, Pressure, Traction
+from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
 from turgor.model.named_points import check_points, points_of
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.supports import Displacement, Support, Symmetry
@@ -165,6 +165,9 @@ class Model(Saved, Shown):
                 self.mesh.face(load.face)
             if isinstance(load, Force):
                 self._check_symmetric(load)
+            if isinstance(load, LineForce):
+                for name in load.faces:
+                    self.mesh.face(name)
             if isinstance(load, Pressure) and not np.isfinite(load.pressure):
                 raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
 

@@ -114,3 +114,38 @@ def test_a_weight_is_what_the_support_carries(tmp_path):
     assert response.column("reaction")[-1] == pytest.approx(1e-3 * 9.80665, rel=1e-5)
     assert response.column("plate_displacement_z")[-1] < -5e-6
     assert response.column("plate_rotation_x")[-1] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_concentrated_forces_are_read_and_come_back(tmp_path):
+    job = read(
+        tmp_path,
+        '[[loads.point_forces]]\nat = ["5 mm", 0, "15 mm"]\nforce = [0, 0, "-20 mN"]\n'
+        "history = [[0, 0], [0.5, 1], [1, 1]]\n"
+        '[[loads.line_forces]]\nfaces = ["tip", "outside"]\nforce_per_length = [0, 0, "-2 N/m"]\n',
+    )
+    point, line = job.loads
+    assert (point.at, point.vector) == (pytest.approx((5e-3, 0, 15e-3)), pytest.approx((0, 0, -0.02)))
+    assert (line.faces, line.vector) == (("tip", "outside"), (0, 0, -2.0))
+    lock = tmp_path / "job.lock.toml"
+    lock.write_text(lock_text(job, {}), encoding="utf-8")
+    assert read_job(lock) == job
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        (
+            '[[loads.line_forces]]\nfaces = ["tpi", "outside"]\nforce_per_length = [0, 0, "-2 N/m"]',
+            "did you mean 'tip'?",
+        ),
+        (
+            '[[loads.line_forces]]\nfaces = ["tip", "outside"]\nforce_per_length = [0, 0, "-2 N"]',
+            "a force per length is",
+        ),
+        ('[[loads.point_forces]]\nat = ["5 mm", 0, 0]\nfroce = [0, 0, "-2 N"]', "did you mean 'force'?"),
+    ],
+)
+def test_concentrated_forces_that_cannot_be_are_refused(tmp_path, more, said):
+    with pytest.raises(TurgorError) as error:
+        read(tmp_path, f"{more}\n")
+    assert said in str(error.value)

@@ -9,12 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 from turgor.engine.cells.element import element_of
 from turgor.engine.cells.reference import side_tables
 from turgor.engine.faces import surfaces
+from turgor.engine.faces.concentrated import line_force, point_force
 from turgor.engine.points.carriers import carriers_of
 from turgor.engine.points.point_mass import weights_of
 from turgor.engine.term import Configuration, Setting, Term
 from turgor.errors import TurgorError
 from turgor.model.history import History, share_at
-from turgor.model.loads import BodyForce, Force, Gravity, Hanging, Load, Traction
+from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, PointForce, Pressure, Traction
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -46,7 +47,7 @@ def dead_terms(setting: Setting) -> list[DeadTerm]:
     N = element_of(model).tables.N
     carriers = {each.point.name: each for each in carriers_of(model)}
     for load in model.loads:
-        if not isinstance(load, Traction | Force | Hanging | Gravity | BodyForce) or _follows(load):
+        if isinstance(load, Pressure | Moment) or _follows(load):
             continue
         forces = by_history.setdefault(load.history, np.zeros_like(points))
         if isinstance(load, Traction):
@@ -55,6 +56,10 @@ def dead_terms(setting: Setting) -> list[DeadTerm]:
             forces[carriers[load.point].node] += _resultant(setting, load.force)
         elif isinstance(load, Force) and load.face in carriers:
             forces[carriers[load.face].node] += _resultant(setting, load.vector)
+        elif isinstance(load, PointForce | LineForce):
+            mesh = model.mesh
+            nodal = point_force(mesh, load) if isinstance(load, PointForce) else line_force(mesh, load)
+            forces[: len(nodal)] += nodal / (stress * length**2)
         elif isinstance(load, Force):
             sides = model.mesh.face(load.face)
             forces += _traction(points, sides, _resultant(setting, load.vector) / surfaces.area(points, sides))

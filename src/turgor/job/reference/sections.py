@@ -33,9 +33,11 @@ from turgor.job.text.quantities import (
     EngineTable,
     ForceTable,
     GravityTable,
+    LineForceTable,
     LoadsTable,
     MeshTable,
     OutputTable,
+    PointForceTable,
 )
 from turgor.materials.laws.laws import LAWS, Hooke
 from turgor.meshing.exchange.mesh_file import MeshFile
@@ -198,6 +200,8 @@ def _loads(shape: Geometry) -> Iterator[JobTable]:
     yield _of(CavityTable, "[loads.CAVITY]", read=lambda values, problems: read({"cavity": values}, problems))
     yield _of(ForceTable, "[loads.FACE]", read=lambda values, problems: read({"tip": values}, problems),
               base={"force": [0, 0, "-0.5 N"]})  # fmt: skip
+    yield _of(PointForceTable, "[[loads.point_forces]]")
+    yield _of(LineForceTable, "[[loads.line_forces]]")
     yield _of(GravityTable, "[loads.gravity]", read=lambda values, problems: read({"gravity": values}, problems),
               base={"direction": "-z"})  # fmt: skip
 

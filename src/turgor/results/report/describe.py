@@ -15,12 +15,25 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import MeshQuality
 from turgor.model.drive import rises
 from turgor.model.fibers import Fibers
-from turgor.model.loads import RAMP, BodyForce, Force, Gravity, Hanging, History, Load, Moment, Pressure, Traction
+from turgor.model.loads import (
+    RAMP,
+    BodyForce,
+    Force,
+    Gravity,
+    Hanging,
+    History,
+    LineForce,
+    Load,
+    Moment,
+    PointForce,
+    Pressure,
+    Traction,
+)
 from turgor.model.model import Membrane, Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial
-from turgor.results.report.describe_points import moment_text, point_text
+from turgor.results.report.describe_points import point_text, rig_text
 from turgor.setups.blocked_tip import HeldTip, Plate
 from turgor.units import GPa, MPa, deg, kPa, mm
 
@@ -56,8 +69,8 @@ def load_text(load: Load) -> str:
             shown = ", ".join(f"{part:.6g}" for part in vector)
             way = "turning with the point" if load.follower else "fixed in direction"
             return f"Force ({shown}) N on {face}, {way}{_shares(load.history)}."
-        case Moment() | Hanging():
-            return f"{moment_text(load)}{_shares(load.history)}."
+        case Moment() | Hanging() | PointForce() | LineForce():
+            return f"{rig_text(load)}{_shares(load.history)}."
         case Gravity(direction, acceleration, history):
             return f"Gravity {acceleration:g} m/s² along ({_listed(direction)}){_shares(history)}."
         case BodyForce():

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.model.loads import Hanging, Moment
+from turgor.model.loads import Hanging, LineForce, Moment, PointForce
 from turgor.model.points import RIGID, Hinge, ReferencePoint, Rotation
 from turgor.units import deg, mm
 
@@ -40,16 +40,20 @@ def _point(point: ReferencePoint) -> str:
     return f"{', '.join(said)}."
 
 
-def moment_text(load: Moment | Hanging) -> str:
-    """A moment or a hanging weight at load factor 1, without the end of the sentence.
+def rig_text(load: Moment | Hanging | PointForce | LineForce) -> str:
+    """A moment, a hanging weight, a force at a point or on a line at load factor 1, without the end of the sentence.
 
     Examples
     --------
-    >>> moment_text(Moment("plate", (0.02, 0, 0)))
+    >>> rig_text(Moment("plate", (0.02, 0, 0)))
     'Moment (0.02, 0, 0) N m on plate, its axis fixed in space'
     """
     if isinstance(load, Hanging):
         return f"Weight of {load.mass:g} kg hanging from {load.point}, along ({_listed(load.direction)})"
+    if isinstance(load, PointForce):
+        return f"Force ({_listed(load.vector)}) N at ({_listed([value / mm for value in load.at])}) mm on the surface"
+    if isinstance(load, LineForce):
+        return f"Force ({_listed(load.vector)}) N/m along the edge between {' and '.join(load.faces)}"
     way = "turning with it" if load.follower else "its axis fixed in space"
     return f"Moment ({_listed(load.vector)}) N m on {load.point}, {way}"
 
