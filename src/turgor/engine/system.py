@@ -32,6 +32,9 @@ from turgor.model.model import Model
 
 Array = NDArray[np.float64]
 
+#: Scaled stiffness and compliance that make the equations of reference points definite for the factorization.
+DEFINITE = 1e-7
+
 
 class System:
     """Residual and tangent of a model's equilibrium equations.
@@ -316,6 +319,18 @@ class System:
     def apply_supports(self, data: Array) -> None:
         """Replace the equations of held unknowns by identities, in place."""
         self.layout.apply_supports(data)
+
+    def make_definite(self, data: Array) -> None:
+        """Give free nodes of reference points a small stiffness, their multipliers a compliance, in place.
+
+        Places, arrows and multipliers may have a zero on the diagonal, and solvers that pivot within a front cannot
+        swap them. With small numbers there, the matrix can be factored in any order. It is that of the factors alone:
+        the residual decides, and Newton's method makes up for it.
+        """
+        own = [3 * each.node + np.arange(3 * each.count) for each in self.carriers]
+        for unknowns in own:
+            free = unknowns[~self.held[unknowns]]
+            data[self.pattern.diagonal[free]] += np.where(self.moving[free], DEFINITE, -DEFINITE)
 
     def stresses(self, at: Evaluation, update: Array | None = None) -> Stresses:
         """Stresses at an evaluation, linearized for an update where one is given; see `kernels.extrapolated_stress`."""

@@ -124,6 +124,7 @@ class Tangent:
         rubbing = system.rubbing(at)
         self._rubbing = None if rubbing is None else sp.diags((~system.held).astype(np.float64)) @ rubbing
         system.apply_supports(data)
+        system.make_definite(data)
         if shift:
             free = np.flatnonzero(system.moving & ~system.held)
             data[system.pattern.diagonal[free]] += shift

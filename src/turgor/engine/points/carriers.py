@@ -3,7 +3,7 @@
 A reference point with its rotation is carried by four nodes: its place P, and three arrows yᵢ = r R eᵢ that turn with
 it, r the gyration radius of its face. Whatever is rigid with the point is then linear in the unknowns, x = P + Σ Dᵢ yᵢ
 / r, at rotations of any size: a rigid face is eliminated by constant weights, masses are constant, and no angle has a
-range (natural coordinates; Betsch and Steinmann 2001, doi 10.1002/nme.213). Six multipliers keep the arrows
+range (Betsch and Leyendecker 2006, doi 10.1002/nme.1639). Six multipliers keep the arrows
 orthonormal (`rigid_term`), six more tie an averaging point to its face (`average_term`); they stand in the three
 components of two further nodes each.
 """

@@ -42,6 +42,7 @@ class Accelerations:
         kept = fixes | ~(moves[row_of] | moves[column_of])
         matrix = np.where(kept, data, self._scale * mass)
         system.apply_supports(matrix)
+        system.make_definite(matrix)
         self._solver: LinearSolver = linear_solver("rslab", pattern, 1)
         self._solver.factor(matrix)
 

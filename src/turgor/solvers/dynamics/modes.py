@@ -202,6 +202,7 @@ def _first_shift(system: System) -> float:
 def _none_below(system: System, solver: LinearSolver, data: Array) -> bool:
     """Factor K + shift M; whether no mode lies below the shift."""
     expected = system.constraint_count
+    system.make_definite(data)
     try:
         solver.factor(data)
     except SingularTangentError:
