@@ -13,6 +13,7 @@ import pytest
 import problems
 import rig
 import turgor as tg
+from turgor.engine.algebra.linear import linear_solver
 from turgor.engine.points.average_term import AverageTerm
 from turgor.engine.points.rigid_term import RigidTerm
 from turgor.engine.points.spring_term import SpringTerm, angle_squared
@@ -20,7 +21,7 @@ from turgor.engine.system import System
 from turgor.engine.term import Configuration
 from turgor.loads import Force, Hanging, Moment
 from turgor.model.points import Rotation
-from turgor.supports import ReferencePoint
+from turgor.supports import Hinge, ReferencePoint
 
 COUPLINGS = ("rigid", "averaging")
 AT = (45e-3, 2e-3, 3e-3)
@@ -165,3 +166,24 @@ def test_the_face_carries_what_acts_on_the_point(coupling, record_verification):
     assert force == pytest.approx(loads[0].vector, abs=1e-8)
     assert moment == pytest.approx(loads[1].vector, abs=1e-10)
     assert np.abs(np.delete(internal, [*nodes, *model.mesh.face_nodes("x0")], axis=0)).max() < 1e-8
+
+
+@pytest.mark.parametrize("coupling", COUPLINGS)
+@pytest.mark.parametrize("kind", [rig.TETRAHEDRON, rig.HEXAHEDRON], ids=["tet", "hex"])
+@pytest.mark.parametrize("counts", [(2, 1, 1), (4, 2, 2), (6, 3, 3)])
+def test_a_solver_that_pivots_in_fronts_factors_them(coupling, kind, counts):
+    """Places and multipliers have zeros on the diagonal, which stopped the factorization on some of these meshes."""
+    mesh = rig.bar(kind, counts)
+    for supports in ((), (tg.Fixed("plate", "yz"),), (Rotation("plate"),), (tg.Fixed("plate"), Hinge("plate", "y"))):
+        system = System(rig.rig(_point(coupling), supports, mesh=mesh))
+        data = system.tangent_data(system.evaluate(np.zeros(system.size), 0.0))
+        system.apply_supports(data)
+        exact = data.copy()
+        system.make_definite(data)
+        solver = linear_solver("rslab", system.pattern, 1)
+        solver.factor(data)
+        assert solver.negative_pivots(system.constraint_count) == system.constraint_count
+        right = np.where(system.held, 0.0, 1.0)
+        solution = solver.solve(right)
+        left = right - system.pattern.product(exact, solution)
+        assert np.linalg.norm(left) < 1e-2 * np.linalg.norm(right)

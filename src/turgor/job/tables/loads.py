@@ -8,8 +8,7 @@ from turgor.errors import near_match
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
 from turgor.geometry.names import cavity_names
-from turgor.job.tables.concentrated import concentrated, concentrated_tables
-from turgor.job.tables.forces import history_of, is_force, on_faces
+from turgor.job.tables.forces import concentrated, concentrated_tables, history_of, is_force, on_faces
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import CavityTable, LoadsTable, read_table
 from turgor.materials.material import Material
