@@ -9,6 +9,10 @@ if TYPE_CHECKING:
     from turgor.model.loads import BodyForce as BodyForce
     from turgor.model.loads import Force as Force
     from turgor.model.loads import Gravity as Gravity
+    from turgor.model.loads import Hanging as Hanging
+    from turgor.model.loads import LineForce as LineForce
+    from turgor.model.loads import Moment as Moment
+    from turgor.model.loads import PointForce as PointForce
     from turgor.model.loads import Pressure as Pressure
     from turgor.model.loads import Traction as Traction
 else:

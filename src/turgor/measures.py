@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from turgor.results.measures.measures import tip_displacement_z as tip_displacement_z
     from turgor.results.measures.measures import twist_angle as twist_angle
     from turgor.results.measures.measures import volume_of as volume_of
+    from turgor.results.measures.point_measures import of_point as of_point
     from turgor.results.measures.reading import Measure as Measure
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -5,6 +5,9 @@ from typing import TYPE_CHECKING
 from turgor._lazy import public
 
 if TYPE_CHECKING:
+    from turgor.model.points import Hinge as Hinge
+    from turgor.model.points import ReferencePoint as ReferencePoint
+    from turgor.model.points import Rotation as Rotation
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
     from turgor.model.supports import PlaneSection as PlaneSection

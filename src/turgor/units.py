@@ -61,6 +61,12 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "mass": MappingProxyType({"kg": kg, "g": g, "mg": 1e-6}),
         "density": MappingProxyType({"kg/m³": 1.0, "kg/m3": 1.0, "g/cm³": 1e3, "g/cm3": 1e3}),
         "spring stiffness": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
+        "force per length": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
+        "moment": MappingProxyType({"N m": 1.0, "Nm": 1.0, "N mm": 1e-3, "mN m": 1e-3, "mNm": 1e-3}),
+        "rotational stiffness": MappingProxyType(
+            {"N m/rad": 1.0, "Nm/rad": 1.0, "N mm/rad": 1e-3, "N mm/deg": 1e-3 / deg}
+        ),
+        "inertia": MappingProxyType({"kg m²": 1.0, "kg m2": 1.0, "kg mm²": mm**2, "kg mm2": mm**2, "g mm²": g * mm**2}),
         "contact stiffness": MappingProxyType({"Pa/m": 1.0, "kPa/mm": 1e6, "MPa/mm": 1e9}),
     }
 )
@@ -79,6 +85,10 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "volume": "12 mL",
         "density": "1130 kg/m³",
         "spring stiffness": "50 N/m",
+        "force per length": "2 N/m",
+        "moment": "20 N mm",
+        "rotational stiffness": "0.5 N m/rad",
+        "inertia": "2 kg mm²",
         "contact stiffness": "10 MPa/mm",
     }
 )

@@ -68,6 +68,17 @@ def test_weight_first():
     assert last["solution"].states[-1].displacement == pytest.approx(both.displacement, abs=1e-4 * size)
 
 
+def test_rigs(tmp_path):
+    found = next(after_each_block("rigs", names()))
+    response = found["response"]
+    assert response.column("plate_displacement_x")[-1] < -0.2 * mm
+    assert response.column("reaction")[-1] == pytest.approx(
+        (0.1 + tg.measures.total_mass(found["model"])) * 9.80665, rel=1e-6
+    )
+    (tmp_path / "job.toml").write_text(HEAD + blocks("rigs", "toml")[0].replace('"-x"', '"-z"'), encoding="utf-8")
+    assert tg.jobs.read_job(tmp_path / "job.toml").points["plate"].point.mass == pytest.approx(0.1)
+
+
 def test_limit_points(capsys):
     steps = after_each_block("limit-points", names(tg.Pressure("cavity", 90 * kPa)))
     stopped = next(steps)

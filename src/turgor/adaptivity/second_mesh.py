@@ -10,6 +10,7 @@ from turgor.engine.algebra.linear import SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.cells.memory import History
 from turgor.engine.chambers import Chambers
+from turgor.engine.points.read_motion import motions
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import Evaluation, Stresses, System
 from turgor.engine.transfer import Transfer
@@ -144,13 +145,13 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
         return None
     if any(touch.area > 0 for touch in state.touches.values()):
         return _carefully(system, tangent, at, state, exact)
-    first, whole = at, np.zeros(3 * system.node_count)
-    size_of_state = float(np.linalg.norm(unknowns[: len(whole)]))
+    first, whole = at, np.zeros(int(system.moving.sum()))
+    size_of_state = float(np.linalg.norm(unknowns[system.moving]))
     before, fresh, hard, geometric = np.inf, True, False, system.stresses(at) if tangent.mixed_points else None
     for _ in range(UPDATES):
         update, made = _update(system, tangent, at, geometric if fresh else None, fresh)
         new = system.evaluate(at.unknowns + update, state.load_factor, history=history)
-        moved = update[: len(whole)]
+        moved = update[system.moving]
         size, total = float(np.linalg.norm(moved)), float(np.linalg.norm(whole + moved))
         if not made and (new is None or size > before):
             fresh = hard = True  # with new factors, as where a thread goes slack
@@ -188,8 +189,8 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, e
     result = newton_with_contact(constraint, tangent, start, state.load_factor, settings, _unheard)
     if not result.converged or result.evaluation is None:
         return None
-    moved = (result.evaluation.unknowns - at.unknowns)[: 3 * system.node_count]
-    if np.linalg.norm(moved) > FAR * np.linalg.norm(at.unknowns[: 3 * system.node_count]):
+    moved = (result.evaluation.unknowns - at.unknowns)[system.moving]
+    if np.linalg.norm(moved) > FAR * np.linalg.norm(at.unknowns[system.moving]):
         return None  # another equilibrium
     return _state(system, result.evaluation, state, result.unstable_modes)
 
@@ -229,7 +230,8 @@ def _state(system: System, at: Evaluation, state: State, modes: int | None = Non
         load_factor=at.load_factor,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.by_node(at.residual) * system.stress_scale * system.length**2,
+        nodal_force=system.nodal_forces(at),
+        points=motions(system, at),
         unstable_modes=modes,
         touches=touches(system, at),
         pressures={**state.pressures, **acting_pressures(system, at)},

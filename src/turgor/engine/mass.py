@@ -1,10 +1,14 @@
-"""Mass: the consistent mass matrix of the rubber. Membranes and fibers are weightless, as they are for gravity."""
+"""Mass: the consistent mass matrix of the rubber, and the masses of reference points.
+
+Membranes and fibers are weightless, as they are for gravity.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.cells import kernels_geometry
 from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.engine.points.point_mass import add_point_masses
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
@@ -51,7 +55,7 @@ def cell_volumes(mesh: Mesh) -> Array:
 
 
 def mass_data(system: System, density: Array | None = None) -> Array:
-    """Lower triangle (nnz,) of the consistent mass matrix on the pattern of a system's tangent.
+    """Lower triangle (nnz,) of the consistent mass matrix on the pattern of a system's tangent, points included.
 
     Scaled so that its product with a scaled acceleration, in units of length per s², is a scaled force. It is
     integrated exactly on straight cells in every formulation: four points would leave a tetrahedron motions without
@@ -61,9 +65,9 @@ def mass_data(system: System, density: Array | None = None) -> Array:
     ----------
     system : System
     density : (c,) array [kg/m³], optional
-        Of every cell; that of the materials by default.
+        Of every cell, with weightless reference points; that of the materials and points by default.
     """
-    mesh = system.model.mesh
+    mesh, rubber_only = system.model.mesh, density is not None
     density = densities(system.model) if density is None else density
     N = reference_cell(mesh.cell_type.nodes, CELL_QUADRATURE_DEGREE).N
     weights = density[:, None] * _volumes(mesh, system.points) * (system.length**2 / system.stress_scale)
@@ -71,7 +75,11 @@ def mass_data(system: System, density: Array | None = None) -> Array:
     same = (rows % 3 == columns % 3) & (rows < 3 * mesh.cell_type.nodes)
     a, b = rows[same] // 3, columns[same] // 3
     values = weights @ (N[:, a] * N[:, b])
-    return system.scattered(np.flatnonzero(same), values)
+    data = system.scattered(np.flatnonzero(same), values)
+    if not rubber_only:
+        scale = 1 / (system.length * system.stress_scale)
+        add_point_masses(data, system.layout.base, system.model, system.carriers, scale)
+    return data
 
 
 def _volumes(mesh: Mesh, points: Array) -> Array:

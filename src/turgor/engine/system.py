@@ -4,6 +4,7 @@ Inside, lengths are divided by the mean edge length and stresses by the stiffest
 unknowns and the entries of the tangent are of the order of one whatever the units and the size of the actuator.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -21,13 +22,18 @@ from turgor.engine.contact.surface import whole_surface
 from turgor.engine.contact.terms import ContactMemory, Contacts, ContactTerms
 from turgor.engine.evaluation import Evaluation as Evaluation  # what is handed out by this class comes from here, too
 from turgor.engine.evaluation import Stresses as Stresses
-from turgor.engine.term import Configuration, Setting
+from turgor.engine.points.carriers import with_carried
+from turgor.engine.points.motion import PointMotion, carried_displacement, carried_velocity
+from turgor.engine.term import Configuration, Setting, displacements
 from turgor.engine.terms import Terms
 from turgor.errors import TurgorError
 from turgor.model.drive import extremes
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
+
+#: Scaled stiffness and compliance that make the equations of reference points definite for the factorization.
+DEFINITE = 1e-7
 
 
 class System:
@@ -46,6 +52,14 @@ class System:
         Number of degrees of freedom (unknowns), prescribed ones included.
     held : (size,) bool array
         Which unknowns are prescribed.
+    node_count : int
+        Nodes of the mesh, and after them those of the reference points (``carriers``).
+    rest, points : (n + e, 3) array
+        Their positions at rest, in meters and scaled.
+    moving : (size,) bool array
+        Which unknowns are displacements: all of nodes but the ``multipliers`` of reference points.
+    constraint_count : int
+        Multipliers that are free, mean stresses among them: negative pivots of a stable tangent.
     length, stress : float [m], [Pa]
         Scales of the unknowns.
     rubber : CellTerms
@@ -63,22 +77,28 @@ class System:
         mesh = model.mesh
         self.model = model
         self.controlled = controlled
-        self.node_count = len(mesh.points)
         self.length = _mean_edge(mesh.points, mesh.cells)
         self.stress_scale = max(m.law.shear_modulus for m in model.region_materials.values())
-        self.points = np.ascontiguousarray(mesh.points / self.length)
+        supports = held_components(model)
+        self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
+        self.carriers = supports.carriers
+        self.rest = with_carried(mesh.points, self.carriers)
+        self.points = np.ascontiguousarray(self.rest / self.length)
+        self.node_count = len(self.points)
         self.rubber = CellTerms(model, self.points, self.stress_scale)
         self.cells, self.element, self.materials = self.rubber.cells, self.rubber.element, self.rubber.materials
         self.Jinv, self.dV = self.rubber.Jinv, self.rubber.dV
         self.mean_stress_volumes = self.rubber.mean_stress_volumes
-        supports = held_components(model)
-        self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.contact = self._contact_terms()
         bodies = self.contact.bodies.held
         unused = np.ones(self.element.mean_count, dtype=bool)
         unused[self.element.mean] = False
         self.held = np.concatenate([supports.mask.ravel(), unused, bodies])
         self.size = len(self.held)
+        self.multipliers = self._multipliers()
+        self.moving = np.arange(self.size) < 3 * self.node_count
+        self.moving[self.multipliers] = False
+        self.constraint_count = self.element.mean_count + int((~self.held[self.multipliers]).sum())
         scales, along_axes = (self.length, self.stress_scale), supports.along_axes
         self.terms = Terms(Setting(model, self.points, along_axes, self.dV, *scales, controlled))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
@@ -88,6 +108,11 @@ class System:
         self.rubber.locate(base)
         self.terms.locate(base)
         self.layout = Layout(base, self.held, self._ties)
+
+    def _multipliers(self) -> NDArray[np.int64]:
+        """Unknowns of the multipliers of reference points."""
+        nodes = [np.concatenate([each.stress, each.ties]) for each in self.carriers]
+        return displacements(np.concatenate([np.zeros(0, dtype=np.int64), *nodes])[None])[0]
 
     def _contact_terms(self) -> ContactTerms:
         scales = (self.length, self.stress_scale)
@@ -106,21 +131,38 @@ class System:
         return self.layout.pattern
 
     def split(self, unknowns: Array) -> tuple[Array, Array]:
-        """Scaled displacement (n, 3) and scaled mean stress (m,)."""
+        """Scaled displacement (n + e, 3), reference points included, and scaled mean stress (m,)."""
         nodes = 3 * self.node_count
         components = self._ties.fill(unknowns[:nodes]).reshape(-1, 3)
         return self._frames.to_global(components), unknowns[nodes : nodes + self.element.mean_count]
 
+    def nodal_forces(self, at: Evaluation) -> Array:
+        """Internal minus external force (n, 3) [N] on the nodes of the mesh; that of rigid faces is at their points."""
+        return self.by_node(at.residual)[: len(self.model.mesh.points)] * self.stress_scale * self.length**2
+
+    def rates(self, unknowns: Array, velocity: Array) -> Array:
+        """Rates (size,) of the unknowns for a velocity (n, 3) [m/s] of the nodes of the mesh at some unknowns."""
+        own = carried_velocity(self.carriers, self.points, self.length, self.split(unknowns)[0], velocity)
+        out = np.zeros(self.size)
+        components = self._frames.to_local(np.concatenate([velocity / self.length, own])).ravel()
+        out[: len(components)] = components
+        out[self._ties.followers] = 0.0
+        return out
+
     def by_node(self, forces: Array) -> Array:
-        """Scaled forces on the nodes (n, 3) of those on the unknowns (size,); tied ones are at the leader."""
+        """Scaled forces on the nodes (n + e, 3) of those on the unknowns (size,); tied ones are at the leader."""
         return self._frames.to_global(forces[: 3 * self.node_count].reshape(-1, 3))
+
+    def displacement(self, unknowns: Array) -> Array:
+        """Scaled displacement of the nodes of the mesh (n, 3)."""
+        return self.split(unknowns)[0][: len(self.model.mesh.points)]
 
     def springs(self, unknowns: Array) -> Array:
         """Scaled displacements (b, 3) of sprung obstacles from their places."""
         return unknowns[3 * self.node_count + self.element.mean_count :].reshape(-1, 3)
 
     def joined(self, by_node: Array) -> Array:
-        """Forces (n, 3) or their like as a vector (size,) along the directions of each node; none on mean stresses."""
+        """Forces (n + e, 3) as a vector (size,) along the directions of each node; none on mean stresses."""
         out = np.zeros(self.size)
         out[: 3 * self.node_count] = self._frames.to_local(by_node).ravel()
         return self._ties.gather(out)
@@ -133,12 +175,17 @@ class System:
 
     def physical(self, unknowns: Array) -> tuple[Array, Array]:
         """Displacement (n, 3) [m] and mean stress (m,) [Pa]."""
-        u, p = self.split(unknowns)
-        return u * self.length, p * self.stress_scale
+        return self.displacement(unknowns) * self.length, self.split(unknowns)[1] * self.stress_scale
 
-    def unknowns(self, displacement: Array, mean_stress: Array) -> Array:
-        """Scaled unknowns (size,) of a displacement (n, 3) [m] and mean stress (m,) [Pa]; inverse of `physical`."""
-        components = self._frames.to_local(displacement / self.length).ravel()
+    def unknowns(
+        self, displacement: Array, mean_stress: Array, points: Mapping[str, PointMotion] | None = None
+    ) -> Array:
+        """Scaled unknowns of a displacement (n, 3) [m] and mean stress (m,) [Pa], as `physical` and `motions` give.
+
+        A reference point whose motion is not given has that of its face.
+        """
+        own = carried_displacement(self.carriers, (self.length, self.stress_scale), displacement, points or {})
+        components = self._frames.to_local(np.concatenate([displacement / self.length, own])).ravel()
         components[self._ties.followers] = 0.0
         return np.concatenate([components, mean_stress / self.stress_scale])
 
@@ -171,7 +218,7 @@ class System:
     def prescribed(self, load_factor: float) -> Array:
         """Scaled values of the held unknowns at a load factor."""
         values = np.zeros(self.size)
-        moved = self._supports.values(self.model.mesh.points, load_factor) / self.length
+        moved = self._supports.values(self.rest, load_factor) / self.length
         values[: 3 * self.node_count] = moved.ravel()
         return values[self.held]
 
@@ -253,20 +300,39 @@ class System:
             data += self.layout.spread(at.addition.data(at.unknowns))
         return data
 
+    def configuration(self, at: Evaluation) -> Configuration:
+        """Where the terms were evaluated."""
+        return Configuration(self.points + self.split(at.unknowns)[0], at.load_factor, at.sought)
+
     def skew_matrix(self, at: Evaluation) -> sp.csc_matrix | None:
         """Skew part of the tangent from pressure on open surfaces; None where every pressure has a potential."""
-        u, _ = self.split(at.unknowns)
-        matrix = self.terms.skew_matrix(Configuration(self.points + u, at.load_factor, at.sought), self.size)
+        matrix = self.terms.skew_matrix(self.configuration(at), self.size)
         return None if matrix is None else self._ties.reduce(self._frames.turn_matrix(matrix))
 
     def rubbing(self, at: Evaluation) -> sp.csc_matrix | None:
-        """Unsymmetric part of the tangent from friction, whose limits follow the pressure; None without friction."""
-        matrix = self.contact.rubbing(at.contacts, self.size)
-        return None if matrix is None else self._ties.reduce(self._frames.turn_matrix(matrix))
+        """Unsymmetric part of the tangent, from friction, whose limits follow the pressure, and from moments."""
+        parts = (
+            self.contact.rubbing(at.contacts, self.size),
+            self.terms.unsymmetric_matrix(self.configuration(at), self.size),
+        )
+        found = [part for part in parts if part is not None]
+        return self._ties.reduce(self._frames.turn_matrix(sum(found[1:], found[0]).tocsc())) if found else None
 
     def apply_supports(self, data: Array) -> None:
         """Replace the equations of held unknowns by identities, in place."""
         self.layout.apply_supports(data)
+
+    def make_definite(self, data: Array) -> None:
+        """Give free nodes of reference points a small stiffness, their multipliers a compliance, in place.
+
+        Places, arrows and multipliers may have a zero on the diagonal, and solvers that pivot within a front cannot
+        swap them. With small numbers there, the matrix can be factored in any order. It is that of the factors alone:
+        the residual decides, and Newton's method makes up for it.
+        """
+        own = [3 * each.node + np.arange(3 * each.count) for each in self.carriers]
+        for unknowns in own:
+            free = unknowns[~self.held[unknowns]]
+            data[self.pattern.diagonal[free]] += np.where(self.moving[free], DEFINITE, -DEFINITE)
 
     def stresses(self, at: Evaluation, update: Array | None = None) -> Stresses:
         """Stresses at an evaluation, linearized for an update where one is given; see `kernels.extrapolated_stress`."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
+import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.model.model import Model
@@ -23,9 +24,9 @@ class Setting:
     Parameters
     ----------
     model : Model
-    points : (n, 3) array
-        Scaled reference positions.
-    held : (n, 3) bool array
+    points : (n + e, 3) array
+        Scaled reference positions of the nodes of the mesh, then of those of reference points.
+    held : (n + e, 3) bool array
         Prescribed components.
     dV : (c, q) array
         Scaled volumes of the quadrature points of the cells.
@@ -102,6 +103,13 @@ class Term(Protocol):
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Lower triangles of the symmetric tangents of all pieces, row by row, one piece after the other."""
         return np.empty(0)
+
+    def unsymmetric(self, at: Configuration, size: int) -> sp.csc_matrix | None:
+        """Tangent (size, size) of a few unknowns that has no potential, besides the others; None where there is none.
+
+        The symmetric factors are kept, and GMRES adds it; a few unknowns cost as many iterations.
+        """
+        return None
 
     def skew(self, at: Configuration) -> Array:
         """Skew parts (k, m, m) of the tangents; asked for only where there is no potential."""

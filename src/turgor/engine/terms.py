@@ -12,6 +12,10 @@ from turgor.engine.faces.membrane_term import membrane_terms
 from turgor.engine.faces.pressure_term import PressureTerm, pressure_terms
 from turgor.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.engine.fibers.fiber_term import fiber_terms
+from turgor.engine.points.average_term import average_terms
+from turgor.engine.points.rigid_term import rigid_terms
+from turgor.engine.points.spring_term import spring_terms
+from turgor.engine.points.turning_term import turning_terms
 from turgor.engine.term import Configuration, Setting, Term
 
 Array = NDArray[np.float64]
@@ -24,6 +28,10 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     membrane_terms,
     fiber_terms,
     dead_terms,
+    rigid_terms,
+    average_terms,
+    spring_terms,
+    turning_terms,
 )
 
 
@@ -85,6 +93,11 @@ class Terms:
         stresses = self.stresses(at.position) if given is None else given
         for term, positions, stress in zip(self.all, self._positions, stresses, strict=True):
             scatter_add(data, positions, term.tangents(at, stress))
+
+    def unsymmetric_matrix(self, at: Configuration, size: int) -> sp.csc_matrix | None:
+        """Unsymmetric tangents of a few unknowns, such as those of moments; None where there are none."""
+        parts = [part for term in self.all if (part := term.unsymmetric(at, size)) is not None]
+        return sum(parts[1:], parts[0]).tocsc() if parts else None
 
     def skew_matrix(self, at: Configuration, size: int) -> sp.csc_matrix | None:
         """Skew part of the tangents of forces without a potential; None where there are none."""

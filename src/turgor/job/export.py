@@ -120,8 +120,8 @@ def _write_model(job: Job, mesh: Mesh, file: Path, options: InpOptions) -> None:
     model = Model(
         mesh,
         materials=job.materials,
-        supports=job.supports,
-        loads=job.loads,
+        supports=job.all_supports,
+        loads=job.all_loads,
         reinforcements=tuple(job.fibers.values()),
         contact=job.contact,
     )

@@ -8,6 +8,7 @@ from turgor.errors import unknown
 from turgor.geometry import Geometry
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.job.tables.loads import Driving
+from turgor.job.tables.points import Rig
 from turgor.job.tables.supports import Held
 from turgor.materials.material import Material
 from turgor.meshing.chosen import chosen_settings
@@ -15,9 +16,10 @@ from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.settings import MeshSettings
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
+from turgor.model.loads import Load
 from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
-from turgor.model.supports import Fixed
+from turgor.model.supports import Fixed, Support
 from turgor.registry import Registry, class_of_file, name_in
 from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
@@ -134,6 +136,8 @@ class Job:
         Loads.
     fibers : mapping of str to Fibers
         Windings by name.
+    points : mapping of str to Rig
+        Reference points by name, with what holds them and acts on them.
     contact : Contact
         Surfaces that may come into contact.
     rigid_files : mapping of str to RigidFile
@@ -160,6 +164,7 @@ class Job:
     supports: tuple[Held, ...] = (Fixed("fixed"),)
     loads: tuple[Driving, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)
+    points: Mapping[str, Rig] = field(default_factory=dict)
     contact: Contact = field(default_factory=Contact)
     rigid_files: Mapping[str, RigidFile] = field(default_factory=dict)
     setup: Setup | None = None
@@ -167,6 +172,16 @@ class Job:
     output: Output = field(default_factory=Output)
     threads: int | None = None
     built: tuple[Actuator, Geometry] | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def all_supports(self) -> tuple[Support, ...]:
+        """The supports, and the reference points with theirs."""
+        return (*self.supports, *(each for rig in self.points.values() for each in (rig.point, *rig.holds)))
+
+    @property
+    def all_loads(self) -> tuple[Load, ...]:
+        """The loads, and those of reference points."""
+        return (*self.loads, *(load for rig in self.points.values() for load in rig.loads))
 
     def geometry(self) -> Geometry:
         """Return the shape of the actuator; it is built unless it was when the job was read."""

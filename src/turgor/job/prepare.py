@@ -51,8 +51,8 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     model = Model(
         made,
         materials=job.materials,
-        supports=job.supports,
-        loads=job.loads,
+        supports=job.all_supports,
+        loads=job.all_loads,
         reinforcements=wound,
         contact=job.contact,
     )

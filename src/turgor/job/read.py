@@ -15,6 +15,7 @@ from turgor.job.tables.fibers import read_fibers
 from turgor.job.tables.loads import Driving, read_loads
 from turgor.job.tables.materials import read_materials, refuse_shells
 from turgor.job.tables.mesh_files import MESH_FILE
+from turgor.job.tables.points import DRIVING, read_points
 from turgor.job.tables.procedures import drives, duration_of, read_procedure
 from turgor.job.tables.sections import read_actuator, read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_type
@@ -37,6 +38,7 @@ SECTIONS = (
     "fibers",
     "supports",
     "loads",
+    "points",
     "contact",
     "obstacles",
     "procedure",
@@ -51,6 +53,7 @@ DEFAULTS: Mapping[str, Mapping[str, Any]] = {
     "mesh": {},
     "fibers": {},
     "supports": {"fixed": "xyz"},
+    "points": {},
     "contact": {},
     "obstacles": {},
     "procedure": {"type": "static"},
@@ -119,7 +122,7 @@ def _given(content: Mapping[str, Any], problems: Problems) -> dict[str, Any]:
         given["actuator"], given["mesh"] = {"type": MESH_FILE, **given["mesh"]}, {}  # a mesh file replaces both
     if STAGES in content and "procedure" in content:
         problems.add(("procedure",), "every stage has a procedure of its own; write it there and leave this one out.")
-    if _alone(given) and given["loads"] is None:
+    if (_alone(given) or _rigged(given["points"])) and given["loads"] is None:
         given["loads"] = {}
     for key in ("actuator", "materials", "loads"):
         if given[key] is None and not (key == "loads" and _moves(given["obstacles"])):
@@ -154,11 +157,13 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
     fibers = read_fibers(given["fibers"], geometry, problems)
     loads: tuple[Driving, ...] = ()
+    timed = first_duration(given[STAGES]) if given[STAGES] is not None else duration_of(given["procedure"])
     if given["loads"] is not None:
-        duration = first_duration(given[STAGES]) if given[STAGES] is not None else duration_of(given["procedure"])
-        loads = read_loads(given["loads"], geometry, materials, problems, not _alone(given), duration)
+        needed = not _alone(given) and not _rigged(given["points"])
+        loads = read_loads(given["loads"], geometry, materials, problems, needed, timed)
     supports = read_supports(given["supports"], geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
+    points = read_points(given["points"], geometry, loads, timed, problems)
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
     setup, procedure = _read_path(given, around, problems)
     output = read_output(given["output"], geometry, problems)
@@ -177,6 +182,7 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
         supports=supports,
         fibers=fibers,
         loads=loads,
+        points=points,
         contact=contact,
         rigid_files=rigid_files,
         setup=setup,
@@ -185,6 +191,12 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
         threads=threads,
         built=None if geometry is None else (actuator, geometry),
     )
+
+
+def _rigged(points: object) -> bool:
+    """Whether anything acts on a reference point or moves it, which drives the actuator where no load does."""
+    entries = points.values() if isinstance(points, Mapping) else ()
+    return any(isinstance(entry, Mapping) and DRIVING & set(entry) for entry in entries)
 
 
 def _moves(obstacles: object) -> bool:

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.model.contact import Contact
 from turgor.model.history import History, share_at
-from turgor.model.loads import Force, Load, Pressure, Traction
+from turgor.model.loads import Force, Hanging, LineForce, Load, Moment, PointForce, Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Path, Vector
+from turgor.model.points import Rotation
 from turgor.model.supports import Displacement, Fixed, Shift, Support
 
 Array = NDArray[np.float64]
@@ -127,6 +128,12 @@ def _place(load: Load) -> tuple[str, str]:
     """Key of what a load acts on: a load with the same key replaces it."""
     if isinstance(load, Pressure | Traction | Force):
         return type(load).__name__.lower(), load.face
+    if isinstance(load, Moment | Hanging):
+        return type(load).__name__.lower(), load.point
+    if isinstance(load, PointForce):
+        return "point force", str(load.at)
+    if isinstance(load, LineForce):
+        return "line force", " and ".join(load.faces)
     return type(load).__name__.lower(), ""
 
 
@@ -161,6 +168,9 @@ def _supports(model: Model, factor: float, new: Mapping[tuple[str, str], Displac
         if isinstance(support, Displacement):
             then = ContinuedMove(support, factor, new.get(_held(support)))
             out.append(replace(support, value=then))
+        elif isinstance(support, Rotation):
+            share = share_at(support.history, factor)
+            out.append(_with_history(support, ((0.0, share), (1.0, share))))
         else:
             out.append(support)
     return out

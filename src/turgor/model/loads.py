@@ -10,6 +10,7 @@ from turgor.errors import TurgorError
 from turgor.model.history import RAMP as RAMP
 from turgor.model.history import History as History
 from turgor.model.history import checked, share_at
+from turgor.model.points import vector
 
 STANDARD_GRAVITY = 9.80665
 
@@ -85,16 +86,18 @@ class Force:
     """Dead load of a known total on a face: spread evenly over its reference area and fixed in direction.
 
     A weight that hangs from a face, a pull by a long thread, a push by a soft spring. The inertia of what hangs there
-    is not included.
+    is not included; that of a `Hanging` weight is. On a `ReferencePoint` the force acts at the point.
 
     Parameters
     ----------
     face : str
-        Name of the face.
+        Name of the face, or of a reference point.
     vector : (3,) floats [N]
         The whole force, on the whole actuator: where a half is modeled, its mirror image carries the other half.
     history : sequence of (float, float), or str, optional
         As that of a `Pressure`.
+    follower : bool
+        Whether the force turns with the reference point on which it acts, and is stated as it is at rest.
 
     Raises
     ------
@@ -110,6 +113,7 @@ class Force:
     face: str
     vector: tuple[float, float, float]
     history: History = RAMP
+    follower: bool = False
 
     def __post_init__(self) -> None:
         if len(self.vector) != 3 or not np.isfinite(self.vector).all():
@@ -122,8 +126,169 @@ class Force:
 
 
 @dataclass(frozen=True, slots=True)
+class PointForce:
+    """Dead load at a point of the surface: fixed in direction, carried by the side of a cell on which the point lies.
+
+    The deformation at the point itself depends on the mesh, as that of any body under a point load does.
+
+    Parameters
+    ----------
+    at : (3,) floats [m]
+        Where it acts at rest, up to 1 % of the size of the part beside the surface.
+    vector : (3,) floats [N]
+        The force at this point. On a mirror plane the modeled part carries its share; elsewhere the mirror image of the
+        point carries the mirror image of the force.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
+
+    Raises
+    ------
+    TurgorError
+        If the history is none, or a number is not finite.
+
+    Examples
+    --------
+    >>> PointForce((0.1, 0, 0.02), (0, 0, -0.3)).vector
+    (0.0, 0.0, -0.3)
+    """
+
+    at: tuple[float, float, float]
+    vector: tuple[float, float, float]
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "at", vector("point force: at", self.at))
+        object.__setattr__(self, "vector", vector("point force", self.vector))
+        object.__setattr__(self, "history", checked(self.history, "point force"))
+
+
+@dataclass(frozen=True, slots=True)
+class LineForce:
+    """Dead load along the edge between two faces: force per reference length, fixed in direction.
+
+    Parameters
+    ----------
+    faces : (str, str)
+        Two faces that meet along the line.
+    vector : (3,) floats [N/m]
+        Force per length at rest, on the whole actuator.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
+
+    Raises
+    ------
+    TurgorError
+        If the history is none, the faces are not two, or a number is not finite.
+
+    Examples
+    --------
+    >>> LineForce(("tip", "outside"), (0, 0, -2.0)).faces
+    ('tip', 'outside')
+    """
+
+    faces: tuple[str, str]
+    vector: tuple[float, float, float]
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "faces", tuple(self.faces))
+        if len(set(self.faces)) != 2:
+            raise TurgorError(f"line force: faces is {self.faces!r}; two faces are needed that meet along the line.")
+        object.__setattr__(self, "vector", vector(f"line force on {' and '.join(self.faces)}", self.vector))
+        object.__setattr__(self, "history", checked(self.history, "line force"))
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """Moment on a reference point.
+
+    Parameters
+    ----------
+    point : str
+        Name of the `ReferencePoint`.
+    vector : (3,) floats [N m]
+        The whole moment, on the whole actuator.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`.
+    follower : bool
+        False: its axis stays fixed in space, whatever way the point turns. True: it turns with the point, and is
+        stated as it is at rest. Neither kind has a potential where the point turns about changing axes.
+
+    Raises
+    ------
+    TurgorError
+        If the history is none, or the moment is not finite.
+
+    Examples
+    --------
+    >>> Moment("plate", (0.02, 0, 0)).vector
+    (0.02, 0.0, 0.0)
+    """
+
+    point: str
+    vector: tuple[float, float, float]
+    history: History = RAMP
+    follower: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "vector", vector(f"moment on '{self.point}'", self.vector))
+        object.__setattr__(self, "history", checked(self.history, f"moment on '{self.point}'"))
+
+
+@dataclass(frozen=True, slots=True)
+class Hanging:
+    """A weight that hangs from a reference point: its weight is a dead load, and its mass moves with the point.
+
+    Parameters
+    ----------
+    point : str
+        Name of the `ReferencePoint`.
+    mass : float [kg]
+        Of the whole actuator; 0 or more. `Gravity` gives it no second weight.
+    direction : (3,) floats
+        Direction of the fall; any length but zero.
+    acceleration : float [m/s²]
+        That of gravity.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`: the share of the weight. The inertia is always there.
+
+    Raises
+    ------
+    TurgorError
+        If the mass is negative, the direction is none, or the history is none.
+
+    Examples
+    --------
+    >>> Hanging("plate", 0.1).force
+    (0.0, 0.0, -0.980665)
+    """
+
+    point: str
+    mass: float
+    direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
+    acceleration: float = STANDARD_GRAVITY
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        what = f"weight on '{self.point}'"
+        if not (np.isfinite(self.mass) and self.mass >= 0):
+            raise TurgorError(f"{what}: mass is {self.mass} kg; allowed is 0 or more.")
+        object.__setattr__(self, "direction", vector(f"{what}: direction", self.direction))
+        if not np.linalg.norm(self.direction) > 0:
+            raise TurgorError(f"{what}: direction is a zero vector; give for example (0, 0, -1).")
+        object.__setattr__(self, "history", checked(self.history, what))
+
+    @property
+    def force(self) -> tuple[float, float, float]:
+        """The whole weight [N]."""
+        weight = self.mass * self.acceleration / float(np.linalg.norm(self.direction))
+        x, y, z = (0.0 + weight * part for part in self.direction)
+        return x, y, z
+
+
+@dataclass(frozen=True, slots=True)
 class Gravity:
-    """Weight of every region.
+    """Weight of every region, and of the mass of every reference point.
 
     Parameters
     ----------
@@ -176,4 +341,4 @@ class BodyForce:
         object.__setattr__(self, "history", checked(self.history, "body force"))
 
 
-Load = Pressure | Traction | Force | Gravity | BodyForce
+Load = Pressure | Traction | Force | PointForce | LineForce | Moment | Hanging | Gravity | BodyForce

@@ -13,7 +13,9 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
-from turgor.model.loads import Force, Gravity, Load, Pressure, Traction
+from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
+from turgor.model.named_points import check_points, points_of
+from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.supports import Displacement, Support, Symmetry
 from turgor.shown import Shown, listed
 from turgor.store.saved import Saved
@@ -136,7 +138,7 @@ class Model(Saved, Shown):
     def __repr__(self) -> str:
         made = [f"{name}: {used.name}" for name, used in self.region_materials.items()]
         made += [f"{name}: membrane of {used.material.name}" for name, used in self.membranes.items()]
-        acting = [f"{type(each).__name__}({each.face})" for each in self.supports]
+        acting = [f"{type(each).__name__}({_place(each)})" for each in self.supports]
         acting += [_named(load) for load in self.loads]
         acting += [f"Fibers({each.name})" for each in self.reinforcements]
         acting += [f"Obstacle({each.name})" for each in self.contact.obstacles]
@@ -163,8 +165,12 @@ class Model(Saved, Shown):
                     raise TurgorError(f"materials.{name}: '{material.name}' has no density, and gravity needs it.")
 
     def _check_faces(self) -> None:
+        check_points(self.mesh, self.supports, self.loads)
+        points = self.points
         for support in self.supports:
-            if not (isinstance(support, Displacement) and support.face == "*"):
+            if isinstance(support, Rotation | Hinge) or (isinstance(support, Displacement) and support.face == "*"):
+                continue
+            if support.face not in points:
                 self.mesh.face(support.face)
         for fibers in self.reinforcements:
             for name in fibers.faces:
@@ -173,10 +179,13 @@ class Model(Saved, Shown):
             if obstacle.face is not None:
                 self._check_reachable(obstacle.name, obstacle.face)
         for load in self.loads:
-            if isinstance(load, Pressure | Traction | Force):
+            if isinstance(load, Pressure | Traction | Force) and not (isinstance(load, Force) and load.face in points):
                 self.mesh.face(load.face)
             if isinstance(load, Force):
                 self._check_symmetric(load)
+            if isinstance(load, LineForce):
+                for name in load.faces:
+                    self.mesh.face(name)
             if isinstance(load, Pressure) and not np.isfinite(load.pressure):
                 raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
 
@@ -217,6 +226,11 @@ class Model(Saved, Shown):
         return {name: m for name, m in self.materials.items() if isinstance(m, Membrane)}
 
     @property
+    def points(self) -> dict[str, ReferencePoint]:
+        """The reference points by their names."""
+        return points_of(self.supports)
+
+    @property
     def pressures(self) -> tuple[Pressure, ...]:
         """The follower pressures among the loads."""
         return tuple(load for load in self.loads if isinstance(load, Pressure))
@@ -229,7 +243,14 @@ def _named(load: Load) -> str:
             return f"Pressure({face}, {pressure / kPa:.4g} kPa)"
         case Traction(face):
             return f"Traction({face})"
-        case Force(face):
-            return f"Force({face})"
+        case Force(face) | Moment(face) | Hanging(face):
+            return f"{type(load).__name__}({face})"
         case _:
             return type(load).__name__
+
+
+def _place(support: Support) -> str:
+    """Name of the face or the point that a support holds."""
+    if isinstance(support, ReferencePoint):
+        return f"{support.name}, {support.face}"
+    return support.point if isinstance(support, Rotation | Hinge) else support.face

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.model.points import Hinge, ReferencePoint, Rotation
+
 
 @dataclass(frozen=True, slots=True)
 class Fixed:
@@ -14,7 +16,7 @@ class Fixed:
     Parameters
     ----------
     face : str
-        Name of the face.
+        Name of the face, or of a `ReferencePoint`, which is then held where it is and may still turn.
     directions : str
         Which components are held, any of ``"x"``, ``"y"``, ``"z"``.
     """
@@ -40,7 +42,7 @@ class Displacement:
     Parameters
     ----------
     face : str
-        Name of the face, or ``"*"`` for the whole surface of the body.
+        Name of the face, ``"*"`` for the whole surface of the body, or the name of a `ReferencePoint`.
     value : callable
         ``value(points, load_factor) -> (n, 3) displacement [m]`` of the (n, 3) reference points [m].
     directions : str
@@ -110,4 +112,4 @@ class PlaneSection:
     face: str
 
 
-Support = Fixed | Symmetry | Displacement | Radial | PlaneSection
+Support = Fixed | Symmetry | Displacement | Radial | PlaneSection | ReferencePoint | Rotation | Hinge

@@ -17,7 +17,8 @@ from turgor.model.history import RAMP, points_of
 from turgor.model.inp_materials import material_lines
 from turgor.model.loads import Gravity, Pressure
 from turgor.model.model import Membrane, Model
-from turgor.model.supports import Fixed, PlaneSection, Radial, Symmetry
+from turgor.model.points import ReferencePoint
+from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial, Symmetry
 from turgor.units import MPa, mm
 
 PROGRAMS = ("calculix", "abaqus")
@@ -233,7 +234,7 @@ def _material_lines(model: Model, program: str) -> list[str]:
 
 def _support_lines(model: Model) -> list[str]:
     lines = ["*BOUNDARY"]
-    for support in model.supports:
+    for support in sorted(model.supports, key=lambda each: not isinstance(each, ReferencePoint)):
         if isinstance(support, Fixed):
             lines += [f"{_plain(support.face)}, {'xyz'.index(axis) + 1}" for axis in sorted(support.directions)]
         elif isinstance(support, Symmetry):
@@ -244,8 +245,11 @@ def _support_lines(model: Model) -> list[str]:
             raise TurgorError(
                 f"'{support.face}' is a plane section, whose thrust .inp files cannot say; hold it or leave it free."
             )
-        else:
+        elif isinstance(support, Displacement):
             raise TurgorError(f"the displacement of '{support.face}' is a function, which has no form in .inp files.")
+        else:
+            point = support.name if isinstance(support, ReferencePoint) else support.point
+            raise TurgorError(f"the reference point '{point}' is not written into .inp files; leave it out.")
     return lines
 
 

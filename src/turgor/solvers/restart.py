@@ -79,7 +79,7 @@ def unknowns_of(system: System, state: State | None) -> Array:
     springs = [
         (places[name] - obstacles[name].displacement(0.0)) / system.length for name in system.contact.bodies.names
     ]
-    return np.concatenate([system.unknowns(state.displacement, state.mean_stress), *springs])
+    return np.concatenate([system.unknowns(state.displacement, state.mean_stress, state.points), *springs])
 
 
 def _keys(parts: Sequence[Part]) -> list[Key]:

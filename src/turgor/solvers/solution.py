@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.cells.memory import Memory
+from turgor.engine.points.motion import PointMotion
 from turgor.finding import Finding
 from turgor.model.model import Model
 from turgor.shown import Shown, brief, listed
@@ -105,6 +106,8 @@ class State(Shown):
         Name of the stage in a sequence of procedures; the load factor is that of the stage then.
     memory : Memory or None
         Internal variables: of the rubber where any relaxes or softens, some hundred numbers a cell, and of friction.
+    points : mapping of str to PointMotion
+        Displacement, rotation and reactions of the reference points, by their names.
     """
 
     model: Model
@@ -121,6 +124,7 @@ class State(Shown):
     energies: Energies | None = None
     stage: str = ""
     memory: Memory | None = None
+    points: Mapping[str, PointMotion] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         farthest = float(np.linalg.norm(self.displacement, axis=1).max(initial=0.0))

@@ -3,6 +3,7 @@
 import numpy as np
 
 from turgor.engine.contact.pressure import contact_area, nodal_pressure
+from turgor.engine.points.read_motion import motions
 from turgor.engine.system import Evaluation, System
 from turgor.model.drive import pressures_at
 from turgor.solvers.solution import State, Touch
@@ -29,7 +30,8 @@ def state_of(system: System, at: Evaluation, modes: int | None) -> State:
         load_factor=at.load_factor,
         displacement=displacement,
         mean_stress=mean_stress,
-        nodal_force=system.by_node(at.residual) * system.stress_scale * system.length**2,
+        nodal_force=system.nodal_forces(at),
+        points=motions(system, at),
         unstable_modes=modes,
         pressures=acting_pressures(system, at),
         touches=touches(system, at),
@@ -50,7 +52,7 @@ def acting_pressures(system: System, at: Evaluation) -> dict[str, float]:
 def touches(system: System, at: Evaluation) -> dict[str, Touch]:
     """What every contact does in a state, in SI units, by its name."""
     length, stress = system.length, system.stress_scale
-    count = system.node_count
+    count = len(system.model.mesh.points)
     out: dict[str, Touch] = {}
     for part, found in zip(system.contact.parts, at.contacts.found, strict=True):
         force = -part.forces(at.contacts.position, found)[:count]  # on the body: against the internal force

@@ -8,10 +8,10 @@ from turgor.engine.algebra.multipoint import UNTIED, MultiPoint
 from turgor.engine.algebra.pattern import build_pattern
 from turgor.engine.contact.couplings import Layout
 
-#: Six nodes in a row, cells of two; the z components of the last two follow that of the first.
+#: Six nodes in a row, cells of two; the z components of the last two follow those of the first two.
 CELLS = np.array([np.arange(3 * i, 3 * i + 6) for i in range(5)])
 SIZE = 18
-TIES = MultiPoint(np.array([14, 17]), np.array([2, 2]))
+TIES = MultiPoint(np.array([14, 17, 17]), np.array([2, 2, 5]), np.array([1.0, 0.5, -2.0]))
 
 
 def _layout():
@@ -23,7 +23,7 @@ def _spread():
     """Every unknown of those that stay: the matrix T of u = T q."""
     out = np.eye(SIZE)
     out[TIES.followers] = 0.0
-    out[TIES.followers, TIES.leaders] = 1.0
+    out[TIES.followers, TIES.leaders] = TIES.weights
     return out
 
 
@@ -57,7 +57,7 @@ def test_any_matrix_and_forces_are_reduced():
     assert TIES.reduce(sp.csc_matrix(matrix)).toarray() == pytest.approx(_spread().T @ matrix @ _spread())
     assert TIES.gather(forces) == pytest.approx(_spread().T @ forces)
     filled = TIES.fill(forces)
-    assert filled[[14, 17]] == pytest.approx([forces[2]] * 2)
+    assert filled[[14, 17]] == pytest.approx([forces[2], 0.5 * forces[2] - 2.0 * forces[5]])
     assert np.delete(filled, [14, 17]) == pytest.approx(np.delete(forces, [14, 17]))
 
 

@@ -33,7 +33,7 @@ def point(parameter, place, direction, modes):
 
 
 def run(states=(), size=1.0):
-    system = SimpleNamespace(node_count=1, length=1.0)
+    system = SimpleNamespace(moving=np.ones(3, dtype=bool), length=1.0)
     return SimpleNamespace(size=size, steps=[], states=list(states), task=SimpleNamespace(system=system))
 
 

@@ -1,6 +1,7 @@
 """Supports as prescribed displacement components."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,11 +10,21 @@ from turgor.engine.algebra.multipoint import UNTIED, MultiPoint
 from turgor.engine.algebra.node_frames import NodeFrames
 from turgor.engine.algebra.rings import TANGENTIAL, rings_of
 from turgor.engine.algebra.sections import Section, coordinate_plane, plane_sections
+from turgor.engine.points.carriers import Carrier, carriers_of
+from turgor.engine.points.holding import Turned, check_rigid, hold_points, rigid_ties
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
-from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial, Support, Symmetry
+from turgor.model.points import Hinge, ReferencePoint, Rotation
+from turgor.model.supports import (
+    Displacement,
+    Fixed,
+    PlaneSection,
+    Radial,
+    Support,
+    Symmetry,
+)
 from turgor.units import mm
 
 AXES = "xyz"
@@ -31,28 +42,31 @@ class Held:
 
     Parameters
     ----------
-    mask : (n, 3) bool array
-        Prescribed components along the directions of the nodes.
-    moving : tuple of (nodes, axes, Displacement)
+    mask : (n + e, 3) bool array
+        Prescribed components along the directions of the nodes: those of the mesh, then those of reference points.
+    moving : tuple of (nodes, axes, Displacement or Turned)
     frames : NodeFrames
         Nodes whose components are not along x, y and z.
-    along_axes : (n, 3) bool array
-        Components along x, y and z that are prescribed.
+    along_axes : (n + e, 3) bool array
+        Components along x, y and z that are prescribed, those of rigid faces left out.
     normals : (k, 3) array
         Of each node with a frame, the direction that is held besides the axes; zero where there is none.
     ties : MultiPoint
-        Components that are equal to one another; followers count as prescribed.
+        Components that follow others; followers count as prescribed.
+    carriers : tuple of Carrier
+        Reference points.
     """
 
     mask: NDArray[np.bool_]
-    moving: tuple[tuple[Ints, list[int], Displacement], ...]
+    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...]
     frames: NodeFrames
     along_axes: NDArray[np.bool_]
     normals: Array
     ties: MultiPoint
+    carriers: tuple[Carrier, ...] = ()
 
     def values(self, points: Array, load_factor: float) -> Array:
-        """Prescribed components (n, 3) [m] at a load factor, zero where nothing is prescribed."""
+        """Prescribed components (n + e, 3) [m] of points at rest, at a load factor; zero where none is prescribed."""
         out = np.zeros_like(points)
         for nodes, axes, support in self.moving:
             value = np.asarray(support.value(points[nodes], load_factor), dtype=np.float64)
@@ -76,33 +90,59 @@ def held_components(model: Model) -> Held:
     TurgorError
         If a support names directions or a face that it cannot hold.
     """
-    mask = np.zeros((len(model.mesh.points), 3), dtype=bool)
-    moving = []
+    carriers = carriers_of(model)
+    mask = np.zeros((len(model.mesh.points) + sum(each.count for each in carriers), 3), dtype=bool)
+    by_point = {each.point.name: each for each in carriers}
+    moving: list[tuple[Ints, list[int], Displacement | Turned]] = []
+    mirrored = np.zeros_like(mask)
     for support in model.supports:
-        if isinstance(support, Radial | PlaneSection):
+        if isinstance(support, Radial | PlaneSection | ReferencePoint | Rotation | Hinge):
             continue
-        nodes = np.unique(outer_triangles(model.mesh)) if support.face == "*" else model.mesh.face_nodes(support.face)
+        nodes = _nodes(model, support, by_point)
         axes = _axes(model.mesh, support)
-        mask[nodes[:, None], axes] = True
+        (mirrored if isinstance(support, Symmetry) else mask)[nodes[:, None], axes] = True
         if isinstance(support, Displacement):
             moving.append((nodes, axes, support))
-    sections = plane_sections(model)
+    radial, sections = radial_normals(model), plane_sections(model)
+    check_rigid(carriers, mask, np.concatenate([radial[0], *(section.nodes for section in sections)]))
+    mask |= mirrored
+    moving += [(nodes, [0, 1, 2], turned) for nodes, turned in hold_points(model, carriers, mask)]
     for section in sections:
         section.check(mask)
         mask[section.nodes, section.axis] = True
     if model.mesh.revolved:
         return _around_axis(model, mask, tuple(moving), sections)
-    return _with_normals(mask, tuple(moving), radial_normals(model), sections)
+    return _with_rigid(_with_normals(mask, tuple(moving), radial, sections), carriers)
+
+
+def _nodes(model: Model, support: Fixed | Symmetry | Displacement, points: Mapping[str, Carrier]) -> Ints:
+    if support.face in points:
+        return np.array([points[support.face].node])
+    return np.unique(outer_triangles(model.mesh)) if support.face == "*" else model.mesh.face_nodes(support.face)
+
+
+def _with_rigid(held: Held, carriers: tuple[Carrier, ...]) -> Held:
+    """Let rigid faces follow their reference points."""
+    followers, leaders, weights = rigid_ties(carriers)
+    held.mask.ravel()[followers] = True
+    ties = MultiPoint(
+        np.concatenate([held.ties.followers, followers]),
+        np.concatenate([held.ties.leaders, leaders]),
+        np.concatenate([held.ties.weights, weights]),
+    )
+    return replace(held, ties=ties, carriers=carriers)
 
 
 def _around_axis(
     model: Model,
     mask: NDArray[np.bool_],
-    moving: tuple[tuple[Ints, list[int], Displacement], ...],
+    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
     sections: tuple[Section, ...],
 ) -> Held:
     """Hold and tie the nodes of a body of revolution ring by ring; see `turgor.engine.algebra.rings`."""
     rings = rings_of(model.mesh)
+    if len(mask) > len(model.mesh.points):
+        raise TurgorError("reference points do not go with axisymmetric meshes; use another kind of cells.")
     for section in sections:
         mask[section.nodes, section.axis] = False  # its leader is free, and the others follow it
         if section.axis != rings.axis:
@@ -127,7 +167,7 @@ def _around_axis(
 
 def _with_normals(
     mask: NDArray[np.bool_],
-    moving: tuple[tuple[Ints, list[int], Displacement], ...],
+    moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
     radial: tuple[Ints, Array],
     sections: tuple[Section, ...],
 ) -> Held:
@@ -165,7 +205,8 @@ def _ties(mask: NDArray[np.bool_], turned: Ints, sections: tuple[Section, ...]) 
         tied = 3 * section.nodes + np.where(np.isin(section.nodes, turned), 1 + rank, section.axis)
         followers.append(tied[1:])
         leaders.append(np.full(len(tied) - 1, tied[0]))
-    return MultiPoint(np.concatenate(followers), np.concatenate(leaders))
+    tied = np.concatenate(followers)
+    return MultiPoint(tied, np.concatenate(leaders), np.ones(len(tied)))
 
 
 def radial_normals(model: Model) -> tuple[Ints, Array]:

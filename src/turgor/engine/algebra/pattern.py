@@ -46,7 +46,7 @@ class Pattern:
 
 
 def build_pattern(cell_unknowns: NDArray[np.int64], size: int, *more: NDArray[np.int64]) -> Pattern:
-    """Build the lower triangle from the (c, n) unknowns of the cells, and of what else ties unknowns; −1 is none."""
+    """Build the lower triangle from the (c, n) unknowns of the cells, and of what else ties unknowns, −1 for none."""
     incidence = sp.vstack([_incidence(unknowns, size) for unknowns in (cell_unknowns, *more)], format="csr")
     graph = sp.tril(incidence.T @ incidence + sp.identity(size, dtype=np.int32), format="csc")
     graph.sort_indices()
@@ -54,11 +54,10 @@ def build_pattern(cell_unknowns: NDArray[np.int64], size: int, *more: NDArray[np
 
 
 def _incidence(unknowns: NDArray[np.int64], size: int) -> sp.csr_matrix:
-    count, width = unknowns.shape
-    rows = np.repeat(np.arange(count), width)
-    there = unknowns.ravel() >= 0
-    entries = np.ones(int(there.sum()), dtype=np.int32)
-    return sp.csr_matrix((entries, (rows[there], unknowns.ravel()[there])), shape=(count, size))
+    rows, places = np.nonzero(unknowns >= 0)
+    return sp.csr_matrix(
+        (np.ones(rows.size, dtype=np.int32), (rows, unknowns[rows, places])), shape=(len(unknowns), size)
+    )
 
 
 @njit(cache=True, parallel=True)

@@ -91,7 +91,7 @@ class Rings:
         followed[to[extra.followers]] = to[extra.leaders]
         to = followed[to]
         followers = np.flatnonzero(to != np.arange(count))
-        return MultiPoint(followers, to[followers])
+        return MultiPoint(followers, to[followers], np.ones(len(followers)))
 
 
 def rings_of(mesh: Mesh) -> Rings:

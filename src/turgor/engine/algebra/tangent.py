@@ -124,8 +124,9 @@ class Tangent:
         rubbing = system.rubbing(at)
         self._rubbing = None if rubbing is None else sp.diags((~system.held).astype(np.float64)) @ rubbing
         system.apply_supports(data)
+        system.make_definite(data)
         if shift:
-            free = np.flatnonzero(~system.held[: 3 * system.node_count])
+            free = np.flatnonzero(system.moving & ~system.held)
             data[system.pattern.diagonal[free]] += shift
         middle = perf_counter()
         self._data, self._whole = data, None
@@ -191,8 +192,8 @@ class Tangent:
         return np.asarray(out)
 
     def unstable_modes(self) -> int | None:
-        """Negative pivots beyond one for each mean stress; None where the solver does not count them."""
-        expected = self._system.element.mean_count
+        """Negative pivots beyond one for each multiplier; None where the solver does not count them."""
+        expected = self._system.constraint_count
         negative = self._active.negative_pivots(expected)
         return None if negative is None else max(0, negative - expected)
 

@@ -19,6 +19,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import cell_sides, corner_keys
 from turgor.model.loads import Force, Pressure, Traction
 from turgor.model.model import CONTINUOUS, Model
+from turgor.model.points import Hinge, Rotation
 from turgor.model.supports import PlaneSection, Symmetry
 
 Ints = NDArray[np.int64]
@@ -81,7 +82,7 @@ def _acting(model: Model) -> tuple[str, ...]:
     faces = set(model.membranes)
     for fibers in model.reinforcements:
         faces.update(fibers.faces)
-    faces.update(s.face for s in model.supports if not isinstance(s, Symmetry | PlaneSection))
+    faces.update(s.face for s in model.supports if not isinstance(s, Symmetry | PlaneSection | Rotation | Hinge))
     faces.update(load.face for load in model.loads if isinstance(load, Pressure | Traction | Force))
     return tuple(sorted(faces & set(model.mesh.faces)))
 

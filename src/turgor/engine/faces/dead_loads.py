@@ -4,15 +4,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from turgor.engine.cells.element import element_of
 from turgor.engine.cells.reference import side_tables
 from turgor.engine.faces import surfaces
+from turgor.engine.faces.concentrated import line_force, point_force
+from turgor.engine.points.carriers import carriers_of
+from turgor.engine.points.point_mass import weights_of
 from turgor.engine.term import Configuration, Setting, Term
 from turgor.errors import TurgorError
 from turgor.model.history import History, share_at
-from turgor.model.loads import BodyForce, Force, Gravity, Traction
+from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, PointForce, Pressure, Traction
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -42,24 +45,44 @@ def dead_terms(setting: Setting) -> list[DeadTerm]:
     model, points, length, stress = setting.model, setting.points, setting.length, setting.stress
     by_history: dict[History, Array] = {}
     N = element_of(model).tables.N
+    carriers = {each.point.name: each for each in carriers_of(model)}
     for load in model.loads:
-        if not isinstance(load, Traction | Force | Gravity | BodyForce):
+        if isinstance(load, Pressure | Moment) or _follows(load):
             continue
         forces = by_history.setdefault(load.history, np.zeros_like(points))
         if isinstance(load, Traction):
             forces += _traction(points, model.mesh.face(load.face), np.asarray(load.vector) / stress)
+        elif isinstance(load, Hanging):
+            forces[carriers[load.point].node] += _resultant(setting, load.force)
+        elif isinstance(load, Force) and load.face in carriers:
+            forces[carriers[load.face].node] += _resultant(setting, load.vector)
+        elif isinstance(load, PointForce | LineForce):
+            mesh = model.mesh
+            nodal = point_force(mesh, load) if isinstance(load, PointForce) else line_force(mesh, load)
+            forces[: len(nodal)] += nodal / (stress * length**2)
         elif isinstance(load, Force):
             sides = model.mesh.face(load.face)
-            whole = surfaces.area(points, sides) * model.mesh.symmetry_factor
-            forces += _traction(points, sides, np.asarray(load.vector) / (stress * length**2) / whole)
+            forces += _traction(points, sides, _resultant(setting, load.vector) / surfaces.area(points, sides))
         elif isinstance(load, Gravity):
             density = _density(model)[:, None, None] * _acceleration(load)
             forces += _volume(setting, N, np.broadcast_to(density, (*setting.dV.shape, 3)) * length / stress)
+            for each in carriers.values():
+                falling = weights_of(each)[:, None] * _resultant(setting, _acceleration(load))
+                forces[each.node + np.arange(4)] += falling
         else:
             where = np.einsum("qa,cai->cqi", N, model.mesh.points[model.mesh.cells])
             value = np.asarray(load.value(where.reshape(-1, 3))).reshape(where.shape)
             forces += _volume(setting, N, value * length / stress)
     return [DeadTerm(tuple(by_history.items()))] if by_history else []
+
+
+def _follows(load: Load) -> bool:
+    return isinstance(load, Force) and load.follower
+
+
+def _resultant(setting: Setting, force: ArrayLike) -> Array:
+    """Scaled share of a force [N] that the modeled part carries."""
+    return np.asarray(force) / (setting.stress * setting.length**2 * setting.model.mesh.symmetry_factor)
 
 
 def _acceleration(load: Gravity) -> Array:

@@ -17,6 +17,7 @@ from turgor.job.tables.fibers import fibers_tables
 from turgor.job.tables.loads import loads_table
 from turgor.job.tables.mesh_files import mesh_file_table
 from turgor.job.tables.obstacles import obstacles_tables
+from turgor.job.tables.points import points_tables
 from turgor.job.tables.procedures import written_procedure
 from turgor.job.tables.setups import written_setup
 from turgor.job.tables.stages import STAGES, stages_tables
@@ -37,8 +38,8 @@ _UNIT = {"length": "mm", "angle": "deg", "pressure": "MPa", "density": "kg/m³"}
 
 #: Sections in the order in which a lock file states them.
 _ORDER = (
-    "name", "actuator", "mesh", "materials", "fibers", "supports", "loads", "contact", "obstacles", "procedure", STAGES,
-    "output", "engine", "written_by",
+    "name", "actuator", "mesh", "materials", "fibers", "supports", "loads", "points", "contact", "obstacles",
+    "procedure", STAGES, "output", "engine", "written_by",
 )  # fmt: skip
 
 _HEADER = (
@@ -65,6 +66,7 @@ def lock_text(job: Job, written_by: Mapping[str, str | int]) -> str:
         "fibers": fibers_tables(job.fibers),
         "supports": {support.face: held_text(support) for support in job.supports},
         "loads": loads_table(job.loads),
+        "points": points_tables(job.points),
         "contact": contact_table(job.contact),
         "obstacles": obstacles_tables(job.contact, job.rigid_files),
         "output": _output(job),

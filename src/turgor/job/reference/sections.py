@@ -21,6 +21,7 @@ from turgor.job.tables.material_tables import LibraryTable, SourceTable, StatedT
 from turgor.job.tables.materials import read_materials
 from turgor.job.tables.mesh_files import MESH_FILE, MeshFileTable
 from turgor.job.tables.obstacles import SHAPES, STL, ObstacleTable, obstacle_table, read_obstacles
+from turgor.job.tables.points import PointTable, read_points
 from turgor.job.tables.procedures import PROCEDURES, procedure_table, read_procedure
 from turgor.job.tables.sections import read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_table
@@ -32,9 +33,11 @@ from turgor.job.text.quantities import (
     EngineTable,
     ForceTable,
     GravityTable,
+    LineForceTable,
     LoadsTable,
     MeshTable,
     OutputTable,
+    PointForceTable,
 )
 from turgor.materials.laws.laws import LAWS, Hooke
 from turgor.meshing.exchange.mesh_file import MeshFile
@@ -42,6 +45,7 @@ from turgor.meshing.settings import MeshSettings
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers, Winding
 from turgor.model.obstacles import Obstacle, SelfContact
+from turgor.model.points import ReferencePoint
 from turgor.model.rigid import RigidFile
 from turgor.setups.blocked_tip import blocked_force
 from turgor.setups.grasped_object import grasp
@@ -95,6 +99,7 @@ def section_tables(shape: Geometry | None = None) -> Iterator[JobTable]:
     yield from _fibers(built)
     yield _supports()
     yield from _loads(built)
+    yield _points(built)
     yield from _contact(built)
     yield from _procedures()
     yield _of(StageTable, "[[stages]]")
@@ -195,8 +200,17 @@ def _loads(shape: Geometry) -> Iterator[JobTable]:
     yield _of(CavityTable, "[loads.CAVITY]", read=lambda values, problems: read({"cavity": values}, problems))
     yield _of(ForceTable, "[loads.FACE]", read=lambda values, problems: read({"tip": values}, problems),
               base={"force": [0, 0, "-0.5 N"]})  # fmt: skip
+    yield _of(PointForceTable, "[[loads.point_forces]]")
+    yield _of(LineForceTable, "[[loads.line_forces]]")
     yield _of(GravityTable, "[loads.gravity]", read=lambda values, problems: read({"gravity": values}, problems),
               base={"direction": "-z"})  # fmt: skip
+
+
+def _points(shape: Geometry) -> JobTable:
+    def read(values: Mapping[str, Any], problems: Problems) -> None:
+        read_points({"plate": values}, shape, (), None, problems)
+
+    return _of(PointTable, "[points.NAME]", ReferencePoint, read=read, base={"face": "tip"})
 
 
 def _contact(shape: Geometry) -> Iterator[JobTable]:

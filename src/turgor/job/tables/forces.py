@@ -1,16 +1,29 @@
-"""Forces of a job file: on a face, or of what hangs from it."""
+"""Forces of a job file: on a face, or of what hangs from it; at points and along lines of the surface."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, Protocol
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import CavityTable, ForceTable, GravityTable, read_table
+from turgor.job.text.quantities import ForceTable, GravityTable, LineForceTable, PointForceTable, read_table
 from turgor.model.history import RAMP, over_time
-from turgor.model.loads import STANDARD_GRAVITY, Force
+from turgor.model.loads import STANDARD_GRAVITY, Force, LineForce, Load, PointForce
+from turgor.units import format_quantity
+
+
+class Timed(Protocol):
+    """A table with a history."""
+
+    @property
+    def history(self) -> Any:
+        """Over the load factor."""
+
+    @property
+    def history_over_time(self) -> Any:
+        """Over the time."""
 
 
 def is_force(name: str, value: object, cavities: tuple[str, ...]) -> bool:
@@ -65,7 +78,7 @@ def _check_mirror(load: Force, geometry: Geometry | None, problems: Problems) ->
             )
 
 
-def history_of(table: CavityTable | GravityTable | ForceTable, what: str, duration: float | None) -> Any:
+def history_of(table: Timed, what: str, duration: float | None) -> Any:
     """History of a table, over the load factor or, with a duration, over the time in seconds."""
     if table.history_over_time is None:
         return RAMP if table.history is None else table.history
@@ -74,3 +87,63 @@ def history_of(table: CavityTable | GravityTable | ForceTable, what: str, durati
     if duration is None:
         raise TurgorError(f"{what}: history_over_time needs a procedure with a duration; give history instead.")
     return over_time(table.history_over_time, duration)
+
+
+def concentrated(
+    points: Sequence[PointForceTable],
+    lines: Sequence[LineForceTable],
+    geometry: Geometry | None,
+    duration: float | None,
+    problems: Problems,
+) -> list[PointForce | LineForce]:
+    """Forces of ``[[loads.point_forces]]`` and ``[[loads.line_forces]]``."""
+    found: list[PointForce | LineForce] = []
+    for table in points:
+        made = problems.attempt(("loads", "point_forces"), partial(_at_point, table, duration))
+        found += [] if made is None else [made]
+    for line in lines:
+        key = ("loads", "line_forces")
+        missing = [] if geometry is None else [name for name in line.faces if name not in geometry.faces]
+        for name in missing:
+            assert geometry is not None
+            problems.add(key, str(unknown("face", name, geometry.faces)))
+        if not missing:
+            drawn = problems.attempt(key, partial(_along_line, line, duration))
+            found += [] if drawn is None else [drawn]
+    return found
+
+
+def _at_point(table: PointForceTable, duration: float | None) -> PointForce:
+    x, y, z = table.at
+    return PointForce((x, y, z), table.force, history_of(table, "point force", duration))
+
+
+def _along_line(table: LineForceTable, duration: float | None) -> LineForce:
+    first, second = table.faces
+    return LineForce((first, second), table.force_per_length, history_of(table, "line force", duration))
+
+
+def concentrated_tables(loads: Sequence[Load]) -> dict[str, Any]:
+    """Write them as keys of ``[loads]``."""
+    points = [
+        {
+            "at": [format_quantity(value, "mm") for value in load.at],
+            "force": [format_quantity(part, "N") for part in load.vector],
+        }
+        | _written(load)
+        for load in loads
+        if isinstance(load, PointForce)
+    ]
+    lines = [
+        {"faces": list(load.faces), "force_per_length": [format_quantity(part, "N/m") for part in load.vector]}
+        | _written(load)
+        for load in loads
+        if isinstance(load, LineForce)
+    ]
+    return ({"point_forces": points} if points else {}) | ({"line_forces": lines} if lines else {})
+
+
+def _written(load: PointForce | LineForce) -> dict[str, Any]:
+    if load.history == RAMP:
+        return {}
+    return {"history": load.history if isinstance(load.history, str) else [list(point) for point in load.history]}

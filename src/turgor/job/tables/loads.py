@@ -8,17 +8,17 @@ from turgor.errors import near_match
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
 from turgor.geometry.names import cavity_names
-from turgor.job.tables.forces import history_of, is_force, on_faces
+from turgor.job.tables.forces import concentrated, concentrated_tables, history_of, is_force, on_faces
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import CavityTable, LoadsTable, read_table
 from turgor.materials.material import Material
 from turgor.model.history import RAMP, History
-from turgor.model.loads import STANDARD_GRAVITY, Force, Gravity, Load, Pressure
+from turgor.model.loads import STANDARD_GRAVITY, Force, Gravity, LineForce, Load, PointForce, Pressure
 from turgor.model.model import Membrane
 from turgor.units import format_quantity
 
 #: What a job file can state to drive an actuator.
-Driving = Pressure | Gravity | Force
+Driving = Pressure | Gravity | Force | PointForce | LineForce
 
 
 def read_loads(
@@ -54,7 +54,9 @@ def read_loads(
         )
         loads += [] if made is None else [made]
     loads += on_faces(pulled, geometry, table.gravity, duration, problems)
-    if needed and table.pressure is None and table.gravity is None and not own and not pulled:
+    loads += concentrated(table.point_forces, table.line_forces, geometry, duration, problems)
+    alone = (own, pulled, table.point_forces, table.line_forces)
+    if needed and table.pressure is None and table.gravity is None and not any(alone):
         problems.add(key, "nothing drives the actuator; give pressure, gravity or both.")
     return tuple(loads)
 
@@ -189,7 +191,7 @@ def loads_table(loads: tuple[Load, ...]) -> dict[str, Any]:
         values[load.face] = {"force": [format_quantity(part, "N") for part in load.vector]}
         if load.history != RAMP:
             values[load.face]["history"] = _listed(load.history)
-    return values
+    return values | concentrated_tables(loads)
 
 
 def _gravity_table(load: Gravity, direction: str) -> dict[str, Any]:

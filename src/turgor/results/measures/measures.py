@@ -36,6 +36,7 @@ from turgor.results.measures.field_measures import (
     principal_stretch_p99,
     von_mises_p99,
 )
+from turgor.results.measures.point_measures import held_points_force, point_measure, point_measures_of
 from turgor.results.measures.reading import Measure as Measure
 from turgor.results.measures.reading import measures_of
 from turgor.results.measures.rotations import face_rotation, twist
@@ -125,7 +126,8 @@ def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Me
     mesh = solution.model.mesh
     fitting = fitting_measures(mesh.faces)
     standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
-    asked = (*fitting, *contact_measures_of(solution)) if standard else measures
+    own = (*point_measures_of(solution.model), *contact_measures_of(solution))
+    asked = (*fitting, *own) if standard else measures
     return _with_parts(asked, mesh)
 
 
@@ -188,6 +190,9 @@ def find_measure(name: str) -> Measure:
         return regional
     if name.startswith("cavity_") and name.endswith("_volume"):
         return volume_of(name.removesuffix("_volume"))
+    of_a_point = point_measure(name)
+    if of_a_point is not None:
+        return of_a_point
     if name.endswith("_contact_area"):
         return area_on(name.removesuffix("_contact_area"))
     if name.endswith("_force"):
@@ -284,7 +289,7 @@ def _reaction(at: StateFields) -> float:
     """Sum the forces along the directions in which the supports Fixed and Radial hold each node."""
     held = np.zeros(at.mesh.points.shape, dtype=bool)
     for support in at.model.supports:
-        if isinstance(support, Fixed):
+        if isinstance(support, Fixed) and support.face in at.mesh.faces:
             nodes = at.mesh.face_nodes(support.face)
             for direction in support.directions:
                 held[nodes, "xyz".index(direction)] = True
@@ -295,7 +300,8 @@ def _reaction(at: StateFields) -> float:
     across = np.where(held[nodes], 0.0, normals)  # what the normal adds to the directions that are fixed
     across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
     force[nodes] += np.einsum("ki,ki->k", across, at.state.nodal_force[nodes])[:, None] * across
-    return float(np.linalg.norm(at.facts.of_whole(at.mesh.symmetry_factor * force.sum(axis=0))))
+    whole = at.facts.of_whole(at.mesh.symmetry_factor * force.sum(axis=0))
+    return float(np.linalg.norm(whole + held_points_force(at)))
 
 
 bending_angle = Measure(

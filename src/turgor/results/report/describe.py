@@ -15,10 +15,25 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import MeshQuality
 from turgor.model.drive import rises
 from turgor.model.fibers import Fibers
-from turgor.model.loads import RAMP, BodyForce, Force, Gravity, History, Load, Pressure, Traction
+from turgor.model.loads import (
+    RAMP,
+    BodyForce,
+    Force,
+    Gravity,
+    Hanging,
+    History,
+    LineForce,
+    Load,
+    Moment,
+    PointForce,
+    Pressure,
+    Traction,
+)
 from turgor.model.model import Membrane, Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
+from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial
+from turgor.results.report.describe_points import point_text, rig_text
 from turgor.setups.blocked_tip import HeldTip, Plate
 from turgor.units import GPa, MPa, deg, kPa, mm
 
@@ -52,7 +67,10 @@ def load_text(load: Load) -> str:
             return f"Traction ({shown}) kPa on {face}, fixed in direction{_shares(load.history)}."
         case Force(face, vector):
             shown = ", ".join(f"{part:.6g}" for part in vector)
-            return f"Force ({shown}) N on {face}, fixed in direction{_shares(load.history)}."
+            way = "turning with the point" if load.follower else "fixed in direction"
+            return f"Force ({shown}) N on {face}, {way}{_shares(load.history)}."
+        case Moment() | Hanging() | PointForce() | LineForce():
+            return f"{rig_text(load)}{_shares(load.history)}."
         case Gravity(direction, acceleration, history):
             return f"Gravity {acceleration:g} m/s² along ({_listed(direction)}){_shares(history)}."
         case BodyForce():
@@ -97,6 +115,8 @@ def supports(model: Model) -> list[str]:
                 said.append(f"{face} held radially, around the axis {axis}.")
             case PlaneSection(face):
                 said.append(f"{face} stays plane and is free to move along its normal.")
+            case ReferencePoint() | Rotation() | Hinge():
+                said.append(point_text(support))
             case _:
                 said.append(f"{support.face} is a mirror plane.")
     return said

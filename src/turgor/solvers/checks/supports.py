@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.boundary import Held, held_components
+from turgor.engine.points.carriers import with_carried
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.bodies.bodies import Body, find_bodies
@@ -61,25 +62,38 @@ def free_motions(model: Model) -> int:
 
 def _held_motions(model: Model, supports: Held, body: Body) -> int:
     """How many of the six rigid motions of a body its supports hold."""
-    tied = supports.ties
-    still, follows = supports.mask.ravel().copy(), np.isin(tied.followers // 3, body.nodes)
+    tied, still = supports.ties, supports.mask.ravel().copy()
     still[tied.followers] = False
+    carriers = [each for each in supports.carriers if np.isin(each.nodes, body.nodes).any()]
+    nodes = np.concatenate([body.nodes, *(each.node + np.arange(4) for each in carriers)])
     mask = np.zeros_like(supports.mask)
-    mask[body.nodes] = still.reshape(-1, 3)[body.nodes]
+    mask[nodes] = still.reshape(-1, 3)[nodes]
+    for each in carriers:
+        mask[each.node] |= np.array(each.point.stiffness) > 0
+        mask[each.arrows] |= each.point.rotational_spring > 0
+    # a rigid face moves along with its point; the nodes of a plane section may part
+    follows = np.isin(tied.followers // 3, body.nodes) & (tied.leaders < 3 * len(model.mesh.points))
     count = mask.sum() + follows.sum()
     if not count:
         return 0
-    points = model.mesh.points - model.mesh.points[body.nodes].mean(axis=0)
-    size = float(np.abs(points[body.nodes]).max())
+    arms, goes = _arms(model, supports, body)
     motions = []
     for axis in range(3):
-        translation = np.zeros_like(points)
-        translation[:, axis] = 1.0
-        for motion in (translation, np.cross(np.eye(3)[axis], points / size)):
+        for motion in (goes[:, None] * np.eye(3)[axis], np.cross(np.eye(3)[axis], arms)):
             local = supports.frames.to_local(motion)
             parted = local.ravel()[tied.followers[follows]] - local.ravel()[tied.leaders[follows]]
             motions.append(np.concatenate([local[mask], parted]))
     return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(count))))
+
+
+def _arms(model: Model, supports: Held, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Arms (n + e, 3) of all nodes in a rotation about the center of a body, over its size, and in a translation."""
+    points = with_carried(model.mesh.points, supports.carriers) - model.mesh.points[body.nodes].mean(axis=0)
+    size = float(np.abs(points[body.nodes]).max())
+    arms, goes = points / size, np.ones(len(points))
+    for each in supports.carriers:
+        arms[each.arrows], goes[each.arrows] = each.radius / size * np.eye(3), 0.0
+    return arms, goes
 
 
 def _named(body: Body) -> str:

@@ -75,7 +75,7 @@ def orientation(point: Point) -> int | None:
 
 def _vector(run: Run, unknowns: np.ndarray, scalars: np.ndarray) -> np.ndarray:
     """A piece of the path, with displacements and load factor as the arc counts them."""
-    return np.append(unknowns[: 3 * run.task.system.node_count] / run.size, scalars)
+    return np.append(unknowns[run.task.system.moving] / run.size, scalars)
 
 
 def _cuts(run: Run) -> int:

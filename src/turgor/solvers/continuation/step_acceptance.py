@@ -42,12 +42,12 @@ def why_rejected(
     assert at is not None
     if result.unstable_modes and not states[-1].unstable_modes:
         return Reason(Cause.STABILITY_LOST)
-    moved = 3 * system.node_count
-    points = [(point.parameter, point.unknowns[:moved]) for point in history[-2:]]
-    ratio = move_ratio([*points, (at.load_factor, at.unknowns[:moved])])
+    moved = system.moving
+    points = [(point.parameter, point.unknowns[moved]) for point in history[-2:]]
+    ratio = move_ratio([*points, (at.load_factor, at.unknowns[moved])])
     if ratio > JUMP_RATIO:
         return Reason(Cause.LONG_MOVE, ratio)
     change = at.unknowns - history[-1].unknowns
-    still = np.linalg.norm(change[:moved]) <= STILL_SHARE * np.linalg.norm(at.unknowns[:moved])
+    still = np.linalg.norm(change[moved]) <= STILL_SHARE * np.linalg.norm(at.unknowns[moved])
     jumped = not still and exceeds_tangent(system, change, at.load_factor - history[-1].parameter, rates)
     return Reason(Cause.BRANCH_JUMP) if jumped else None

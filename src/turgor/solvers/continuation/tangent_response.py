@@ -34,7 +34,7 @@ def rate_at(system: System, tangent: Tangent, at: Evaluation) -> tuple[float, in
         response = load_response(system, tangent, at.unknowns)
     except SingularTangentError:
         return inf, None
-    return float(np.linalg.norm(response[: 3 * system.node_count])), tangent.unstable_modes()
+    return float(np.linalg.norm(response[system.moving])), tangent.unstable_modes()
 
 
 def rate_in_step(system: System, tangent: Tangent, unknowns: Array, before: float, after: float) -> float:
@@ -50,10 +50,10 @@ def rate_in_step(system: System, tangent: Tangent, unknowns: Array, before: floa
     ):
         return inf
     response = load_response(system, tangent, unknowns, before, after)
-    return float(np.linalg.norm(response[: 3 * system.node_count]))
+    return float(np.linalg.norm(response[system.moving]))
 
 
 def exceeds_tangent(system: System, change: Array, rise: float, rates: tuple[float, float]) -> bool:
     """Whether a change of the unknowns is too far for a rise of the load factor and the rates before and after it."""
-    moved = float(np.linalg.norm(change[: 3 * system.node_count]))
+    moved = float(np.linalg.norm(change[system.moving]))
     return moved > FARTHER_THAN_RATES * max(rates) * rise

@@ -11,7 +11,7 @@ Array = NDArray[np.float64]
 
 
 class Accelerations:
-    """Accelerations under given forces, and velocities, both such that incompressible rubber keeps its volume.
+    """Accelerations under given forces, and velocities, both such that rubber and rigid faces keep their constraints.
 
     Parameters
     ----------
@@ -24,59 +24,64 @@ class Accelerations:
 
     def __init__(self, system: System, at: Evaluation, mass: Array) -> None:
         self._system, self._at = system, at
-        self._displacements = 3 * system.node_count
-        self._coupled = bool(system.element.mean_count) and bool((system.materials.compliance == 0).any())
+        incompressible = bool(system.element.mean_count) and bool((system.materials.compliance == 0).any())
+        self._fixed = np.zeros(system.size, dtype=bool)  # multipliers that constrain the motion
+        self._fixed[system.multipliers] = True
+        if incompressible:
+            self._fixed[3 * system.node_count :] = True
+        self._coupled = bool(self._fixed.any())
         size = float(np.abs(mass).max())
         self._scale = float(system.dV.sum(axis=1).max()) / size  # makes the mass as large as a stiffness
         data, mass = system.tangent_data(at), system.layout.spread(mass)
         pattern = self._pattern = system.pattern  # now: contact may have changed it
         row_of = pattern.indices
         column_of = np.repeat(np.arange(pattern.size), np.diff(pattern.indptr))
-        between = (row_of >= self._displacements) & (column_of < self._displacements)
-        means = column_of >= self._displacements
-        self._volumes = np.where(between, data, 0.0)
-        matrix = np.where(between | means, data, self._scale * mass)
-        if not self._coupled:
-            matrix[between] = 0.0
+        moves = system.moving
+        fixes = self._fixed[row_of] | self._fixed[column_of]
+        self._volumes = np.where(fixes & (moves[row_of] != moves[column_of]), data, 0.0)
+        kept = fixes | ~(moves[row_of] | moves[column_of])
+        matrix = np.where(kept, data, self._scale * mass)
         system.apply_supports(matrix)
+        system.make_definite(matrix)
         self._solver: LinearSolver = linear_solver("rslab", pattern, 1)
         self._solver.factor(matrix)
 
     def velocity(self, wanted: Array) -> Array:
         """The velocity (size,) nearest to a wanted one that holds the supports and the volume."""
         wanted = np.where(self._system.held, 0.0, wanted)
-        wanted[self._displacements :] = 0.0
+        wanted[~self._system.moving] = 0.0
         if not self._coupled:
             return wanted
         right = np.zeros(self._system.size)
-        right[self._displacements :] = -self._pattern.product(self._volumes, wanted)[self._displacements :]
+        right[self._fixed] = -self._pattern.product(self._volumes, wanted)[self._fixed]
+        right[self._system.held] = 0.0
         change = self._solver.solve(right)
-        change[self._displacements :] = 0.0
+        change[~self._system.moving] = 0.0
         return np.asarray(wanted + change)
 
     def acceleration(self, velocity: Array, forces: Array) -> tuple[Array, Array]:
         """Acceleration (size,) and change of the mean stress (size,) under the unbalanced forces at a velocity."""
         right = -(self._at.residual + forces)
-        right[self._displacements :] = 0.0
-        right[self._system.held] = 0.0
+        right[~self._system.moving] = 0.0
         if self._coupled and velocity.any():
-            right[self._displacements :] = -self._turning(velocity) / self._scale
+            right[self._fixed] = -self._turning(velocity) / self._scale
+        right[self._system.held] = 0.0
         if not np.abs(right).any():
             return np.zeros_like(right), np.zeros_like(right)
         found = self._solver.solve(right)
         acceleration, stress = found * self._scale, found.copy()
-        acceleration[self._displacements :] = 0.0
-        stress[: self._displacements] = 0.0
-        return acceleration, stress if self._coupled else np.zeros_like(stress)
+        acceleration[~self._system.moving] = 0.0
+        stress[~self._fixed] = 0.0
+        return acceleration, stress
 
     def _turning(self, velocity: Array) -> Array:
-        """Second derivative of the volumes along a straight motion (m,), by differences."""
+        """Second derivative of the constraints along a straight motion (m,), by differences."""
         step = DIFFERENCE / float(np.abs(velocity).max())
         volumes = []
         for k in (-1.0, 0.0, 1.0):
             there = self._at.unknowns + k * step * velocity
             at = self._system.evaluate(there, self._at.load_factor, history=self._at.history)
             if at is None:
-                return np.zeros(self._system.size - self._displacements)
-            volumes.append(at.residual[self._displacements :])
+                return np.zeros(int(self._fixed.sum()))
+            volumes.append(at.residual[self._fixed])
         return np.asarray((volumes[0] - 2 * volumes[1] + volumes[2]) / step**2)

@@ -28,7 +28,7 @@ def initial_stiffness(system: System, tangent: Tangent, at: Evaluation, mass: Ar
     right = system.external(at.unknowns, factor) - coupling
     right[system.held] = jump
     answer = tangent.solve(right)
-    answer[3 * system.node_count :] = 0.0
+    answer[~system.moving] = 0.0
     data = system.tangent_data(at)  # first: contact may change the pattern
     stretched = float(answer @ system.pattern.product(data, answer))
     moved = float(answer @ system.layout.base.product(mass, answer))

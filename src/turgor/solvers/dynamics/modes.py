@@ -9,7 +9,8 @@ from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
 from turgor.engine.algebra.linear import LinearSolver, SingularTangentError, linear_solver
 from turgor.engine.algebra.pattern import Pattern
-from turgor.engine.mass import mass_data
+from turgor.engine.mass import mass_data, total_mass
+from turgor.engine.points.point_mass import carried_mass
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
 from turgor.errors import TurgorError
@@ -22,6 +23,7 @@ from turgor.solvers.dynamics.thresholds import (
     RIGID_SHARE,
     SHIFT_LOWERINGS,
 )
+from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import State
 
 Array = NDArray[np.float64]
@@ -103,7 +105,8 @@ def natural_frequencies(
     Raises
     ------
     TurgorError
-        If a density is missing, the count is out of range, or a pressure has no potential, as on an open surface.
+        If a density is missing, the count is out of range, or a load has no potential: a pressure on an open surface,
+        a moment.
     """
     options = options or EngineOptions()
     with use_threads(options.threads):
@@ -115,13 +118,19 @@ def natural_frequencies(
         memory = None if state is None or state.memory is None else state.memory.of_rubber  # friction yields
         history = system.history(memory)  # a sudden step
         if state is not None:
-            unknowns = system.unknowns(state.displacement, state.mean_stress)
+            unknowns = unknowns_of(system, state)
         load_factor = 0.0 if state is None else state.load_factor
         pressures = np.array(list(found.values())) / system.stress_scale if found else None
         at = system.evaluate(unknowns, load_factor, pressures, history=history)
         if at is None:
             raise TurgorError("the state turns a cell inside out; it is no equilibrium of this model.")
         stiffness, mass = system.tangent_data(at), mass_data(system)
+        turning = system.terms.unsymmetric_matrix(system.configuration(at), system.size)
+        if turning is not None and abs(turning).max() > 0:
+            raise TurgorError(
+                "a moment or a follower force acts on a reference point and has no potential, so that the modes are "
+                "not those of an elastic body; leave it out, or prescribe the rotation."
+            )
         eigenvalues, vectors = _solve(system, stiffness, mass, count, options)
     rigid = np.abs(eigenvalues) < RIGID_SHARE * _first_shift(system)
     return _modes(system, (load_factor, unknowns), np.where(rigid, 0.0, eigenvalues), vectors, mass)
@@ -139,7 +148,7 @@ def _check(system: System, count: int) -> None:
             "a pressure acts on an open surface and has no potential there, so that its modes are not those of an "
             "elastic body; close the cavity, or leave the pressure out."
         )
-    largest = max(1, int((~system.held[: 3 * system.node_count]).sum()) // 10)
+    largest = max(1, int((system.moving & ~system.held).sum()) // 10)
     if not 1 <= count <= largest:
         raise TurgorError(f"count is {count}; allowed is 1 to {largest}, a tenth of the free displacements.")
 
@@ -186,12 +195,14 @@ def _first_shift(system: System) -> float:
     materials = system.model.region_materials.values()
     speed = min(m.law.shear_modulus / m.density for m in materials if m.density is not None)
     extent = float(np.ptp(system.model.mesh.points, axis=0).max())
-    return FIRST_SHIFT * speed / extent**2
+    rubber = total_mass(system.model)
+    return FIRST_SHIFT * speed / extent**2 * rubber / (rubber + carried_mass(system.model))
 
 
 def _none_below(system: System, solver: LinearSolver, data: Array) -> bool:
     """Factor K + shift M; whether no mode lies below the shift."""
-    expected = system.element.mean_count
+    expected = system.constraint_count
+    system.make_definite(data)
     try:
         solver.factor(data)
     except SingularTangentError:
@@ -204,8 +215,8 @@ def _modes(system: System, at: tuple[float, Array], eigenvalues: Array, vectors:
     shapes, masses = [], []
     for vector in vectors.T:
         motion = np.where(system.held, 0.0, vector)
-        motion[3 * system.node_count :] = 0.0
-        shape = system.split(motion)[0]
+        motion[~system.moving] = 0.0
+        shape = system.displacement(motion)
         size = np.linalg.norm(shape, axis=1)
         largest = float(size.max()) * (1 if shape[size.argmax()].sum() >= 0 else -1)
         shapes.append(shape / largest)

@@ -183,7 +183,7 @@ def _too_far(run: _Run, result: NewtonResult) -> bool:
     assert at is not None and at.addition is not None
     after = _energies(run, at, at.addition.forces(at.unknowns))
     lost = abs(after.missing - run.energies.missing)
-    moved = np.abs(at.unknowns - run.at.unknowns)[: 3 * run.system.node_count].max()
+    moved = np.abs(at.unknowns - run.at.unknowns)[run.system.moving].max()
     most = max(after.strain, run.energies.strain, after.dissipated if run.free else 0.0)  # a fall strains little
     if moved < SMALL_MOVE or lost <= ENERGY_ERROR * most:
         return False
@@ -248,7 +248,7 @@ def _energies(run: _Run, at: Evaluation, viscous: Array) -> Energies:
     """Energies at the end of a step; work by the trapezoidal rule."""
     system, before, unit = run.system, run.energies, run.system.stress_scale * run.system.length**3
     moved = at.unknowns - run.at.unknowns
-    moved[3 * system.node_count :] = 0.0
+    moved[~system.moving] = 0.0
     pushed = work_of_contacts(system, run.pushed, pushing(system, at))
     support = np.where(system.held, 0.5 * (run.at.residual + at.residual), 0.0)
     lasting = taken_by_friction(system, at) + softening_loss(system, at) - run.softened

@@ -95,16 +95,17 @@ def _begin(problem: Problem, procedure: Dynamic) -> _Run:
     mass = mass_data(system)
     accelerations = Accelerations(system, at, mass)
     if procedure.velocity is not None:
-        given = np.broadcast_to(np.asarray(procedure.velocity(system.model.mesh.points)), system.points.shape)
-        velocity = accelerations.velocity(system.joined(given / system.length))
+        given = np.broadcast_to(
+            np.asarray(procedure.velocity(system.model.mesh.points)), system.model.mesh.points.shape
+        )
+        velocity = accelerations.velocity(system.rates(unknowns, given))
     damping = np.zeros(system.size)
     if velocity.any():
         damping = procedure.mass_damping * system.layout.base.product(mass, velocity)
         if procedure.stiffness_damping:
             damping += StrainRateDamping(system, procedure.stiffness_damping, 0.0, velocity).forces(unknowns)
     acceleration, stress = accelerations.acceleration(velocity, damping)
-    moving = np.zeros(system.size)
-    moving[: 3 * system.node_count] = 1.0
+    moving = system.moving.astype(np.float64)
     kinetic = _unit(system) * 0.5 * float(velocity @ system.layout.base.product(mass, velocity))
     strain = stored_energy(system, unknowns, history) + contact_energy(system, at)
     run = _Run(
@@ -125,7 +126,8 @@ def _restarted(system: System, start: State | None) -> tuple[Array, Array]:
     if start is None:
         return np.zeros(system.size), np.zeros(system.size)
     velocity = np.zeros_like(start.displacement) if start.velocity is None else start.velocity
-    return unknowns_of(system, start), system.joined(velocity / system.length)
+    unknowns = unknowns_of(system, start)
+    return unknowns, system.rates(unknowns, velocity)
 
 
 def _unit(system: System) -> float:
@@ -135,7 +137,7 @@ def _unit(system: System) -> float:
 
 def _largest(system: System, unknowns: Array) -> float:
     """Largest scaled displacement of a node."""
-    return float(np.linalg.norm(system.split(unknowns)[0], axis=1).max())
+    return float(np.linalg.norm(system.displacement(unknowns), axis=1).max())
 
 
 def _advance(run: _Run) -> Outcome | None:
@@ -284,6 +286,6 @@ def _state(run: _Run) -> State:
         state_of(system, run.at, None),
         load_factor=run.time / run.procedure.duration,
         time=run.time,
-        velocity=system.split(run.motion.velocity)[0] * system.length,
+        velocity=system.displacement(run.motion.velocity) * system.length,
         energies=run.energies,
     )

@@ -10,12 +10,16 @@ from turgor.solvers.newton.thresholds import KEEP_PARTNERS_AFTER, SMALL_FORCE, S
 
 
 def relative_residual(system: System, at: Evaluation) -> float:
-    """Largest of the unbalanced force relative to external forces and reactions, and the relative volume error."""
+    """Largest of the unbalanced force relative to external forces and reactions, and the errors of constraints.
+
+    These are the relative volume error, and how far reference points and their arrows are off, in lengths of an edge.
+    """
     displacement = 3 * system.node_count
-    held = system.held[:displacement]
-    force = at.residual[:displacement]
+    moving = system.moving[:displacement]
+    held = system.held[:displacement][moving]
+    force = at.residual[:displacement][moving]
     scale = max(
-        float(np.linalg.norm(at.external[:displacement][~held])),
+        float(np.linalg.norm(at.external[:displacement][moving][~held])),
         float(np.linalg.norm(force[held])),
         at.contact_force,
         SMALL_FORCE * system.full_force,
@@ -24,6 +28,8 @@ def relative_residual(system: System, at: Evaluation) -> float:
     bodies = slice(displacement + system.element.mean_count, None)
     loose = at.residual[bodies][~system.held[bodies]]
     unbalanced = float(np.hypot(np.linalg.norm(force[~held]), np.linalg.norm(loose))) / scale
+    tied = system.multipliers[~system.held[system.multipliers]]
+    unbalanced = max(unbalanced, float(np.abs(at.residual[tied]).max(initial=0.0)))
     if not system.element.mean_count:
         return unbalanced
     means = slice(displacement, displacement + system.element.mean_count)

@@ -74,7 +74,7 @@ def _descend(
     constraint: Constraint, tangent: Tangent, at: Evaluation, settings: NewtonSettings, report: Report
 ) -> NewtonResult:
     system = constraint.sought.system
-    shift, residual, start, free = 0.0, relative_residual(system, at), at.unknowns, 3 * system.node_count
+    shift, residual, start, free = 0.0, relative_residual(system, at), at.unknowns, system.moving
     for iteration in range(1, INERTIA_UPDATES + 1):
         steepened = _factored(tangent, at, shift)
         if steepened is None:
@@ -83,7 +83,7 @@ def _descend(
         update = tangent.solve(np.where(system.held, 0.0, -at.residual))
         kept = None if iteration <= INERTIA_KEEP_PARTNERS_AFTER else at.contacts
         new, length = _shortened(constraint, tangent, at, update, kept)
-        if new is None or float(np.abs(new.unknowns - start)[:free].max()) > INERTIA_REACH:
+        if new is None or float(np.abs(new.unknowns - start)[free].max()) > INERTIA_REACH:
             return _failed(at, iteration, residual)
         residual = relative_residual(system, new)
         correction = length * float(np.abs(update).max()) / max(float(np.abs(new.unknowns).max()), 1e-300)
@@ -126,9 +126,9 @@ def _shortened(
 ) -> tuple[Evaluation | None, float]:
     """Shorten an update until no penetration is too deep and the potential still falls at its end."""
     system = constraint.sought.system
-    free = ~system.held[: 3 * system.node_count]
-    along = update[: len(free)][free]
-    before = float(at.residual[: len(free)][free] @ along)
+    free = system.moving & ~system.held
+    along = update[free]
+    before = float(at.residual[free] @ along)
     found, length = None, 1.0
     while length > INERTIA_SHORTEST:
         new = evaluate(constraint, tangent, (at.unknowns + length * update, NO_SCALARS), at.load_factor, kept)
@@ -136,7 +136,7 @@ def _shortened(
             length *= 0.5
             continue
         found, share = (new, length), system.contact.shortening(at.contacts, new.contacts)
-        after = float(new.residual[: len(free)][free] @ along)
+        after = float(new.residual[free] @ along)
         if share == 1 and (after * before >= 0 or abs(after) <= INERTIA_OVERSHOT * abs(before)):
             break
         length *= share if share < 1 else max(INERTIA_LEAST_SHARE, abs(before) / (abs(after) + abs(before)))

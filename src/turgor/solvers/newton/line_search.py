@@ -78,7 +78,7 @@ def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Arra
     share = system.contact.shortening(at.contacts, new.contacts)
     if share < 1 or not new.contacts.rubs:
         return share
-    free = ~system.held[: 3 * system.node_count]
-    along = update[: len(free)][free]
-    before, after = float(at.residual[: len(free)][free] @ along), float(new.residual[: len(free)][free] @ along)
+    free = system.moving & ~system.held
+    along = update[free]
+    before, after = float(at.residual[free] @ along), float(new.residual[free] @ along)
     return 0.5 if after * before < 0 and abs(after) > OVERSHOT * abs(before) else 1.0

@@ -109,8 +109,8 @@ def _restless(iterations: int) -> NewtonResult:
 
 def _first_viscosity(system: System, at: Evaluation, mass: Array) -> float:
     """The viscosity with which the fastest node moves by the allowed distance in the first step."""
-    lumped = system.layout.base.product(mass, np.ones(system.size))[: 3 * system.node_count]
-    force = np.where(system.held, 0.0, at.residual)[: 3 * system.node_count]
+    lumped = system.layout.base.product(mass, np.ones(system.size))[system.moving]
+    force = np.where(system.held, 0.0, at.residual)[system.moving]
     fastest = float(np.abs(force / np.maximum(np.abs(lumped), 1e-3 * np.abs(lumped).max())).max())
     return max(fastest / VISCOUS_FIRST_MOVE, 1e-9)
 

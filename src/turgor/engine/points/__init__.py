@@ -1,0 +1,1 @@
+"""Reference points: their unknowns, couplings to faces, loads, springs and mass."""

@@ -1,0 +1,128 @@
+"""Holding: which unknowns of reference points are prescribed, and how those of their faces follow them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.points.carriers import Carrier
+from turgor.errors import TurgorError
+from turgor.model.model import Model
+from turgor.model.points import Hinge, Rotation
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Pairs of arrows whose product each multiplier prescribes.
+PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Turned:
+    """How the arrows of a point move in a prescribed rotation, like the value of a `Displacement`."""
+
+    rotation: Rotation
+    radius: float
+
+    def value(self, points: Array, load_factor: float) -> Array:
+        """Change of the arrows (3, 3) [m], one in each row."""
+        return self.radius * (self.rotation.matrix(load_factor).T - np.eye(3))
+
+
+def hold_points(model: Model, carriers: Sequence[Carrier], mask: NDArray[np.bool_]) -> list[tuple[Ints, Turned]]:
+    """Mark the prescribed components of the points' nodes in ``mask``, in place; return the arrows that are turned.
+
+    The displacements of the points are marked already. Mirror planes hold what has no mirror image, and a multiplier
+    is held where nothing is left for it to prescribe.
+    """
+    rotations = {each.point: each for each in model.supports if isinstance(each, Rotation)}
+    hinges = {each.point: "xyz".index(each.axis) for each in model.supports if isinstance(each, Hinge)}
+    moving = []
+    for carrier in carriers:
+        name = carrier.point.name
+        arrows = np.zeros((3, 3), dtype=bool)
+        for axis in (*carrier.mirrored, *([hinges[name]] if name in hinges else [])):
+            arrows[axis] = arrows[:, axis] = True
+        if name in rotations:
+            _check_mirror(carrier, rotations[name])
+            arrows[:] = True
+            moving.append((carrier.arrows, Turned(rotations[name], carrier.radius)))
+        mask[carrier.arrows] = arrows
+        mask[carrier.node, list(carrier.mirrored)] = True
+        mask[carrier.stress] = _settled(arrows).reshape(2, 3)
+        if not carrier.rigid:
+            mask[carrier.ties[0], list(carrier.mirrored)] = True
+            for axis in carrier.mirrored:
+                mask[carrier.ties[1], [k for k in range(3) if k != axis]] = True
+    return moving
+
+
+def _settled(arrows: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which products of arrows (6,) have their value already, because of held components (3, 3)."""
+    zero = arrows & ~np.eye(3, dtype=bool)
+    if arrows.all():
+        return np.ones(6, dtype=bool)
+    return np.array([not ((~arrows[i] & ~zero[j]) | (~arrows[j] & ~zero[i])).any() for i, j in PAIRS])
+
+
+def _check_mirror(carrier: Carrier, rotation: Rotation) -> None:
+    for axis in carrier.mirrored:
+        if rotation.angle and any(rotation.axis[k] for k in range(3) if k != axis):
+            raise TurgorError(
+                f"rotation of '{carrier.point.name}': its axis is {rotation.axis}; a mirror plane cuts the face, so "
+                f"that it can turn about {'xyz'[axis]} only; model the whole actuator (symmetric = false)."
+            )
+
+
+def rigid_ties(carriers: Sequence[Carrier]) -> tuple[Ints, Ints, Array]:
+    """Degrees of freedom of rigid faces, those that they follow, and the weights: u = u_P + Σ Dᵢ vᵢ / r, (k,) each.
+
+    The multipliers stand among those with a weight of zero: they are then coupled to whatever their arrows are coupled
+    to, and a solver that pivots finds both in one front.
+    """
+    followers, leaders, weights = [], [], []
+    for each in carriers:
+        if not each.rigid:
+            continue
+        shares = np.column_stack([np.ones(len(each.nodes)), each.arms / each.radius, np.zeros((len(each.nodes), 2))])
+        for axis in range(3):
+            followers.append(np.repeat(3 * each.nodes + axis, 6))
+            leaders.append(np.tile(3 * (each.node + np.arange(6)) + axis, len(each.nodes)))
+            weights.append(shares.ravel())
+    nothing = np.zeros(0, dtype=np.int64)
+    return (
+        np.concatenate([nothing, *followers]),
+        np.concatenate([nothing, *leaders]),
+        np.concatenate([np.zeros(0), *weights]),
+    )
+
+
+def check_rigid(carriers: Sequence[Carrier], mask: NDArray[np.bool_], taken: Ints) -> None:
+    """Refuse a rigid face of which nodes are held by other supports, other than mirror planes, or tied twice.
+
+    Parameters
+    ----------
+    carriers : sequence of Carrier
+    mask : (n, 3) bool array
+        Components that supports other than mirror planes hold.
+    taken : (k,) int array
+        Nodes with other ties or directions.
+    """
+    seen: dict[int, str] = {}
+    for each in carriers:
+        if not each.rigid:
+            continue
+        held = int((mask[each.nodes].any(axis=1) | np.isin(each.nodes, taken)).sum())
+        if held:
+            raise TurgorError(
+                f"reference point '{each.point.name}': {held} of the {len(each.nodes)} nodes of its rigid face "
+                f"'{each.point.face}' are held by another support; remove one of both."
+            )
+        for node in each.nodes.tolist():
+            if node in seen:
+                raise TurgorError(
+                    f"reference points '{seen[node]}' and '{each.point.name}': their rigid faces share nodes; tie "
+                    "both faces to one point, or make one of them averaging."
+                )
+        seen |= dict.fromkeys(each.nodes.tolist(), each.point.name)

@@ -1,0 +1,280 @@
+"""Reference points of a job file: what ties, holds, moves and loads each of them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field
+
+from turgor.errors import TurgorError, unknown
+from turgor.geometry import Geometry
+from turgor.job.tables.forces import history_of
+from turgor.job.tables.obstacles import Direction, Lengths, SpringStiffness
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import Angle, Forces, Mass, Points, Says, Table, read_table, shown
+from turgor.model.history import RAMP
+from turgor.model.loads import Force, Gravity, Hanging, Load, Moment
+from turgor.model.points import RIGID, Hinge, ReferencePoint, Rotation, Vector
+from turgor.model.supports import Displacement, Fixed, Shift, Support
+from turgor.units import format_quantity, parse_quantity
+
+#: Keys that drive an actuator by themselves.
+DRIVING = frozenset({"force", "moment", "hangs", "displacement", "rotation"})
+
+
+def _three(value: object, dimension: str, example: str) -> Vector:
+    if not isinstance(value, list) or len(value) != 3:
+        raise TurgorError(f"{shown(value)} is not three numbers along x, y and z, such as {example}.")
+    x, y, z = (0.0 if part == 0 and not isinstance(part, bool) else parse_quantity(part, dimension) for part in value)
+    return x, y, z
+
+
+_MOMENT, _INERTIA = '[0, "20 N mm", 0]', '["2 kg mm²", "1 kg mm²", "1 kg mm²"]'
+Moments = Annotated[
+    Any,
+    BeforeValidator(partial(_three, dimension="moment", example=_MOMENT)),
+    Says("three moments", _MOMENT, "moment"),
+]
+Inertia = Annotated[
+    Any,
+    BeforeValidator(partial(_three, dimension="inertia", example=_INERTIA)),
+    Says("three moments of inertia", _INERTIA, "inertia"),
+]
+Turning = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="rotational stiffness"))]
+
+
+class PointTable(Table):
+    """``[points.NAME]``: a point tied to a face, on which a rig acts. The name is that of the point.
+
+    Keys
+    ----
+    face : str
+        The face that is tied to the point.
+    spring : float [N/m], optional
+        Stiffness of a spring between the point and its place at rest, in all directions.
+    rotational_spring : float [N m/rad], optional
+        Moment per angle of a spring that turns the point back.
+    force : (3,) floats [N], optional
+        Force on the point, of the whole actuator.
+    moment : (3,) floats [N m], optional
+        Moment on the point, of the whole actuator.
+    follower : bool
+        Whether force and moment turn with the point; they are fixed in space otherwise.
+    hangs : float [kg], optional
+        Mass that hangs from the point: its weight pulls in the direction of gravity, ``"-z"`` where none is stated.
+    held : str
+        Directions in which the point is held, or moved by its displacement: some of x, y and z.
+    displacement : (3,) floats [m], optional
+        How far the point is moved at the end along its held directions.
+    rotation : float [rad], optional
+        Angle by which the point is turned at the end; 0 keeps it from turning.
+    axis : direction
+        Axis of this rotation.
+    hinge : str, optional
+        Axis about which alone the point may turn: x, y or z.
+    history : list or str, optional
+        Share of force, moment, weight and rotation over the load factor: points [load factor, share] with straight
+        lines between them, or an expression in s. By default it rises with the load factor.
+    history_over_time : list or str, optional
+        The same over time in seconds, where the procedure has a duration.
+    """
+
+    face: str = Field(examples=['"tip"'])
+    at: Lengths | None = None
+    coupling: str = RIGID
+    mass: Mass | None = None
+    center: Lengths | None = None
+    inertia: Inertia = None
+    spring: SpringStiffness | None = None
+    rotational_spring: Turning | None = None
+    force: Forces = None
+    moment: Moments = None
+    follower: bool = False
+    hangs: Mass | None = None
+    held: str = Field(default="", examples=['"yz"'])
+    displacement: Lengths | None = None
+    rotation: Angle | None = None
+    axis: Direction = (1.0, 0.0, 0.0)
+    hinge: str | None = Field(default=None, examples=['"x"'])
+    history: Points = None
+    history_over_time: Points = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rig:
+    """A reference point of a job, with what holds it and acts on it.
+
+    Parameters
+    ----------
+    point : ReferencePoint
+    holds : tuple of Fixed, Displacement, Rotation or Hinge
+    loads : tuple of Force, Moment or Hanging
+    """
+
+    point: ReferencePoint
+    holds: tuple[Support, ...] = ()
+    loads: tuple[Load, ...] = ()
+
+
+def read_points(
+    values: Any, geometry: Geometry | None, loads: tuple[Load, ...], duration: float | None, problems: Problems
+) -> dict[str, Rig]:
+    """Read ``[points]``, a table for each reference point.
+
+    Parameters
+    ----------
+    values : object
+    geometry : Geometry or None
+    loads : tuple of Load
+        The other loads, which say where gravity pulls.
+    duration : float or None [s]
+    problems : Problems
+
+    Returns
+    -------
+    dict of str to Rig
+    """
+    if not isinstance(values, Mapping):
+        problems.add(("points",), f"{shown(values)} is not a table; write [points.plate] and its keys below it.")
+        return {}
+    gravity = next((load for load in loads if isinstance(load, Gravity)), Gravity())
+    found = {}
+    for name, entry in values.items():
+        key = ("points", name)
+        table = read_table(PointTable, entry, key, problems)
+        if table is None:
+            continue
+        if geometry is not None and name in geometry.faces:
+            problems.add(key, f"a face is called '{name}' too; give the point another name.")
+            continue
+        if geometry is not None and table.face not in geometry.faces:
+            problems.add((*key, "face"), str(unknown("face", table.face, geometry.faces)))
+            continue
+        fields = ("coupling", "inertia", "held", "displacement", "rotation", "hinge", "axis", "history")
+        made = problems.attempt(key, partial(_rig, name, table, gravity, duration), fields=fields)
+        if made is not None:
+            found[name] = made
+            _check_mirrors(made, geometry, problems)
+    return found
+
+
+def _rig(name: str, table: PointTable, gravity: Gravity, duration: float | None) -> Rig:
+    history = history_of(table, f"reference point '{name}'", duration)
+    point = ReferencePoint(
+        name, table.face, table.at, table.coupling, table.mass or 0.0, table.center, table.inertia or (0.0, 0.0, 0.0),
+        table.spring or 0.0, table.rotational_spring or 0.0,
+    )  # fmt: skip
+    loads: list[Load] = []
+    if table.force is not None:
+        loads.append(Force(name, table.force, history, table.follower))
+    if table.moment is not None:
+        loads.append(Moment(name, table.moment, history, table.follower))
+    if table.hangs is not None:
+        loads.append(Hanging(name, table.hangs, gravity.direction, gravity.acceleration, history))
+    return Rig(point=point, holds=_holds(name, table, history), loads=tuple(loads))
+
+
+def _holds(name: str, table: PointTable, history: Any) -> tuple[Support, ...]:
+    holds: list[Support] = []
+    if not set(table.held) <= set("xyz"):
+        raise TurgorError(f"held is '{table.held}'; allowed are the letters x, y and z.")
+    if table.displacement is not None:
+        if not table.held:
+            raise TurgorError("displacement: the point is not held; name the directions with held, such as held = 'z'.")
+        holds.append(Displacement(name, Shift(table.displacement), table.held))
+    elif table.held:
+        holds.append(Fixed(name, table.held))
+    if table.rotation is not None and table.hinge is not None:
+        raise TurgorError("rotation and hinge are both given; one of them says how the point may turn.")
+    if table.rotation is not None:
+        holds.append(Rotation(name, table.rotation, table.axis, history))
+    if table.hinge is not None:
+        holds.append(Hinge(name, table.hinge))
+    return tuple(holds)
+
+
+def _check_mirrors(rig: Rig, geometry: Geometry | None, problems: Problems) -> None:
+    """Refuse forces that a half model cannot have."""
+    mirrors = [axis for axis in "xyz" if geometry is not None and f"symmetry_{axis}" in geometry.faces]
+    for axis in mirrors:
+        k = "xyz".index(axis)
+        for load in rig.loads:
+            wrong = (
+                any(load.vector[i] for i in range(3) if i != k)
+                if isinstance(load, Moment)
+                else isinstance(load, Force | Hanging) and _vector(load)[k] != 0
+            )
+            if wrong:
+                problems.add(
+                    ("points", rig.point.name),
+                    f"the {type(load).__name__.lower()} load has no mirror image in a half model, whose mirror plane "
+                    f"is normal to {axis}; set actuator.symmetric = false.",
+                )
+
+
+def _vector(load: Force | Hanging) -> Vector:
+    return load.force if isinstance(load, Hanging) else load.vector
+
+
+def points_tables(rigs: Mapping[str, Rig]) -> dict[str, dict[str, Any]]:
+    """Write reference points as the tables of a job file; `read_points` gives the same back.
+
+    Parameters
+    ----------
+    rigs : mapping of str to Rig
+
+    Returns
+    -------
+    dict
+    """
+    return {name: _point_values(rig.point) | _load_values(rig) | _held_values(rig) for name, rig in rigs.items()}
+
+
+def _point_values(point: ReferencePoint) -> dict[str, Any]:
+    values: dict[str, Any] = {"face": point.face, "coupling": point.coupling}
+    for key in ("at", "center"):
+        if getattr(point, key) is not None:
+            values[key] = [format_quantity(part, "mm") for part in getattr(point, key)]
+    if any(point.inertia):
+        values["inertia"] = [format_quantity(part, "kg mm²") for part in point.inertia]
+    for key, value, unit in (
+        ("mass", point.mass, "g"),
+        ("spring", point.stiffness[0], "N/m"),
+        ("rotational_spring", point.rotational_spring, "N m/rad"),
+    ):
+        if value:
+            values[key] = format_quantity(value, unit)
+    return values
+
+
+def _load_values(rig: Rig) -> dict[str, Any]:
+    values: dict[str, Any] = {}
+    for load in rig.loads:
+        match load:
+            case Force(_, vector, _, follower):
+                values |= {"force": [format_quantity(part, "N") for part in vector], "follower": follower}
+            case Moment(_, vector, _, follower):
+                values |= {"moment": [format_quantity(part, "N m") for part in vector], "follower": follower}
+            case Hanging(_, mass):
+                values["hangs"] = format_quantity(mass, "g")
+    histories = [each.history for each in (*rig.loads, *rig.holds) if hasattr(each, "history")]
+    if histories and histories[0] != RAMP:
+        history = histories[0]
+        values["history"] = history if isinstance(history, str) else [list(point) for point in history]
+    return values
+
+
+def _held_values(rig: Rig) -> dict[str, Any]:
+    values: dict[str, Any] = {}
+    for each in rig.holds:
+        match each:
+            case Fixed(_, directions):
+                values["held"] = directions
+            case Displacement(_, Shift(vector), directions):
+                values |= {"held": directions, "displacement": [format_quantity(part, "mm") for part in vector]}
+            case Rotation(_, angle, axis):
+                values |= {"rotation": format_quantity(angle, "deg"), "axis": list(axis)}
+            case Hinge(_, axis):
+                values["hinge"] = axis
+    return values
