@@ -112,12 +112,11 @@ def with_names(raw: RawMesh, regions: Sequence[str], faces: Mapping[str, Ints]) 
     -------
     RawMesh
     """
-    groups = {f"region {i}": name for i, name in enumerate(regions)}
+    keys = {name: f"region {i}" for i, name in enumerate(regions)}
     blocks = tuple(
-        replace(block, groups={groups[key]: rows for key, rows in block.groups.items() if key in groups})
+        replace(block, groups={n: block.groups[k] for n, k in keys.items() if k in block.groups} | dict(block.groups))
         for block in raw.blocks
     )
     if any(((corners < -1) | (corners >= len(raw.points))).any() for corners in faces.values()):
         raise TurgorError(f"'{raw.path}' is damaged: a face names a node outside 0..{len(raw.points) - 1}.")
-    sections = tuple(regions) if len(regions) > 1 else ()
-    return replace(raw, blocks=blocks, surfaces=dict(faces), sections=sections, named=True)
+    return replace(raw, blocks=blocks, surfaces=dict(faces), sections=tuple(regions), named=True)
