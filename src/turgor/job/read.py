@@ -9,6 +9,7 @@ from typing import Any
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry import Geometry
+from turgor.job.broken_planes import with_broken_planes
 from turgor.job.job import Actuator, Job
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
@@ -21,7 +22,6 @@ from turgor.job.tables.sections import read_actuator, read_engine, read_mesh, re
 from turgor.job.tables.setups import SETUPS, read_setup, setup_type
 from turgor.job.tables.stages import STAGES, Around, first_duration, read_stages, with_names
 from turgor.job.tables.supports import read_supports
-from turgor.job.tables.symmetry import with_broken_planes
 from turgor.job.text.changes import changed, changed_places
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError, Problems

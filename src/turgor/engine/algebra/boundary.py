@@ -156,7 +156,7 @@ def _around_axis(
     for nodes, _, support in moving:
         swept = held.values(model.mesh.points, 1.0)[nodes]
         astray = np.abs(swept[:, TANGENTIAL]).max(initial=0.0)
-        if astray > ROUND * np.abs(swept).max():
+        if isinstance(support, Displacement) and astray > ROUND * np.abs(swept).max():
             raise TurgorError(
                 f"Displacement of '{support.face}': it moves the face around the axis or across it, which an "
                 "axisymmetric mesh cannot follow; move it along the axis, or use another kind of cells."
