@@ -83,7 +83,8 @@ class MultiPoint:
         followed = of[rows]  # -1 in a row means none, and finds the last entry, which is -1
         has = (followed >= 0).any(axis=(1, 2))
         rows, followed = rows[has], followed[has]
-        nodes = followed[:, (followed >= 0).any(axis=(0, 2))].reshape(len(rows), -1)
+        nodes = followed[:, (followed >= 0).any(axis=(0, 2))]
+        nodes = nodes.reshape(len(rows), nodes.shape[1] * nodes.shape[2])
         return np.concatenate([rows, *(np.where(nodes >= 0, 3 * nodes + i, -1) for i in range(3))], axis=1)
 
     def places(self, pattern: Pattern) -> "Places":
