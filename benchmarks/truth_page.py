@@ -32,7 +32,7 @@ refined by `refine_to` toward an estimate of 0.1 % or up to 120,000 unknowns. So
 output: `origin` in `truth_runs.json` says so.
 
 The code in NGSolve has no contact. Where walls touch, tetrahedra and hexahedra are the two discretizations. The tube
-between plates is the case to trust: without the plates (hexahedra of 5 mm) its volume is 7.67 mL and its tip moves by
+between plates has an obstacle instead of self-contact: without the plates (hexahedra of 5 mm) its volume is 7.67 mL and its tip moves by
 2.300 mm, with them 6.963 mL and 2.597 mm. Hexahedra of 1.7 and 1.25 mm press on one plate with 5.090 N and 5.097 N (of
 a quarter model, times two), tetrahedra of 1.4 and 1.0 mm with 5.092 N and 5.091 N; the tip differs by 0.32 % between
 the kinds. The PneuNet that is pressed until its walls touch is less certain: its reference is the mean of two kinds

@@ -30,6 +30,7 @@ def angle(part):
     return response.find("bending_angle").values[-1] / deg
 
 
+@pytest.mark.slow
 def test_a_bender_bends_alike_from_step_and_stl(tmp_path):
     body = Cylinder(Pnt(0, 0, 0), X, r=8, h=50) * Box(Pnt(0, -8, 0), Pnt(50, 8, 8))
     hollow = Cylinder(Pnt(3, 0, 0), X, r=6.5, h=44) * Box(Pnt(3, -7, 4), Pnt(47, 7, 7))

@@ -53,6 +53,7 @@ def test_the_corners_of_the_boundary_lie_on_the_surface(bender):
         assert off.max() < 0.05 * 4, "corners that would spoil a cell stay in the envelope"
 
 
+@pytest.mark.slow
 def test_a_rough_scan_gets_a_mesh(tmp_path):
     part = read_here(PRINTS["rough_tube"]().write(tmp_path / "scan.stl"), faces=ENDS)
     mesh = tg.mesh(part)
@@ -60,6 +61,7 @@ def test_a_rough_scan_gets_a_mesh(tmp_path):
     assert {"cavity", "fixed", "outside", "tip"} == set(mesh.faces)
 
 
+@pytest.mark.slow
 def test_a_face_gets_cells_of_its_own_size(bender):
     part, coarse = bender
     fine = tg.mesh(part, size=4 * mm, face_sizes={"tip": 1.2 * mm})

@@ -81,6 +81,7 @@ def test_a_quarter_is_a_quarter(tmp_path):
     assert np.min(mesh.points[:, 1:]) > -1e-9
 
 
+@pytest.mark.slow
 def test_names_stay_and_halves_solve_alike(tmp_path):
     path = tmp_path / "finger.step"
     FastPneuNet(chambers=2, length=20e-3, symmetric=False).build()._shape.WriteStep(str(path))
