@@ -32,12 +32,13 @@ refined by `refine_to` toward an estimate of 0.1 % or up to 120,000 unknowns. So
 output: `origin` in `truth_runs.json` says so.
 
 The code in NGSolve has no contact. Where walls touch, tetrahedra and hexahedra are the two discretizations. The tube
-between plates has an obstacle instead of self-contact: without the plates (hexahedra of 5 mm) its volume is 7.67 mL and its tip moves by
-2.300 mm, with them 6.963 mL and 2.597 mm. Hexahedra of 1.7 and 1.25 mm press on one plate with 5.090 N and 5.097 N (of
-a quarter model, times two), tetrahedra of 1.4 and 1.0 mm with 5.092 N and 5.091 N; the tip differs by 0.32 % between
-the kinds. The PneuNet that is pressed until its walls touch is less certain: its reference is the mean of two kinds
-that differ by 1.75 %. Hexahedra of 3, 1.85 and 1.5 mm give 43.54°, 43.633° and 43.906°, tetrahedra of 2 and 1.4 mm
-42.65° and 42.88°. Do not judge a mesh by it to better than 2 %. (Forces, and angles at 1.5 mm, are printed output.)
+between plates has an obstacle instead of self-contact: without the plates (hexahedra of 5 mm) its volume is 7.67 mL
+and its tip moves by 2.300 mm, with them 6.963 mL and 2.597 mm. Hexahedra of 1.7 and 1.25 mm press on one plate with
+5.090 N and 5.097 N (of a quarter model, times two), tetrahedra of 1.4 and 1.0 mm with 5.092 N and 5.091 N; the tip
+differs by 0.32 % between the kinds. The PneuNet that is pressed until its walls touch is less certain: its reference
+is the mean of two kinds that differ by 1.75 %. Hexahedra of 3, 1.85 and 1.5 mm give 43.54°, 43.633° and 43.906°,
+tetrahedra of 2 and 1.4 mm 42.65° and 42.88°. Do not judge a mesh by it to better than 2 %. (Forces, and angles at 1.5
+mm, are printed output.)
 
 **Sharp edges decide the error.** Inside a cavity they make stresses without bound, and there the error falls only about
 in proportion to the size of the cells, whatever the order of the elements. Two series of uniform meshes share this slow
