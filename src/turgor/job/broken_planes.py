@@ -36,6 +36,8 @@ def _reasons(content: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         if isinstance(stage, Mapping):
             yield from _of_loads(_table(stage, "loads"))
             yield from _of_procedure(_table(stage, "procedure"))
+    for name in _table(content, "points"):
+        yield from ((axis, f"point '{name}' is not known to stay in the plane") for axis in "xyz")
     for name in _table(content, "obstacles"):
         yield from ((axis, f"obstacle '{name}' is not known to be the same on both sides") for axis in "xyz")
     for name, fibers in _table(content, "fibers").items():
@@ -45,6 +47,9 @@ def _reasons(content: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 
 
 def _of_loads(loads: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    for key, where in (("point_forces", "at a point"), ("line_forces", "along an edge")):
+        if loads.get(key):
+            yield from ((axis, f"a force acts {where}") for axis in "xyz")
     gravity = loads.get("gravity")
     down = gravity.get("direction") if isinstance(gravity, Mapping) else gravity
     if isinstance(down, str):

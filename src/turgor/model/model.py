@@ -182,19 +182,21 @@ class Model(Saved, Shown):
             if isinstance(load, Pressure | Traction | Force) and not (isinstance(load, Force) and load.face in points):
                 self.mesh.face(load.face)
             if isinstance(load, Force):
-                self._check_symmetric(load)
+                self._check_symmetric(f"force on '{load.face}': {{:g}} N", load.vector)
+            if isinstance(load, Gravity):
+                self._check_symmetric("gravity: a weight of {:.3g}", load.direction)
             if isinstance(load, LineForce):
                 for name in load.faces:
                     self.mesh.face(name)
             if isinstance(load, Pressure) and not np.isfinite(load.pressure):
                 raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
 
-    def _check_symmetric(self, load: Force) -> None:
-        """Refuse a force that has no mirror image."""
+    def _check_symmetric(self, what: str, vector: Sequence[float]) -> None:
+        """Refuse a force that has no mirror image; ``what`` has a place for its component."""
         for plane, (axis, _) in zip(self.mesh.symmetry_faces, self.mesh.mirror_planes, strict=True):
-            if load.vector[axis] != 0:
+            if vector[axis] != 0:
                 raise TurgorError(
-                    f"force on '{load.face}': {load.vector[axis]:g} N along {'xyz'[axis]} points across the mirror "
+                    f"{what.format(vector[axis])} along {'xyz'[axis]} points across the mirror "
                     f"plane '{plane}', and its mirror image against it; model the whole actuator (symmetric = false)."
                 )
 

@@ -57,6 +57,12 @@ def test_a_force_across_the_mirror_plane_is_refused():
         pulled(bar(mirrored=True), (1.0, 0.2, 0))
 
 
+def test_a_weight_across_the_mirror_plane_is_refused():
+    heavy = tg.Material(name="rubber", law=problems.NEO_HOOKE, density=1e3)
+    with pytest.raises(tg.TurgorError, match=r"a weight of -1 along y points across the mirror plane 'symmetry_y'"):
+        tg.Model(bar(mirrored=True), {"body": heavy}, [tg.Fixed("x0")], [tg.Gravity((0, -1, 0))])
+
+
 def test_a_force_is_said_in_words():
     from turgor.results.report.describe import loads
 

@@ -65,9 +65,9 @@ def tube(tmp_path_factory):
     return tg.mesh(read_cad(path, symmetry="yz", faces=ends), size=3 * mm, cells="axisymmetric")
 
 
-def inflated(mesh):
+def inflated(mesh, *more):
     model = problems.one_material(
-        mesh, LAW, loads=[tg.Pressure("cavity", 20 * kPa)], supports=[tg.supports.Fixed("fixed")]
+        mesh, LAW, loads=[tg.Pressure("cavity", 20 * kPa), *more], supports=[tg.supports.Fixed("fixed")]
     )
     return problems.solve(model).states[-1].displacement
 
@@ -103,6 +103,12 @@ def test_a_support_that_breaks_the_symmetry_is_refused(tube):
     )
     with pytest.raises(tg.TurgorError, match="not the same around the axis x"):
         tg.solve(model)
+
+
+def test_a_force_at_a_point_is_refused(tube):
+    force = tg.loads.PointForce((20 * mm, 7 * mm, 0), (0.1, 0, 0))
+    with pytest.raises(tg.TurgorError, match="would spread it around the axis"):
+        inflated(tube, force)
 
 
 def test_what_is_no_body_of_revolution_is_refused():

@@ -51,6 +51,11 @@ def point_force(mesh: Mesh, load: PointForce) -> Array:
             f"point force at {_text(load.at)}: the surface is {away / mm:.4g} mm away; it acts on the surface, or "
             f"within {NEAR * size / mm:.3g} mm of it."
         )
+    if mesh.revolved:
+        raise TurgorError(
+            f"point force at {_text(load.at)}: an axisymmetric mesh would spread it around the axis; use a Force on a "
+            "face, or another kind of cells."
+        )
     share = 1.0
     for axis, position in mesh.mirror_planes:
         if abs(load.at[axis] - position) <= IN_PLANE * size:
