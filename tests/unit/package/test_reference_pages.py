@@ -19,7 +19,8 @@ from turgor.job.tables.mesh_files import MeshFileTable
 from turgor.job.tables.obstacles import obstacle_table
 from turgor.job.tables.procedures import PROCEDURES, procedure_table
 from turgor.job.tables.stages import StageTable
-from turgor.job.text.quantities import CavityTable, LoadsTable, MeshTable, OutputTable
+from turgor.job.text.load_tables import CavityTable, LoadsTable
+from turgor.job.text.quantities import MeshTable, OutputTable
 from turgor.materials.laws.laws import LAWS
 
 DOCS = Path(__file__).parents[3] / "docs"

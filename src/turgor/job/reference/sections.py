@@ -27,18 +27,16 @@ from turgor.job.tables.sections import read_engine, read_mesh, read_output
 from turgor.job.tables.setups import SETUPS, read_setup, setup_table
 from turgor.job.tables.stages import StageTable
 from turgor.job.tables.supports import PLANE, RADIAL
-from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import (
+from turgor.job.text.load_tables import (
     CavityTable,
-    EngineTable,
     ForceTable,
     GravityTable,
     LineForceTable,
     LoadsTable,
-    MeshTable,
-    OutputTable,
     PointForceTable,
 )
+from turgor.job.text.problems import Problems
+from turgor.job.text.quantities import EngineTable, MeshTable, OutputTable
 from turgor.materials.laws.laws import LAWS, Hooke
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.settings import MeshSettings

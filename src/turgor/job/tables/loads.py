@@ -9,8 +9,9 @@ from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
 from turgor.geometry.names import cavity_names
 from turgor.job.tables.forces import concentrated, concentrated_tables, history_of, is_force, on_faces
+from turgor.job.text.load_tables import CavityTable, LoadsTable
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import CavityTable, LoadsTable, read_table
+from turgor.job.text.quantities import read_table
 from turgor.materials.material import Material
 from turgor.model.history import RAMP, History
 from turgor.model.loads import STANDARD_GRAVITY, Force, Gravity, LineForce, Load, PointForce, Pressure

@@ -11,8 +11,9 @@ from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
 from turgor.job.tables.forces import history_of
 from turgor.job.tables.obstacles import Direction, Lengths, SpringStiffness
+from turgor.job.text.load_tables import Forces, Mass, Points
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Angle, Forces, Mass, Points, Says, Table, read_table, shown
+from turgor.job.text.quantities import Angle, Says, Table, read_table, shown
 from turgor.model.history import RAMP
 from turgor.model.loads import Force, Gravity, Hanging, Load, Moment
 from turgor.model.points import RIGID, Hinge, ReferencePoint, Rotation, Vector
