@@ -149,6 +149,7 @@ symmetry_y = { normal = "-y" }
 
 [materials]
 body = { law = "neo_hooke", C10 = "50 kPa" }
+base = { law = "neo_hooke", C10 = "50 kPa" }
 
 [loads]
 pressure = "1 kPa"
@@ -162,7 +163,7 @@ def test_a_mesh_file_is_told_about_but_has_no_other_size(folder: Path, capsys: p
     assert main(["mesh", "file.toml"]) == DONE
     captured = capsys.readouterr()
     assert counts in captured.out
-    assert "G22 note" in captured.err  # what was noticed when the file was read
+    assert "G01 warning" in captured.err  # what was noticed when the file was read
     assert main(["mesh", "file.toml", "--size", "2 mm"]) == BAD_INPUT
     assert "one.vtu', which has its own." in capsys.readouterr().err
     assert main(["convergence", "file.toml"]) == BAD_INPUT
