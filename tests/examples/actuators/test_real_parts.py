@@ -1,0 +1,24 @@
+"""The example jobs of a print and of a film solve, and bend as far as docs/howto/real-parts.md shows.
+
+The print has a mesh that differs from machine to machine, and an estimated mesh error of 7 % at its size: the tolerance.
+"""
+
+import numpy as np
+import pytest
+from run_example import JOBS, at_the_end
+
+from turgor.job.read import read_job
+
+
+def angle(name: str) -> float:
+    """Bending angle of `examples/<name>.toml` at its end [deg]."""
+    return float(np.rad2deg(at_the_end(read_job(JOBS.parent / f"{name}.toml"))["bending_angle"]))
+
+
+def test_a_print_bends() -> None:
+    assert angle("print") == pytest.approx(12.5, rel=0.07)
+
+
+@pytest.mark.slow
+def test_a_pneunet_bends_on_paper_that_wrinkles() -> None:
+    assert angle("film") == pytest.approx(8.06, rel=0.01)
