@@ -1,6 +1,7 @@
 """The example jobs of a print and of a film solve, and bend as far as docs/howto/real-parts.md shows.
 
-The print has a mesh that differs from machine to machine, and an estimated mesh error of 7 % at its size: the tolerance.
+The print has a mesh that differs from machine to machine, and an estimated mesh error of 7 % at its size, which is
+the tolerance.
 """
 
 import numpy as np
