@@ -60,8 +60,8 @@ def mesh(
     """Generate quadratic cells that fill the geometry and carry its names: tetrahedra, or hexahedra for a sweep.
 
     Mid-side nodes lie on the true surface, so curved faces stay curved; where that would turn a cell inside out, its
-    edges are straightened and ``mesh.findings`` says so. The same geometry and settings give the same mesh, node for
-    node, on the same version of the mesh generator.
+    edges are straightened and ``mesh.findings`` says so. The same geometry and settings give the same mesh on the same
+    version of the mesh generator; for parts that are given by facets, on the same machine (`turgor.meshing.enveloped`).
 
     Parameters
     ----------
@@ -81,15 +81,12 @@ def mesh(
         Cells at least through every wall, 1 to 4: 1 leaves them as they come; 2 gives smaller sizes to walls that are
         thinner than a quarter of ``size``, and cuts cells in two that still reach through a wall; more cut them again.
     cells : str, optional
-        ``"tetrahedra"`` of ten nodes, for any geometry, or ``"hexahedra"`` of 27 nodes, for families that are a section
-        moved along a line or turned about an axis; these need several times fewer unknowns for the same error where
-        walls are thin; or ``"axisymmetric"``, for a quarter of a body of revolution whose loads are the same all
-        around: its states have the degrees of freedom of its meridian alone. Where it is not given, hexahedra fill
-        the families that are swept at their default size; a ``size`` or ``face_sizes`` mean tetrahedra.
+        ``"tetrahedra"`` of ten nodes, for any geometry; ``"hexahedra"`` of 27 nodes, for families that are a section
+        moved along a line or turned about an axis; ``"axisymmetric"``, for a quarter of a body of revolution whose
+        loads are the same all around. By default hexahedra where they fit and no ``size`` or ``face_sizes`` is given.
     ignore_features_below : float [m], optional
-        Fillets and other rounds of a smaller radius make cells no smaller: one reaches over the arc of a fillet, six go
-        around a hole. 0 follows all of them. Where it is not given, half the size is taken for parts of CAD files whose
-        rounds would make more unknowns than all the rest; a finding (G11) says which faces these are.
+        Fillets and other rounds of a smaller radius make cells no smaller. 0 follows all of them. By default half the
+        size for parts of CAD files whose rounds would make more unknowns than all the rest; G11 says which these are.
 
     Returns
     -------

@@ -199,12 +199,7 @@ def _open(name: str, rims: tuple[Rim, ...], walls: Array) -> Finding:
 
 def mirror_planes(mesh: Mesh) -> dict[str, tuple[int, float]]:
     """Axis and position of each mirror plane."""
-    planes = {}
-    for name in mesh.symmetry_faces:
-        points = mesh.points[mesh.face_nodes(name)]
-        axis = int(np.ptp(points, axis=0).argmin())
-        planes[name] = (axis, float(points[:, axis].mean()))
-    return planes
+    return dict(zip(mesh.symmetry_faces, mesh.mirror_planes, strict=True))
 
 
 def _rim(points: Array, edges: Ints, mirror: Array, simple: bool) -> Rim:

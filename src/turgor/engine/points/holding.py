@@ -33,8 +33,8 @@ class Turned:
 def hold_points(model: Model, carriers: Sequence[Carrier], mask: NDArray[np.bool_]) -> list[tuple[Ints, Turned]]:
     """Mark the prescribed components of the points' nodes in ``mask``, in place; return the arrows that are turned.
 
-    The displacements of the points are marked already. Mirror planes hold what has no mirror image, and a multiplier
-    is held where nothing is left for it to prescribe.
+    The displacements of the points are marked already. Mirror planes hold what has no mirror image. A multiplier is
+    held where all components that it constrains are prescribed.
     """
     rotations = {each.point: each for each in model.supports if isinstance(each, Rotation)}
     hinges = {each.point: "xyz".index(each.axis) for each in model.supports if isinstance(each, Hinge)}

@@ -125,7 +125,7 @@ def _loops(
         for face in solid.faces:
             if face.name != f"symmetry_{plane}":
                 continue
-            for number, wire in enumerate(_by_area(face)):
+            for number, wire in enumerate(_loops_of(face)):
                 lines = [_points(edge, axis, radial, center / scale) * scale for edge in wire]
                 loops.append((str(solid.name) if number == 0 else None, _outline(lines)))
                 for edge, line in zip(wire, lines, strict=True):
@@ -135,7 +135,7 @@ def _loops(
     return loops, edges
 
 
-def _by_area(face: Any) -> list[list[Any]]:
+def _loops_of(face: Any) -> list[list[Any]]:
     """The loops of edges of a face, the outer one first."""
     wires = [[edge for edge in wire.edges if edge.mass > POLE] for wire in face.wires]
     size = [sum(float(edge.mass) for edge in wire) for wire in wires]
