@@ -98,7 +98,7 @@ class System:
         self.multipliers = self._multipliers()
         self.moving = np.arange(self.size) < 3 * self.node_count
         self.moving[self.multipliers] = False
-        self.constraint_count = self.element.mean_count + int((~self.held[self.multipliers]).sum())
+        self.constraint_count = int((~unused).sum() + (~self.held[self.multipliers]).sum())
         scales, along_axes = (self.length, self.stress_scale), supports.along_axes
         self.terms = Terms(Setting(model, self.points, along_axes, self.dV, *scales, controlled))
         self.full_force = max(self._applied(factor) for factor in extremes(model))

@@ -97,6 +97,13 @@ def test_tangent_is_the_derivative_of_the_residual(tube):
     assert error < 1e-6
 
 
+def test_negative_pivots_of_a_stable_tangent_are_those_of_its_constraints(tube):
+    model = problems.one_material(tube, LAW, supports=[tg.supports.Fixed("fixed")])
+    system = System(model)
+    tangent = system.tangent(np.zeros(system.size), 0.0).toarray()[~system.held][:, ~system.held]
+    assert int((np.linalg.eigvalsh(tangent) < 0).sum()) == system.constraint_count
+
+
 def test_a_support_that_breaks_the_symmetry_is_refused(tube):
     model = problems.one_material(
         tube, LAW, loads=[tg.Pressure("cavity", 1 * kPa)], supports=[tg.supports.Fixed("fixed", "xy")]
