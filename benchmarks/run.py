@@ -1,6 +1,8 @@
 """`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
 
-python benchmarks/run.py [bender] [demo] [growth] [contact] [newton] [running]   all by default; renews results.md
+python benchmarks/run.py [bender] [demo] [growth] [contact] [bellows] [newton] [running] [meshing]
+
+All by default; renews results.md.
 """
 
 import json
@@ -15,6 +17,8 @@ from typing import Any
 import numpy as np
 
 import contact
+import contact_axisymmetric
+import meshing
 import newton
 import running
 from machine import machine
@@ -151,7 +155,8 @@ def growth() -> str:
 def main() -> None:
     """Run the parts named on the command line, print each as it is done, write them all."""
     parts = {"bender": bender, "demo": demo, "growth": growth, "contact": contact.section}
-    parts |= {"newton": newton.section, "running": running.section}
+    parts["bellows"] = contact_axisymmetric.section
+    parts |= {"newton": newton.section, "running": running.section, "meshing": meshing.section}
     chosen = sys.argv[1:] or list(parts)
     if unknown := [name for name in chosen if name not in parts]:
         sys.exit(f"unknown part {', '.join(unknown)}; known: {', '.join(parts)}.")

@@ -7,7 +7,7 @@ from turgor.units import deg, kPa, mm
 bender = tg.actuators.FiberReinforcedBender(length=40 * mm, skin=0.0)
 mesh = tg.mesh(bender.build(), size=6 * mm, cells="hexahedra")
 
-# %% Thread goes around the round side and the flat side together; the paper resists bending too, which needs hexahedra.
+# %% Thread goes around the round side and the flat side together; the paper resists bending too.
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm, bending=True)
 hoops = tg.Fibers(

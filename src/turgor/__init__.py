@@ -20,12 +20,15 @@ if TYPE_CHECKING:
     from turgor import cad as cad
     from turgor import experiments as experiments
     from turgor import files as files
+    from turgor import formulas as formulas
     from turgor import jobs as jobs
     from turgor import laws as laws
     from turgor import loads as loads
     from turgor import measures as measures
     from turgor import obstacles as obstacles
     from turgor import pictures as pictures
+    from turgor import rods as rods
+    from turgor import sections as sections
     from turgor import setups as setups
     from turgor import solutions as solutions
     from turgor import supports as supports
@@ -35,6 +38,7 @@ if TYPE_CHECKING:
     from turgor.errors import TurgorError as TurgorError
     from turgor.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet
     from turgor.geometry.geometry import Geometry as Geometry
+    from turgor.laboratory.compare import compare as compare
     from turgor.materials.experiments.read_tests import read_test as read_test
     from turgor.materials.fitting.fit_laws import fit as fit
     from turgor.materials.laws.laws import Yeoh as Yeoh
@@ -60,6 +64,7 @@ if TYPE_CHECKING:
     from turgor.results.measures.measures import tip_displacement as tip_displacement
     from turgor.results.pictures.picture import picture as picture
     from turgor.results.report.solution_report import report as report
+    from turgor.section.section import Section as Section
     from turgor.solvers.dynamics.modes import natural_frequencies as natural_frequencies
     from turgor.solvers.procedures.arc_length import ArcLength as ArcLength
     from turgor.solvers.procedures.auto import Auto as Auto

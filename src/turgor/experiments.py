@@ -1,10 +1,20 @@
-"""Experiments on materials: tests read and prepared, laws fitted to them and ranked."""
+"""Experiments: tests of materials with the laws fitted to them, and measured actuators compared with computed ones."""
 
 from typing import TYPE_CHECKING
 
 from turgor._lazy import public
 
 if TYPE_CHECKING:
+    from turgor.laboratory.compare import Comparison as Comparison
+    from turgor.laboratory.compare import compare as compare
+    from turgor.laboratory.comparison_plot import comparison_figure as comparison_figure
+    from turgor.laboratory.markers import Tracks as Tracks
+    from turgor.laboratory.markers import read_tracks as read_tracks
+    from turgor.laboratory.read_experiment import read_experiment as read_experiment
+    from turgor.laboratory.read_experiment import read_experiments as read_experiments
+    from turgor.laboratory.runs import average_runs as average_runs
+    from turgor.laboratory.runs import loading as loading
+    from turgor.laboratory.runs import unloading as unloading
     from turgor.materials.experiments.cycles import select_cycle as select_cycle
     from turgor.materials.experiments.handling import average as average
     from turgor.materials.experiments.handling import crop as crop

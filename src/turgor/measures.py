@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from turgor.results.fields.contact import contact_results as contact_results
     from turgor.results.fields.fibers import FiberResult as FiberResult
     from turgor.results.fields.fibers import fiber_results as fiber_results
+    from turgor.results.measures.chords import chord_angle as chord_angle
     from turgor.results.measures.contact_measures import area_on as area_on
     from turgor.results.measures.contact_measures import blocked_force as blocked_force
     from turgor.results.measures.contact_measures import blocked_force_x as blocked_force_x
@@ -43,5 +44,10 @@ if TYPE_CHECKING:
     from turgor.results.measures.measures import volume_of as volume_of
     from turgor.results.measures.point_measures import of_point as of_point
     from turgor.results.measures.reading import Measure as Measure
+    from turgor.results.measures.rod_strains import middle_curvature_y as middle_curvature_y
+    from turgor.results.measures.rod_strains import middle_curvature_z as middle_curvature_z
+    from turgor.results.measures.rod_strains import middle_stretch as middle_stretch
+    from turgor.results.measures.rod_strains import middle_twist as middle_twist
+    from turgor.results.measures.rod_strains import rod_strains as rod_strains
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

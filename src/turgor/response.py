@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from turgor import units
 from turgor.errors import TurgorError, unknown
+from turgor.finding import Finding
 from turgor.shown import Shown, drawn_by
 from turgor.source import Source
 from turgor.store.saved import Saved
@@ -162,7 +163,9 @@ class Response(Saved, Shown):
     message : str
         What happened, in one sentence with its numbers.
     stages : tuple of str
-        Name of the stage of each row, where procedures follow each other; files do not keep it.
+        Name of the stage of each row, where procedures follow each other; CSV files do not keep it.
+    findings : tuple of Finding
+        Where an assumption of a formula does not hold; CSV files do not keep them. A `Solution` has its own.
 
     Raises
     ------
@@ -191,6 +194,7 @@ class Response(Saved, Shown):
     status: str = ""
     message: str = ""
     stages: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
 
     def __post_init__(self) -> None:
         if not self.columns:

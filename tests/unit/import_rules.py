@@ -9,8 +9,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 #: Rooms in the order of import: a room may import from itself and from those before it.
 ROOMS = (
-    "foundation", "materials", "geometry", "meshing", "model", "engine", "solvers", "setups", "results", "adaptivity",
-    "job", "cli",
+    "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers",
+    "setups", "section", "results", "adaptivity", "laboratory", "job", "cli",
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
@@ -29,6 +29,8 @@ PUBLIC = (
     "measures",
     "obstacles",
     "pictures",
+    "rods",
+    "sections",
     "solutions",
     "supports",
 )

@@ -13,7 +13,9 @@ from calculix import displacements, needs_calculix, run_ccx
 
 import turgor as tg
 from turgor.geometry import FastPneuNet
+from turgor.loads import Force, Hanging, Moment
 from turgor.model.write_inp import write_inp
+from turgor.supports import Hinge, ReferencePoint, Rotation, Shift
 from turgor.units import MPa, kPa, mm
 
 POISSON = 0.475
@@ -104,3 +106,30 @@ def test_mixed_cells_do_not_agree_with_it(tmp_path):
     mixed = tg.Model(model.mesh, model.materials, model.supports, model.loads)
     ((ours, theirs),) = compare(mixed, tmp_path)
     assert 0.01 < np.linalg.norm(ours - theirs) / np.linalg.norm(theirs) < 0.2
+
+
+@needs_calculix
+@pytest.mark.parametrize(
+    ("supports", "loads"),
+    [
+        ((tg.Fixed("plate"), Rotation("plate", 0.3, (0, 1, 0))), ()),
+        ((Rotation("plate"), tg.Displacement("plate", Shift((2 * mm, 0, 3 * mm)))), ()),
+        ((tg.Fixed("plate", "yz"), Hinge("plate", "y")), (Moment("plate", (0, 5e-3, 0)),)),
+        ((Rotation("plate"),), (Force("plate", (0.1, 0, -0.3)), Hanging("plate", 10e-3))),
+    ],
+    ids=["turned", "moved", "hinge", "forces"],
+)
+def test_a_plate_on_a_finger_agrees(tmp_path, supports, loads):
+    """A rigid reference point without a pressure: the largest difference is 3e-4 of the largest displacement."""
+    mesh = tg.mesh(finger(1).build(), size=4 * mm)
+    plate = ReferencePoint("plate", "tip", spring=(20.0, 30.0, 0.0))
+    model = question(mesh, 1 * kPa)
+    model = replace(model, supports=[tg.Fixed("fixed"), plate, *supports], loads=list(loads))
+    file = tmp_path / "plate.inp"
+    write_inp(model, file)
+    run_ccx(file)
+    theirs = displacements(file, len(mesh.points))[-1][1]
+    ours = tg.solve(model, tg.Static(tolerance=1e-8)).states[-1].displacement
+    assert np.abs(ours).max() > 0.1 * mm
+    error = np.nanmax(np.abs(theirs - ours)) / np.abs(ours).max()
+    assert error < 1e-3

@@ -93,7 +93,7 @@ def fields(state: tg.solutions.State) -> CellFields:
 
 def energy(state: tg.solutions.State) -> float:
     """Stored energy of the modeled part [J]."""
-    return strain_energy(state.model, state.displacement, state.mean_stress, state.memory)
+    return strain_energy(state.model, state.displacement, state.mean_stress, state.memory, state.points)
 
 
 def at_quadrature_points(state: tg.solutions.State, nodal: np.ndarray) -> np.ndarray:

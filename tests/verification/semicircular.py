@@ -1,10 +1,10 @@
-"""The semicircular bender of V21: its section, its fibers, and slices or long actuators of it."""
+"""The semicircular bender of V21: its fibers, its section, and long actuators of it."""
 
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
-import bent_slice
 import problems
 import slices
 import turgor as tg
@@ -15,6 +15,13 @@ from turgor.units import mm
 #: Stiffness per width [N/m]: of the hoops around the contour, and of the base, in both directions.
 CONTOUR, BASE = 257e3, 650e3
 FLAT = "strain_limiting_layer"
+
+
+class Bent(NamedTuple):
+    """What a section does at a pressure: rotation [1/m] and volume of the void [m²] for each reference length."""
+
+    curvature: float
+    volume: float
 
 
 def base(compression: float = 1.0) -> list[Fibers]:
@@ -34,15 +41,18 @@ def swept(length: float, wall: float = 2 * mm) -> tg.Mesh:
     return tg.mesh(actuator.build(), size=min(8 * mm, 4 * wall), cells="hexahedra")
 
 
-def bend(fibers, pressures, wall: float = 2 * mm) -> list[bent_slice.Bent]:
-    """Take a slice, far from the ends of a long actuator, to pressures [Pa]."""
-    mesh = bent_slice.one_layer(swept(30 * mm, wall), 1 * mm, 15.1 * mm)
-    return bent_slice.BentSlice(mesh, problems.NEO_HOOKE, fibers, max(pressures)).follow(pressures)
+def bend(fibers, pressures, wall: float = 2 * mm) -> list[Bent]:
+    """Solve the section of a long actuator at pressures [Pa]."""
+    outline = FiberReinforcedBender(radius=10 * mm - wall, wall=wall, skin=0.0)
+    section = tg.Section(outline, {"body": problems.rubber(problems.NEO_HOOKE)}, reinforcements=fibers, size=wall / 2)
+    response = section.solve(pressures).response
+    columns = response["curvature_y"], response["cavity_volume_per_length"]
+    return [Bent(float(curvature), float(volume)) for curvature, volume in zip(*columns, strict=True)]
 
 
 def actuator(layers) -> tg.Mesh:
     """Half of a whole actuator with end walls; ``layers`` [m]: cells along the void from one end to the middle."""
-    mesh = swept(10 * mm + 2 * len(layers) * 8 * mm)
+    mesh = swept(10 * mm + 2 * (len(layers) - 1) * 8 * mm)  # a short cell beside each end wall is one of them
     planes = np.unique(np.round(mesh.points[:, 0], 8))
     count = round(np.searchsorted(planes, 5 * mm - 1e-9) / 2)  # layers of an end wall
     assert len(planes) == 4 * (len(layers) + count) + 1

@@ -42,9 +42,10 @@ def error_indicator(state: State) -> Array:
     volume = fields.weight.sum(axis=1)
     total = np.bincount(numbers.ravel(), np.repeat(volume, corners), minlength=count)
     at_corners = np.einsum("aq,cqk->cak", to_corners, stress) * volume[:, None, None]
+    weight = np.where(total > 0, total, 1.0)  # no cell has the numbers of vertices that follow others
     smooth = np.empty((count, 9))
     for k in range(9):
-        smooth[:, k] = np.bincount(numbers.ravel(), at_corners[..., k].ravel(), minlength=count) / total
+        smooth[:, k] = np.bincount(numbers.ravel(), at_corners[..., k].ravel(), minlength=count) / weight
     difference = np.einsum("qa,cak->cqk", r.M[:, :corners], smooth[numbers]) - stress
     out = np.einsum("cqk,cq->c", difference**2, fields.weight)
     for name, material in model.region_materials.items():

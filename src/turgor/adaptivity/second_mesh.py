@@ -163,7 +163,7 @@ def _at_load(equations: Equations, unknowns: Array, state: State, exact: bool) -
             return _state(system, new, state, tangent.unstable_modes())
         fresh, before = hard or size > CONTRACTION * before, size
         if tangent.mixed_points:
-            geometric = system.stresses(at, update)
+            geometric = system.stresses(at, update, geometric)
         at, whole = new, whole + moved
     return _carefully(system, tangent, first, state, exact)
 

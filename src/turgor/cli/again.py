@@ -1,4 +1,4 @@
-"""Commands on the folder of a run: measure it again, and report it again."""
+"""Commands on the folder of a run: measure it again, report it again, and compare it with an experiment."""
 
 from functools import partial
 from pathlib import Path
@@ -49,3 +49,47 @@ def measure_command(
             for row in zip(*(column.in_unit.tolist() for column in response.columns), strict=True):
                 typer.echo(",".join(f"{value:.7g}" for value in row))
         raise typer.Exit(DONE)
+
+
+def compare_command(
+    run: Annotated[Path, typer.Argument(metavar="RUN", help="Folder of a run, or a CSV file of a response.")],
+    experiment: Annotated[Path, typer.Argument(metavar="EXPERIMENT", help="Table of a laboratory: CSV or text.")],
+    y: Annotated[
+        str | None,
+        typer.Option("--y", help="What to compare: NAME, or NAME=NAME THERE.", show_default=False),
+    ] = None,
+    x: Annotated[
+        str | None, typer.Option("--x", help="What drives, such as pressure; in the same manner.", show_default=False)
+    ] = None,
+    unit: Annotated[
+        list[str] | None,
+        typer.Option(help="Unit of a column whose header has none: NAME=UNIT; as often as needed.", show_default=False),
+    ] = None,
+    only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False,
+    as_json: Json = False,
+    debug: Debug = False,
+) -> None:
+    """Compare a run with an experiment: differences, the best shift of the drive, table and picture."""
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import compared_result
+        from turgor.job.compare import Asked, compare_folder
+
+        units = dict(_pair(each) for each in unit or ())
+        found, files = compare_folder(run, experiment, Asked(y=y, x=x, units=units, only_loading=only_loading))
+        typer.echo(found.summary()[:1].upper() + found.summary()[1:])
+        for note in found.notes:
+            typer.echo(note)
+        if files:
+            typer.echo(f"Written: {', '.join(map(str, files))}. 'turgor report {run}' adds it to the report.")
+        answer.give(partial(compared_result, found, files))
+        raise typer.Exit(DONE)
+
+
+def _pair(text: str) -> tuple[str, str]:
+    """Split ``pressure=kPa``."""
+    from turgor.errors import TurgorError
+
+    name, sign, unit = (part.strip() for part in text.partition("="))
+    if not sign or not name or not unit:
+        raise TurgorError(f"--unit is '{text}'; write the name of a column and its unit, such as --unit pressure=kPa.")
+    return name, unit

@@ -11,7 +11,8 @@ from typing import Annotated
 import typer
 
 from turgor import __version__
-from turgor.cli.again import measure_command, report_command
+from turgor.cli.again import compare_command, measure_command, report_command
+from turgor.cli.analyses.section import section_command
 from turgor.cli.answers.document import document
 from turgor.cli.check import check_command
 from turgor.cli.convergence import convergence_command
@@ -80,12 +81,14 @@ app.command("check")(check_command)
 app.command("init")(init_command)
 app.command("report")(report_command)
 app.command("measure")(measure_command)
+app.command("compare")(compare_command)
 app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
 app.command("export")(export_command)
 app.command("mesh")(mesh_command)
 app.command("modes")(modes_command)
 app.command("convergence")(convergence_command)
+app.command("section")(section_command)
 
 
 def _sentence(text: str) -> str:

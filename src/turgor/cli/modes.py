@@ -58,4 +58,5 @@ def _show(modes: "Modes") -> None:
         typer.echo(f"{number:4d}  {frequency:14.5g}  {mass * 1e3:14.4g}")
     typer.echo(modes.message)
     if modes.model.mesh.symmetry_factor > 1:
-        typer.echo("Only a part is modeled: these are the modes that are symmetric about its mirror planes.")
+        kept = "the same in all sectors" if modes.model.mesh.wedge else "symmetric about its mirror planes"
+        typer.echo(f"Only a part is modeled: these are the modes that are {kept}.")

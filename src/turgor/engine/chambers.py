@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import side_tables
 from turgor.engine.faces import surfaces
-from turgor.engine.faces.openings import cap_gradient, mirror_point
+from turgor.engine.faces.openings import NO_AXIS, cap_gradient, mirror_point
 from turgor.engine.system import System
 from turgor.meshing.mesh import Mesh
 
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 def cavity_volume(mesh: Mesh, name: str, displacement: Array | None = None) -> float:
     """Return the volume that a face encloses, of the whole actuator [m³], at rest or in a state.
 
-    Mirror planes and caps of openings close it, as in `Chambers`.
+    Mirror planes, the cut faces of a wedge and caps of openings close it, as in `Chambers`.
 
     Parameters
     ----------
@@ -27,10 +27,10 @@ def cavity_volume(mesh: Mesh, name: str, displacement: Array | None = None) -> f
     displacement : (n, 3) array [m], optional
         That of a state; at rest by default.
     """
-    points = mesh.points - mirror_point(mesh)  # planes through the origin add nothing to ⅓ ∮ x·n da
+    points = mesh.points - mirror_point(mesh)  # so that cuts add nothing to ⅓ ∮ x·n da
     if displacement is not None:
         points += displacement
-    return float(-mesh.symmetry_factor * surfaces.enclosed_volume(points, mesh.face(name)))
+    return float(-mesh.symmetry_factor * surfaces.enclosed_volume(points, mesh.face(name), mesh))
 
 
 class Chambers:
@@ -50,9 +50,10 @@ class Chambers:
         self.system, self.faces = system, tuple(faces)
         mesh = system.model.mesh
         self._walls = [np.ascontiguousarray(mesh.face(name)) for name in faces]
-        self._rims = [surfaces.rim_edges(walls) for walls in self._walls]
+        self._rims = [surfaces.open_rim(mesh, walls) for walls in self._walls]
+        self._axis = NO_AXIS if mesh.wedge is None else mesh.wedge.number
         self._factor = mesh.symmetry_factor
-        self._shift = mirror_point(mesh) / system.length  # mirror planes through the origin add nothing
+        self._shift = mirror_point(mesh) / system.length  # cuts at planes and axes through the origin add nothing
 
     def __len__(self) -> int:
         return len(self._walls)
@@ -68,16 +69,16 @@ class Chambers:
 
     def volumes(self, unknowns: Array) -> Array:
         """Scaled volumes (k,)."""
-        points = self._position(unknowns)
+        points, mesh = self._position(unknowns), self.system.model.mesh
         # normals point out of the solid, which is into the cavity
-        return np.array([-self._factor * surfaces.enclosed_volume(points, walls) for walls in self._walls])
+        return np.array([-self._factor * surfaces.enclosed_volume(points, walls, mesh) for walls in self._walls])
 
     def gradients(self, unknowns: Array) -> Array:
         """Derivatives (k, size) of the volumes by the unknowns."""
         points = self._position(unknowns)
         found = []
         for walls, rim in zip(self._walls, self._rims, strict=True):
-            by_node = cap_gradient(points, rim)
+            by_node = cap_gradient(points, rim, self._axis)
             np.add.at(by_node, walls, _of_walls(points, walls))
             found.append(self.system.joined(-self._factor * by_node))
         return np.array(found)

@@ -1,17 +1,21 @@
 """Fields of a state: stresses and stretches at the quadrature points, averages at the nodes, energies."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.boundary import held_components
 from turgor.engine.cells import kernels_geometry
 from turgor.engine.cells.cell_materials import CellMaterials
 from turgor.engine.cells.element import Element, element_of, tables_with
 from turgor.engine.cells.memory import Memory
 from turgor.engine.cells.reference import reference_nodes, smooth_basis, tables_at
 from turgor.engine.cells.stabilization import penalty_energy, volume_penalty
+from turgor.engine.points.carriers import carriers_of, with_carried
+from turgor.engine.points.motion import PointMotion, carried_displacement
 from turgor.engine.term import Setting
 from turgor.engine.terms import Terms
 from turgor.meshing.mesh import Mesh
@@ -167,11 +171,18 @@ def _averaged(local: Array, volume: Array, nodes: RegionNodes) -> Array:
     return np.stack([np.bincount(at, column, minlength=count) / total for column in weighted.T], axis=1)
 
 
-def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory: Memory | None = None) -> float:
-    """Stored energy of cells and membranes of the modeled part [J].
+def strain_energy(
+    model: Model,
+    displacement: Array,
+    mean_stress: Array,
+    memory: Memory | None = None,
+    points: Mapping[str, PointMotion] | None = None,
+) -> float:
+    """Stored energy of cells, sheets, fibers and springs of the modeled part [J].
 
     Where a material is compressible its volumetric energy is p²/(2κ), with κ (J − 1) = p. Of a rubber that relaxes or
-    softens it is what infinitely slow unloading gives back; ``memory`` is that of the state.
+    softens it is what infinitely slow unloading gives back; ``memory`` is that of the state. Springs of reference
+    points need their motions ``points``; a point without one moves with its face.
     """
     mesh, element = model.mesh, element_of(model)
     r = element.tables
@@ -184,7 +195,9 @@ def strain_energy(model: Model, displacement: Array, mean_stress: Array, memory:
     density = materials.energy(I1, I2, F, materials.history(memory)) + 0.5 * mean**2 * materials.compliance[:, None]
     penalty = volume_penalty(model, r, weight, materials.compliance, 1.0)
     lost = penalty_energy(penalty, weight, J - 1 - mean * materials.compliance[:, None])
-    held = np.zeros((len(mesh.points), 3), dtype=bool)
-    terms = Terms(Setting(model, mesh.points, held, weight, 1.0, 1.0))
-    position = mesh.points + displacement
+    carriers = carriers_of(model)
+    rest = with_carried(mesh.points, carriers)
+    terms = Terms(Setting(model, rest, held_components(model).along_axes, weight, 1.0, 1.0))
+    own = carried_displacement(carriers, (1.0, 1.0), displacement, points or {})
+    position = rest + np.concatenate([displacement, own])
     return float((weight * density).sum() + lost.sum()) + terms.energy(position)

@@ -111,7 +111,7 @@ class System:
 
     def _multipliers(self) -> NDArray[np.int64]:
         """Unknowns of the multipliers of reference points."""
-        nodes = [np.concatenate([each.stress, each.ties]) for each in self.carriers]
+        nodes = [each.multipliers for each in self.carriers]
         return displacements(np.concatenate([np.zeros(0, dtype=np.int64), *nodes])[None])[0]
 
     def _contact_terms(self) -> ContactTerms:
@@ -334,12 +334,21 @@ class System:
             free = unknowns[~self.held[unknowns]]
             data[self.pattern.diagonal[free]] += np.where(self.moving[free], DEFINITE, -DEFINITE)
 
-    def stresses(self, at: Evaluation, update: Array | None = None) -> Stresses:
-        """Stresses at an evaluation, linearized for an update where one is given; see `kernels.extrapolated_stress`."""
+    def correction(self, at: Evaluation, geometric: Stresses) -> Array | None:
+        """Forces (size,) beyond the residual, of the stresses that the tangent is linearized about; None for none."""
+        by_node = self.terms.correction(self.configuration(at), geometric.terms)
+        return None if by_node is None else self.joined(by_node)
+
+    def stresses(self, at: Evaluation, update: Array | None = None, last: Stresses | None = None) -> Stresses:
+        """Stresses at an evaluation, linearized for an update where one is given; ``last`` are those before it.
+
+        See `kernels.extrapolated_stress`.
+        """
         there = self.split(at.unknowns)
         change = self.split(np.zeros(self.size) if update is None else update)
         cells = self.rubber.stresses(there, change, at.isochoric)
-        return Stresses(cells, self.terms.stresses(self.points + there[0], change[0]))
+        given = None if last is None else last.terms
+        return Stresses(cells, self.terms.stresses(self.points + there[0], change[0], given))
 
     def residual(self, unknowns: Array, load_factor: float, history: History | None = None) -> Array:
         """Residual (size,) at a point, for checks of the tangent."""

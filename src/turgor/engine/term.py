@@ -100,6 +100,17 @@ class Term(Protocol):
         """Stresses that enter the geometric stiffness, linearized for an update (n, 3); empty where there are none."""
         return np.empty(0)
 
+    def continued(self, position: Array, update: Array, last: Array) -> Array:
+        """`stresses`, where those before the update are known; a term may stay linear in the update."""
+        return self.stresses(position, update)
+
+    def correction(self, at: Configuration, stresses: Array) -> Array | None:
+        """Forces (n, 3) beyond `add_forces`, where the tangent is that of stresses that are not those of the position.
+
+        Newton's method adds them to the right side, so that its update solves one linear problem. None: no correction.
+        """
+        return None
+
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Lower triangles of the symmetric tangents of all pieces, row by row, one piece after the other."""
         return np.empty(0)

@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
 from turgor.engine.faces.dead_loads import dead_terms
 from turgor.engine.faces.membrane_term import membrane_terms
+from turgor.engine.faces.plate_edges import plate_terms
 from turgor.engine.faces.pressure_term import PressureTerm, pressure_terms
 from turgor.engine.faces.thrust_term import ThrustTerm, thrust_terms
 from turgor.engine.fibers.fiber_term import fiber_terms
 from turgor.engine.points.average_term import average_terms
+from turgor.engine.points.bearing_term import bearing_terms
 from turgor.engine.points.rigid_term import rigid_terms
 from turgor.engine.points.spring_term import spring_terms
 from turgor.engine.points.turning_term import turning_terms
@@ -26,10 +28,12 @@ TERMS: tuple[Callable[[Setting], Sequence[Term]], ...] = (
     pressure_terms,
     thrust_terms,
     membrane_terms,
+    plate_terms,
     fiber_terms,
     dead_terms,
     rigid_terms,
     average_terms,
+    bearing_terms,
     spring_terms,
     turning_terms,
 )
@@ -83,10 +87,20 @@ class Terms:
         """Scaled energy that all terms store."""
         return sum((term.energy(position) for term in self.all), 0.0)
 
-    def stresses(self, position: Array, update: Array | None = None) -> list[Array]:
-        """Stresses of each term, linearized for an update where one is given."""
+    def stresses(
+        self, position: Array, update: Array | None = None, last: Sequence[Array] | None = None
+    ) -> list[Array]:
+        """Stresses of each term, linearized for an update where one is given; ``last`` are those before it."""
         update = np.zeros_like(position) if update is None else update
-        return [term.stresses(position, update) for term in self.all]
+        if last is None:
+            return [term.stresses(position, update) for term in self.all]
+        return [term.continued(position, update, one) for term, one in zip(self.all, last, strict=True)]
+
+    def correction(self, at: Configuration, given: Sequence[Array]) -> Array | None:
+        """Forces (n, 3) of the stresses that the tangent is linearized about; None where no term has any."""
+        parts = (term.correction(at, stresses) for term, stresses in zip(self.all, given, strict=True))
+        found = [part for part in parts if part is not None]
+        return np.sum(found, axis=0) if found else None
 
     def add_tangents(self, data: Array, at: Configuration, given: Sequence[Array] | None) -> None:
         """Add the symmetric parts of all tangents to the lower triangle; the given stresses enter the geometric one."""

@@ -9,6 +9,7 @@ from turgor.finding import Finding
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.packing import PackedShape, packed
 from turgor.geometry.sweep import Sweep
+from turgor.geometry.wedge import Wedge
 from turgor.shown import Shown, listed
 from turgor.units import mL, mm
 
@@ -44,6 +45,8 @@ class Geometry(Shown):
     file : str
         CAD file that the shape comes from, if it comes from one: such a shape is meshed in a child process
         (`turgor.geometry.child`), because it may crash the mesh generator.
+    wedge : Wedge, optional
+        The sector of the whole that it is, where it is one; its cut faces are ``cyclic_low`` and ``cyclic_high``.
 
     Examples
     --------
@@ -67,6 +70,7 @@ regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symme
     length_scale: float = METERS_PER_CAD_UNIT
     findings: tuple[Finding, ...] = ()
     file: str = ""
+    wedge: Wedge | None = None
     _shape: Any = field(repr=False)
     _sweep: Sweep | None = field(default=None, repr=False)
 

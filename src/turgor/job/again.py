@@ -4,15 +4,18 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
 from turgor.errors import TurgorError
 from turgor.finding import by_weight
 from turgor.job.job import Job
-from turgor.job.output.folder import LOCK
+from turgor.job.output.folder import LOCK, RESPONSE
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_results
 from turgor.job.read import read_job
-from turgor.response import Response
+from turgor.response import MESH_ERROR, Response
+from turgor.results.files.response_csv import read_response
 from turgor.results.measures.measures import find_measure, measure
 from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.solution import Solution
@@ -49,7 +52,7 @@ def measure_folder(folder: str | Path, names: tuple[str, ...] = ()) -> Response:
 def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutcome:
     """Write all files of a run anew from the path that its folder holds, as far as it goes.
 
-    Mesh errors are not estimated, because that would solve again.
+    Mesh errors are not estimated, because that would solve again; those that the run has written are kept.
 
     Parameters
     ----------
@@ -70,7 +73,7 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
     folder = Path(folder)
     solution: Solution = load(folder)
     job = _job(folder)
-    response = measure(solution, *job.output.chosen())
+    response = _with_known_errors(measure(solution, *job.output.chosen()), folder / RESPONSE)
     outcome = RunOutcome(
         job=job,
         solution=solution,
@@ -81,6 +84,23 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
         folder=folder,
     )
     return replace(outcome, files=write_results(outcome, notify))
+
+
+def _with_known_errors(response: Response, file: Path) -> Response:
+    """Add the mesh errors that a response of the same states in a file has."""
+    if not file.exists():
+        return response
+    before = read_response(file)
+    known = {column.name: column for column in before.columns if column.name.endswith(MESH_ERROR)}
+    if len(before) != len(response) or not known:
+        return response
+    columns = []
+    for column in response.columns:
+        columns.append(column)
+        error = known.get(column.name + MESH_ERROR)
+        if error is not None and np.allclose(before.column(column.name), column.values, rtol=1e-9, equal_nan=True):
+            columns.append(error)
+    return replace(response, columns=tuple(columns))
 
 
 def _job(folder: Path) -> Job:

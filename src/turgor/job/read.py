@@ -14,7 +14,7 @@ from turgor.job.job import Actuator, Job
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
 from turgor.job.tables.loads import Driving, read_loads
-from turgor.job.tables.materials import read_materials, refuse_shells
+from turgor.job.tables.materials import read_materials
 from turgor.job.tables.mesh_files import MESH_FILE
 from turgor.job.tables.points import DRIVING, read_points
 from turgor.job.tables.procedures import drives, duration_of, read_procedure
@@ -168,7 +168,6 @@ def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | No
     setup, procedure = _read_path(given, around, problems)
     output = read_output(given["output"], geometry, problems)
     threads = read_engine(given["engine"], problems)
-    refuse_shells(materials, mesh, problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
         return None
     return Job(

@@ -54,7 +54,7 @@ def chosen_settings(geometry: Geometry, settings: MeshSettings) -> MeshSettings:
     check_settings(geometry, replace(settings, size=size, cells=cells))
     check_face_sizes(geometry, settings.face_sizes, float(size))
     check_features(geometry, settings.ignore_features_below, float(size), cells)
-    return replace(settings, size=float(size), cells=check_cells(geometry, cells, settings.face_sizes))
+    return replace(settings, size=float(size), cells=check_cells(geometry, cells))
 
 
 def chosen_cells(geometry: Geometry, settings: MeshSettings) -> str:

@@ -15,11 +15,13 @@ from turgor.meshing.chosen import chosen_settings
 from turgor.meshing.enveloped.faceted import faceted, meshed_by_facets
 from turgor.meshing.enveloped.tetrahedra import enveloped_cells
 from turgor.meshing.foreign import meshing
-from turgor.meshing.generator import GeneratorSizes, generated_cells, sizes_on_faces
+from turgor.meshing.generator import GeneratorSizes, generated_cells, join_cuts, sizes_on_faces
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
 from turgor.meshing.quality.mend import mended
+from turgor.meshing.refining.face_sizes import with_face_sizes
 from turgor.meshing.revolved.axisymmetric import axisymmetric_mesh
+from turgor.meshing.revolved.meridian import is_revolved
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.default_size import default_size
 from turgor.meshing.sizing.local_sizes import local_sizes
@@ -33,6 +35,7 @@ from turgor.meshing.sizing.thin_walls import find_thin_walls, thin_walls_left
 from turgor.meshing.sizing.walls import refine_walls
 from turgor.meshing.sweeping.section import Fineness
 from turgor.meshing.sweeping.swept import swept_mesh
+from turgor.meshing.wedge import with_wedge
 
 __all__ = ["default_size", "mesh", "size_range"]
 
@@ -74,7 +77,8 @@ def mesh(
     grading : float [-]
         How fast cells may grow away from small ones: 0.1 slowly (more cells), 1 at once.
     face_sizes : mapping of str to float [m]
-        Smaller sizes for some faces, by name. Curved faces get at least two cells along an arc as long as its radius.
+        Smaller sizes for some faces, by name; hexahedra are cut in whole sheets through the part until the edges on
+        the face are as short. Tetrahedra on curved faces get at least two cells along an arc as long as its radius.
         Corners of cavities about which thin walls bend (`turgor.geometry.thin_corners`) get a third of ``size``, and
         curved walls that end there 0.7 of it, unless the cavity is named here.
     wall_cells : int
@@ -140,7 +144,9 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
     try:
         return in_child(meshing(geometry.name), _meshed, geometry, chosen)
     except TurgorError as error:
-        if len(geometry.regions) > 1 or isinstance(geometry._shape, SurfaceShape) or chosen.cells != "tetrahedra":
+        if geometry.wedge is not None or isinstance(geometry._shape, SurfaceShape) or chosen.cells != "tetrahedra":
+            raise
+        if len(geometry.regions) > 1:
             raise
         try:
             result = in_child(meshing(geometry.name), _meshed_by_facets, geometry, chosen)
@@ -162,7 +168,7 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
             size=wide, along=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading
         )
         made = swept_mesh if chosen.cells == "hexahedra" else axisymmetric_mesh
-        result = made(geometry, fine)
+        result = with_face_sizes(made(geometry, fine), chosen.face_sizes)
         _check_result(result, geometry)
         refuse_inverted(result)
         return result
@@ -176,8 +182,8 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
 
 def _with_fewer_cells(result: Mesh, geometry: Geometry, chosen: MeshSettings) -> Mesh:
     """The mesh within an envelope of the facets, which keeps no small edge, if it has far fewer unknowns."""
-    if len(geometry.regions) > 1:
-        return result  # facets are those of one body
+    if len(geometry.regions) > 1 or geometry.wedge is not None:
+        return result  # facets are those of one body, and their cuts do not match
     try:
         coarse = _sound(faceted(geometry), partial(enveloped_cells, faceted(geometry), chosen))
     except TurgorError:
@@ -198,6 +204,7 @@ def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
     if features is not None:
         attempts.insert(0, replace(plain, features=features))
     first: TurgorError | None = None
+    join_cuts(geometry)
     with sizes_on_faces(geometry, local.faces):
         for sizes in attempts:
             try:
@@ -207,7 +214,8 @@ def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
                 continue
             if sizes.features is not None:
                 filled = float(cell_volumes(result).sum()) / geometry.solid_volume
-                found = features_left(sizes.features, chosen.ignore_features_below is not None, filled)
+                stated = chosen.ignore_features_below is not None
+                found = features_left(sizes.features, stated, filled, is_revolved(geometry))
                 result = replace(result, findings=(*result.findings, found))
             return result if first is None else replace(result, findings=(*result.findings, _meshed_finer(first)))
     assert first is not None
@@ -233,7 +241,8 @@ def _fitting_walls(geometry: Geometry, sizes: GeneratorSizes) -> Mesh:
 
 def _sound(geometry: Geometry, generate: Callable[[], Raw]) -> Mesh:
     """A valid mesh, or the reason why there is none."""
-    result = mended(assemble(generate(), geometry))
+    raw = assemble(generate(), geometry)
+    result = with_wedge(mended(raw), raw, geometry.wedge)
     _check_result(result, geometry)
     refuse_inverted(result)
     return result

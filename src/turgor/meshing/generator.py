@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from netgen.meshing import MeshingParameters, NgException, Pnt, SetMessageImportance
+from netgen.meshing import IdentificationType, MeshingParameters, NgException, Pnt, SetMessageImportance
 
 from turgor.errors import TurgorError
+from turgor.geometry.cad.symmetry.sector import cut_pairs, cut_turn
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.bodies.assemble import Raw
 from turgor.meshing.quiet import captured_output
@@ -61,6 +62,15 @@ def sizes_on_faces(geometry: Geometry, sizes: Mapping[int, float]) -> Iterator[N
     finally:
         for place, face in faces.items():
             face.maxh = before[place]
+
+
+def join_cuts(geometry: Geometry) -> None:
+    """Let the generator make the same triangles on both cut faces of a wedge, which are those of one turned."""
+    if geometry.wedge is None:
+        return
+    turn = cut_turn(geometry.wedge, geometry.length_scale)
+    for low, high in cut_pairs(geometry._shape, geometry.wedge, geometry.length_scale):
+        low.Identify(high, "cyclic", IdentificationType.PERIODIC, turn)
 
 
 def generated_cells(geometry: Geometry, sizes: GeneratorSizes) -> Raw:

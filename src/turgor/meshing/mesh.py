@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.finding import Finding
 from turgor.geometry.names import cavity_names
+from turgor.geometry.wedge import HIGH, LOW, Wedge
 from turgor.meshing.cells import TETRAHEDRON, TRIANGLE, CellType, cell_type
 from turgor.shown import Shown, listed
 
@@ -48,11 +49,15 @@ class Mesh(Shown):
         ``"x"``, ``"y"`` or ``"z"`` where it is a quarter of a body of revolution about a line along that axis, whose
         states are axisymmetric: all nodes of a ring move alike (`turgor.engine.algebra.rings`). The line is where the
         two mirror planes along the axis meet. Empty for any other mesh.
+    wedge : Wedge, optional
+        The sector of the whole that it is, where it is one; its cut faces are ``cyclic_low`` and ``cyclic_high``, and
+        the nodes of the one are those of the other, turned.
 
     Raises
     ------
     TurgorError
-        If an index is out of range, vertices do not come first, or a cell belongs to no region or to two.
+        If an index is out of range, vertices do not come first, a cell belongs to no region or to two, or the cut faces
+        of a wedge do not match.
     """
 
     points: NDArray[np.float64]
@@ -62,6 +67,7 @@ class Mesh(Shown):
     name: str = "mesh"
     findings: tuple[Finding, ...] = ()
     revolved: str = ""
+    wedge: Wedge | None = None
     vertex_count: int = field(init=False)
 
     def __post_init__(self) -> None:
@@ -90,6 +96,8 @@ class Mesh(Shown):
                 f"mesh '{self.name}': {int((owner != 1).sum())} cells do not belong to exactly one region."
             )
         object.__setattr__(self, "vertex_count", len(vertices))
+        if self.wedge is not None and (self.leaders[: len(vertices)] >= len(vertices)).any():
+            raise TurgorError(f"mesh '{self.name}': a vertex of '{HIGH}' lies on a mid-side node of '{LOW}'.")
 
     def __repr__(self) -> str:
         return f"Mesh('{self.name}', {self.counts}, regions: {listed(self.regions)}, faces: {listed(self.faces)})"
@@ -126,6 +134,20 @@ class Mesh(Shown):
         return tuple(name for name in self.faces if name.startswith("symmetry_"))
 
     @property
+    def cut_faces(self) -> tuple[str, ...]:
+        """Names of the faces that are no surface of the whole actuator: mirror planes, and cuts of a wedge."""
+        return (*self.symmetry_faces, *(() if self.wedge is None else (LOW, HIGH)))
+
+    @property
+    def leaders(self) -> NDArray[np.int64]:
+        """The node whose motion each node has, (n,): itself, but for the higher cut face of a wedge."""
+        out = np.arange(len(self.points))
+        if self.wedge is not None:
+            high = self.face_nodes(HIGH)
+            out[high] = self.wedge.partners(self.points, self.face_nodes(LOW), high)
+        return out
+
+    @property
     def mirror_planes(self) -> tuple[tuple[int, float], ...]:
         """Axis along the normal and position [m] of the mirror plane of each of `symmetry_faces`."""
         found = []
@@ -160,12 +182,18 @@ class Mesh(Shown):
 
     @property
     def symmetry_factor(self) -> int:
-        """How many copies of this mesh make the whole actuator: 1, 2 or 4."""
-        return int(2 ** len(self.symmetry_faces))
+        """How many copies of this mesh make the whole actuator: 1, 2 or 4, or the number of sectors of a wedge."""
+        return int(2 ** len(self.symmetry_faces)) * (1 if self.wedge is None else self.wedge.fold)
 
     @property
     def unknown_count(self) -> int:
-        """Displacement components plus mean stresses, before supports are applied; of a revolved mesh, per ring."""
+        """Displacement components plus mean stresses, before supports are applied.
+
+        Of a revolved mesh per ring, of a wedge without those that follow.
+        """
+        if self.wedge is not None:
+            own = self.leaders == np.arange(len(self.points))
+            return int(3 * own.sum() + own[: self.vertex_count].sum())
         if not self.revolved:
             return 3 * len(self.points) + self.vertex_count
         axis = "xyz".index(self.revolved)

@@ -1,4 +1,4 @@
-"""Openings of a cavity: where its faces end, off the mirror planes."""
+"""Openings of a cavity: where its faces end, off the mirror planes and the cut faces of a wedge."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,6 +9,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from turgor.finding import Finding, Severity
+from turgor.geometry.wedge import HIGH, LOW
 from turgor.meshing.cells import side_type
 from turgor.meshing.mesh import Mesh
 
@@ -35,7 +36,7 @@ class Rim:
     area : float [m²]
         Area of the fan from its center; of half the opening where a mirror plane cuts it.
     simple : bool
-        Whether it is one loop, or one line from mirror plane to mirror plane.
+        Whether it is one loop, or one line from mirror plane to mirror plane, or from cut to cut of a wedge.
     bulge : float
         Extent across its plane over its width.
     node : int
@@ -85,6 +86,11 @@ def find_rims(mesh: Mesh, rim: Ints) -> tuple[Rim, ...]:
         nodes = mesh.face_nodes(name)
         at_mirror |= np.isin(rim, nodes).all(axis=1)
         mirror[nodes, axis] = position
+    if mesh.wedge is not None:
+        at_mirror |= _at_cuts(mesh, rim)
+        for axis in mesh.wedge.across:  # what goes on all around has its middle on the axis
+            for name in (LOW, HIGH):
+                mirror[mesh.face_nodes(name), axis] = mesh.wedge.center[axis]
     rim = rim[~at_mirror]
     if mesh.revolved:  # around the pinhole on the axis
         rim = rim[~mesh.on_axis[rim].all(axis=1)]
@@ -100,6 +106,11 @@ def find_rims(mesh: Mesh, rim: Ints) -> tuple[Rim, ...]:
         _rim(mesh.points, rim[label[ends[:, 0]] == i], mirror, bool(fine[label == i].all()))
         for i in range(int(label.max()) + 1)
     )
+
+
+def _at_cuts(mesh: Mesh, rim: Ints) -> NDArray[np.bool_]:
+    """Which edges (e, 3) lie in a cut face of a wedge."""
+    return np.asarray(np.any([np.isin(rim, mesh.face_nodes(name)).all(axis=1) for name in (LOW, HIGH)], axis=0))
 
 
 def torn_rims(mesh: Mesh, surface: Ints, edges: Ints) -> tuple[Rim, ...]:
@@ -166,6 +177,10 @@ def _in_void(mesh: Mesh, surface: Ints, node: int) -> bool:
     for name, (axis, position) in mirror_planes(mesh).items():
         on_mirror |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
         origin[axis] = position  # so that the missing wall there adds nothing to the volume
+    if mesh.wedge is not None:
+        on_mirror |= np.any([np.isin(surface, mesh.face_nodes(name)).all(axis=1) for name in (LOW, HIGH)], axis=0)
+        across = list(mesh.wedge.across)
+        origin[across] = np.array(mesh.wedge.center)[across]
     walls = surface[~on_mirror, :corners]
     owner = np.repeat(np.arange(len(walls)), corners)
     graph = coo_array((np.ones(walls.size), (owner, walls.ravel())), shape=(len(walls), len(mesh.points)))

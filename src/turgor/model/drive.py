@@ -4,6 +4,7 @@ from turgor.model.history import peak_of, share_at, turns_of
 from turgor.model.loads import RAMP, Pressure
 from turgor.model.model import Model
 from turgor.model.points import Rotation
+from turgor.model.supports import Displacement, Shift
 from turgor.units import kPa
 
 
@@ -53,7 +54,10 @@ def kinks(model: Model) -> tuple[float, ...]:
     tuple of float
     """
     turns = {factor for load in model.loads for factor in turns_of(load.history)}
-    turns |= {factor for each in model.supports if isinstance(each, Rotation) for factor in turns_of(each.history)}
+    for each in model.supports:
+        moved = each.value if isinstance(each, Displacement) else each
+        if isinstance(moved, Rotation | Shift):
+            turns |= set(turns_of(moved.history))
     turns |= {factor for obstacle in model.contact.obstacles for factor, _ in obstacle.path if 0 < factor < 1}
     return tuple(sorted(turns))
 

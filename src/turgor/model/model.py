@@ -11,10 +11,11 @@ from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
+from turgor.model.checks.named_points import check_points, points_of
+from turgor.model.checks.symmetry import check_not_cut, check_symmetric, check_wedge
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
-from turgor.model.named_points import check_points, points_of
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.supports import Displacement, Support, Symmetry
 from turgor.shown import Shown, listed
@@ -166,6 +167,9 @@ class Model(Saved, Shown):
 
     def _check_faces(self) -> None:
         check_points(self.mesh, self.supports, self.loads)
+        check_wedge(self.mesh, self.loads, self.reinforcements, self.contact)
+        for acting in (*self.supports, *self.loads):
+            check_not_cut(self.mesh, type(acting).__name__, getattr(acting, "face", ""))
         points = self.points
         for support in self.supports:
             if isinstance(support, Rotation | Hinge) or (isinstance(support, Displacement) and support.face == "*"):
@@ -182,23 +186,14 @@ class Model(Saved, Shown):
             if isinstance(load, Pressure | Traction | Force) and not (isinstance(load, Force) and load.face in points):
                 self.mesh.face(load.face)
             if isinstance(load, Force):
-                self._check_symmetric(f"force on '{load.face}': {{:g}} N", load.vector)
+                check_symmetric(self.mesh, f"force on '{load.face}': {{:g}} N", load.vector)
             if isinstance(load, Gravity):
-                self._check_symmetric("gravity: a weight of {:.3g}", load.direction)
+                check_symmetric(self.mesh, "gravity: a weight of {:.3g}", load.direction)
             if isinstance(load, LineForce):
                 for name in load.faces:
                     self.mesh.face(name)
             if isinstance(load, Pressure) and not np.isfinite(load.pressure):
                 raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
-
-    def _check_symmetric(self, what: str, vector: Sequence[float]) -> None:
-        """Refuse a force that has no mirror image; ``what`` has a place for its component."""
-        for plane, (axis, _) in zip(self.mesh.symmetry_faces, self.mesh.mirror_planes, strict=True):
-            if vector[axis] != 0:
-                raise TurgorError(
-                    f"{what.format(vector[axis])} along {'xyz'[axis]} points across the mirror "
-                    f"plane '{plane}', and its mirror image against it; model the whole actuator (symmetric = false)."
-                )
 
     def _check_reachable(self, obstacle: str, face: str) -> None:
         """Refuse a face between two regions, which no obstacle can touch."""

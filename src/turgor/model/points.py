@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from turgor.errors import TurgorError, unknown
+from turgor.geometry.directions import AXES
 from turgor.model.history import RAMP, History, checked, share_at
 
 Vector = tuple[float, float, float]
@@ -108,7 +109,7 @@ class ReferencePoint:
 
 @dataclass(frozen=True, slots=True)
 class Rotation:
-    """Turn a reference point about an axis by a finite angle, which grows with the load factor, and no other way.
+    """Turn a reference point about an axis by a finite angle, which grows with the load factor.
 
     Parameters
     ----------
@@ -120,6 +121,9 @@ class Rotation:
         Direction of the axis through the point, fixed in space; any length but zero.
     history : sequence of (float, float), or str, optional
         As that of a `Pressure`: the share of the angle.
+    tilts : bool
+        Whether the point may tilt besides: only its twist about the axis is prescribed, as by a shaft with a
+        constant-velocity joint. The rotation is then the twist, followed by one about any axis across this one.
 
     Raises
     ------
@@ -138,20 +142,27 @@ class Rotation:
     angle: float = 0.0
     axis: Vector = (1.0, 0.0, 0.0)
     history: History = RAMP
+    tilts: bool = False
 
     def __post_init__(self) -> None:
         if not np.isfinite(self.angle):
             raise TurgorError(f"rotation of '{self.point}': angle is {self.angle}; a finite number is needed.")
-        axis = vector(f"rotation of '{self.point}': axis", self.axis)
-        if not np.linalg.norm(axis) > 0:
-            raise TurgorError(f"rotation of '{self.point}': axis is a zero vector; give for example (1, 0, 0).")
-        object.__setattr__(self, "axis", axis)
+        object.__setattr__(self, "axis", _axis(f"rotation of '{self.point}': axis", self.axis))
         object.__setattr__(self, "history", checked(self.history, f"rotation of '{self.point}'"))
 
+    @property
+    def direction(self) -> Vector:
+        """Direction of the axis (3,)."""
+        return self.axis
+
+    def angle_at(self, load_factor: float) -> float:
+        """Angle [rad] at a load factor."""
+        return share_at(self.history, load_factor) * self.angle
+
     def matrix(self, load_factor: float) -> np.ndarray[Any, np.dtype[np.float64]]:
-        """Rotation matrix (3, 3) at a load factor (Rodrigues)."""
+        """Rotation matrix (3, 3) at a load factor, of a point that does not tilt (Rodrigues)."""
         x, y, z = np.asarray(self.axis) / np.linalg.norm(self.axis)
-        angle = share_at(self.history, load_factor) * self.angle
+        angle = self.angle_at(load_factor)
         cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
         return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
 
@@ -164,26 +175,43 @@ class Hinge:
     ----------
     point : str
         Name of the reference point.
-    axis : str
-        ``"x"``, ``"y"`` or ``"z"``.
+    axis : str or (3,) floats
+        ``"x"``, ``"y"`` or ``"z"``, or the direction of another axis, fixed in space; any length but zero.
 
     Raises
     ------
     TurgorError
-        If the axis is another one.
+        If the axis is none.
 
     Examples
     --------
-    >>> Hinge("plate", "y").axis
-    'y'
+    >>> Hinge("plate", "y").direction, Hinge("plate", (1, 1, 0)).direction
+    ((0.0, 1.0, 0.0), (1.0, 1.0, 0.0))
     """
 
     point: str
-    axis: str = "x"
+    axis: str | Vector = "x"
 
     def __post_init__(self) -> None:
-        if self.axis not in ("x", "y", "z"):
-            raise TurgorError(f"hinge of '{self.point}': axis is {self.axis!r}; allowed are 'x', 'y' and 'z'.")
+        if isinstance(self.axis, str) and self.axis not in AXES:
+            raise TurgorError(
+                f"hinge of '{self.point}': axis is {self.axis!r}; allowed are 'x', 'y', 'z' and a direction of three "
+                "numbers."
+            )
+        if not isinstance(self.axis, str):
+            object.__setattr__(self, "axis", _axis(f"hinge of '{self.point}': axis", self.axis))
+
+    @property
+    def direction(self) -> Vector:
+        """Direction of the axis (3,)."""
+        return AXES[self.axis] if isinstance(self.axis, str) else self.axis
+
+
+def _axis(what: str, values: Any) -> Vector:
+    axis = vector(what, values)
+    if not any(axis):
+        raise TurgorError(f"{what} is a zero vector; give for example (1, 0, 0).")
+    return axis
 
 
 def vector(what: str, values: Any) -> Vector:

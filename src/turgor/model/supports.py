@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.model.history import RAMP, History, checked, share_at
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 
 
@@ -56,12 +57,14 @@ class Displacement:
 
 @dataclass(frozen=True, slots=True)
 class Shift:
-    """The value of a `Displacement` by which the whole face goes the same way, in proportion to the load factor.
+    """The value of a `Displacement` by which the whole face goes the same way.
 
     Parameters
     ----------
     vector : (3,) floats [m]
-        How far it is in the end from where it was at first.
+        How far it is from where it was at first, at a share of one.
+    history : sequence of (float, float), or str, optional
+        As that of a `Pressure`: the share of the displacement; the load factor by default.
 
     Examples
     --------
@@ -70,10 +73,15 @@ class Shift:
     """
 
     vector: tuple[float, float, float]
+    history: History = RAMP
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "history", checked(self.history, "displacement"))
 
     def __call__(self, points: NDArray[np.float64], load_factor: float) -> NDArray[np.float64]:
         """Displacement (n, 3) [m] of points at a load factor."""
-        return np.tile(load_factor * np.array(self.vector, dtype=np.float64), (len(points), 1))
+        share = share_at(self.history, load_factor)
+        return np.tile(share * np.array(self.vector, dtype=np.float64), (len(points), 1))
 
 
 @dataclass(frozen=True, slots=True)

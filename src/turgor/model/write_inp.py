@@ -1,6 +1,6 @@
 """write_inp: a model as an .inp file of CalculiX or Abaqus."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -14,11 +14,21 @@ from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.exchange.formats.abaqus import SIDES
 from turgor.meshing.mesh import Mesh
 from turgor.model.history import RAMP, points_of
-from turgor.model.inp_materials import material_lines
-from turgor.model.loads import Gravity, Pressure
+from turgor.model.inp.materials import material_lines
+from turgor.model.inp.reference_points import (
+    Acting,
+    InpPoint,
+    acting,
+    amplitude_lines,
+    held_lines,
+    inp_points,
+    point_lines,
+    step_lines,
+)
+from turgor.model.loads import Force, Gravity, Hanging, Moment, Pressure
 from turgor.model.model import Membrane, Model
-from turgor.model.points import ReferencePoint
-from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial, Symmetry
+from turgor.model.points import RIGID, Hinge, ReferencePoint, Rotation
+from turgor.model.supports import Fixed, PlaneSection, Radial, Symmetry
 from turgor.units import MPa, mm
 
 PROGRAMS = ("calculix", "abaqus")
@@ -63,12 +73,14 @@ def write_inp(
     ------
     TurgorError
         If the model holds something that has no form in the file: a traction, a body force, a prescribed
-        displacement, a law without a counterpart, fibers, an obstacle.
+        displacement of a face, a law without a counterpart, fibers, an obstacle, a load that follows its point.
     """
     if program not in PROGRAMS:
         raise unknown("program", program, PROGRAMS)
     _check_factors(at)
     _check_extras(model)
+    points = inp_points(model, program)
+    parts = acting(model, points)
     lines = [
         f"** {_plain(model.mesh.name)}, written by turgor for {program}",
         "** units: mm, N, MPa, tonne, s; the time is the load factor",
@@ -76,9 +88,11 @@ def write_inp(
         *_mesh_lines(model.mesh, program, reduced),
         *_membrane_lines(model),
         *_material_lines(model, program),
-        *_support_lines(model),
+        *point_lines(model, points, {name: _plain(name) for name in model.mesh.faces}),
+        *_support_lines(model, points),
         *_amplitude_lines(model),
-        *_step_lines(model, at, program),
+        *amplitude_lines(parts),
+        *_step_lines(model, at, program, parts),
     ]
     Path(path).write_text("\n".join(lines) + "\n", encoding="ascii", errors="replace")
 
@@ -232,25 +246,36 @@ def _material_lines(model: Model, program: str) -> list[str]:
     return lines
 
 
-def _support_lines(model: Model) -> list[str]:
-    lines = ["*BOUNDARY"]
-    for support in sorted(model.supports, key=lambda each: not isinstance(each, ReferencePoint)):
+def _support_lines(model: Model, points: Mapping[str, InpPoint]) -> list[str]:
+    lines = ["*BOUNDARY", *held_lines(model, points)]
+    for support in model.supports:
+        if isinstance(support, ReferencePoint | Rotation | Hinge) or support.face in points:
+            continue  # they are among those of the points
         if isinstance(support, Fixed):
             lines += [f"{_plain(support.face)}, {'xyz'.index(axis) + 1}" for axis in sorted(support.directions)]
         elif isinstance(support, Symmetry):
-            lines.append(f"{_plain(support.face)}, {_normal_axis(model.mesh, support.face) + 1}")
+            lines += _mirror_lines(model, support.face, points)
         elif isinstance(support, Radial):
             raise TurgorError(f"'{support.face}' is held radially, which .inp files cannot say; hold other directions.")
         elif isinstance(support, PlaneSection):
             raise TurgorError(
                 f"'{support.face}' is a plane section, whose thrust .inp files cannot say; hold it or leave it free."
             )
-        elif isinstance(support, Displacement):
-            raise TurgorError(f"the displacement of '{support.face}' is a function, which has no form in .inp files.")
         else:
-            point = support.name if isinstance(support, ReferencePoint) else support.point
-            raise TurgorError(f"the reference point '{point}' is not written into .inp files; leave it out.")
+            raise TurgorError(f"the displacement of '{support.face}' is a function, which has no form in .inp files.")
     return lines
+
+
+def _mirror_lines(model: Model, face: str, points: Mapping[str, InpPoint]) -> list[str]:
+    """A mirror plane, without the nodes of rigid faces, which follow their points and may not be held too."""
+    direction = _normal_axis(model.mesh, face) + 1
+    rigid = [model.mesh.face_nodes(each.point.face) for each in points.values() if each.point.coupling == RIGID]
+    sides = model.mesh.face(face)
+    nodes = np.unique(sides[:, : 6 if model.mesh.cell_type is TETRAHEDRON else 8])
+    left = nodes[~np.isin(nodes, np.concatenate([np.zeros(0, dtype=np.int64), *rigid]))]
+    if len(left) == len(nodes):
+        return [f"{_plain(face)}, {direction}"]
+    return [f"{node + 1}, {direction}" for node in left.tolist()]
 
 
 def _normal_axis(mesh: Mesh, face: str) -> int:
@@ -271,7 +296,7 @@ def _amplitude_lines(model: Model) -> list[str]:
     return lines
 
 
-def _step_lines(model: Model, at: Sequence[float], program: str) -> list[str]:
+def _step_lines(model: Model, at: Sequence[float], program: str, parts: Sequence[Acting]) -> list[str]:
     lines = []
     for number, (start, end) in enumerate(zip([0.0, *at], at, strict=False)):
         length = end - start
@@ -281,7 +306,7 @@ def _step_lines(model: Model, at: Sequence[float], program: str) -> list[str]:
         lines.append(_static(model, program))
         lines.append(f"{length / 20:.12g}, {length:.12g}, {length * 1e-5:.3g}, {length / 10:.12g}")
         if number == 0:
-            lines += _load_lines(model)
+            lines += [*_load_lines(model), *step_lines(parts)]
         lines += ["*NODE FILE, FREQUENCY=1000", "U", "*EL FILE, FREQUENCY=1000", "S"]
         lines += ["*NODE PRINT, NSET=Nall, FREQUENCY=1000", "U", "*END STEP"]
     return lines
@@ -305,6 +330,6 @@ def _load_lines(model: Model) -> list[str]:
             weights += load.history != RAMP
             amplitude = "ramp" if load.history == RAMP else f"weight_{weights}"
             lines += [f"*DLOAD, AMPLITUDE={amplitude}", f"Eall, GRAV, {values}"]
-        else:
+        elif not (isinstance(load, Moment | Hanging) or (isinstance(load, Force) and load.face in model.points)):
             raise TurgorError(f"a load of kind {type(load).__name__} has no form in .inp files; leave it out.")
     return lines

@@ -189,7 +189,7 @@ def _outward(mesh: Mesh, face: str) -> Array:
 
 def _near(mesh: Mesh, face: str, outward: Array) -> NDArray[np.int64]:
     """Sides of the surface outside cavities and mirror planes that lie near the tip, (f, k)."""
-    inner = [name for name in mesh.faces if name in (*mesh.cavities, *mesh.symmetry_faces)]
+    inner = [name for name in mesh.faces if name in (*mesh.cavities, *mesh.cut_faces)]
     corners = mesh.cell_type.side.corners
     taken = {tuple(sorted(side)) for name in inner for side in mesh.faces[name][:, :corners].tolist()}
     sides = outer_triangles(mesh)

@@ -23,3 +23,9 @@ def test_a_print_bends() -> None:
 @pytest.mark.slow
 def test_a_pneunet_bends_on_paper_that_wrinkles() -> None:
     assert angle("film") == pytest.approx(8.06, rel=0.01)
+
+
+@pytest.mark.slow
+def test_a_chamber_bends_above_a_stiff_film() -> None:
+    """As in tests/verification/membranes_shells/test_tension_field.py, from its job."""
+    assert angle("stiff_film") == pytest.approx(2.143, rel=0.005)

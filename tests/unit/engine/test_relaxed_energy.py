@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import minimize
 
 from turgor.engine.faces.membranes import plane_stress_moduli
-from turgor.engine.faces.tension_field import LARGEST_SHARE, LONGEST_TOE, TensionField, tension_field
+from turgor.engine.faces.tension_field import LARGEST_SHARE, LONGEST_TOE, STRAIN_WEIGHT, TensionField, tension_field
 from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
@@ -58,6 +58,24 @@ def test_stress_and_tangent_are_derivatives(share, scale):
         assert (field.energy(up) - field.energy(down)) / (2 * h) == pytest.approx(stress[:, k], abs=1e-6 * scale)
         assert (field.stress(up) - field.stress(down)) / (2 * h) == pytest.approx(tangent[..., k], abs=1e-5)
     assert (np.linalg.eigvalsh(tangent) >= -1e-12).all()
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3])
+def test_what_it_is_linearized_about(share):
+    """A pair on the curve is kept; any other leads to the strain between what its stress and its strain say."""
+    field, random = TensionField(MODULI, share, 5e-3), np.random.default_rng(3)
+    strain, stress = random.normal(size=(60, 3)) * 0.05, random.normal(size=(60, 3)) * 0.05
+    assert field.linearized_about(field.stress(strain), strain) == pytest.approx(strain, rel=1e-9, abs=1e-12)
+    about, weight = field.linearized_about(stress, strain), STRAIN_WEIGHT / MODULI[0, 0]
+    assert field.stress(about) + weight * about @ MODULI == pytest.approx(stress + weight * strain @ MODULI, rel=1e-9)
+
+
+def test_a_stiff_sheet_goes_slack_where_its_stress_is_released():
+    """Strains of a stiff sheet that is nearly straight say little: rotations leave some of second order."""
+    stiff = tension_field(1e4 * MODULI, 0.0)
+    released, longer = np.array([-0.5, 0.0, 0.0]), np.array([1e-3, 0.0, 0.0])
+    about = stiff.linearized_about(released, longer)
+    assert stiff.stress(longer)[0] > 1 and abs(stiff.stress(about)[0]) < 1e-3
 
 
 def test_all_of_the_stiffness_in_compression_is_hookes_law():

@@ -1,14 +1,19 @@
 """Rings of an axisymmetric mesh: one mean stress for each side of a border, and no cuts around the axis."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 
 import turgor as tg
 from turgor.adaptivity.refine import refined, ring_sheets
+from turgor.engine.algebra.free_solver import MANY, solver_of
+from turgor.engine.algebra.linear import linear_solver
 from turgor.engine.algebra.rings import rings_of
+from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.cells.mean_stress_jumps import mean_stress_numbers
+from turgor.engine.system import System
 from turgor.meshing.refining.split_hexahedra import sheets
 from turgor.units import MPa, mm
 
@@ -43,6 +48,35 @@ def test_a_ring_has_one_mean_stress_on_each_side_of_a_border(bellows):
     assert all(sides["low"][ring] != sides["high"][ring] for ring in shared)
 
 
+def test_pressure_in_a_bellows_has_a_potential(bellows):
+    """The rim at the pinhole keeps its radius, so that the tangent is symmetric and its pivots are counted."""
+    rubber = tg.Material(law=tg.laws.NeoHooke(C10=0.1 * MPa), name="rubber")
+    model = tg.Model(bellows, {"body": rubber}, [tg.Fixed("fixed")], [tg.Pressure("cavity", 1e3)])
+    system = System(model)
+    assert system.terms.symmetric
+    tangent = Tangent(system, "rslab", 1)
+    tangent.factor(system.evaluate(np.zeros(system.size), 0.0))
+    assert tangent.name == "rslab"
+    assert tangent.unstable_modes() == 0
+
+
+def test_held_unknowns_are_left_out_of_the_factorization(bellows):
+    rubber = tg.Material(law=tg.laws.NeoHooke(C10=0.1 * MPa), name="rubber")
+    system = System(tg.Model(bellows, {"body": rubber}, [tg.Fixed("fixed")], []))
+    assert system.held.mean() > MANY
+    data = system.tangent_data(system.evaluate(np.zeros(system.size), 0.0))
+    system.apply_supports(data)
+    make = partial(linear_solver, "rslab", threads=1)
+    whole, free = make(system.pattern), solver_of(make, system.pattern, system.held)
+    right = np.random.default_rng(1).standard_normal(system.size)
+    for solver in (whole, free):
+        solver.factor(data)
+    assert free.solve(right) == pytest.approx(whole.solve(right), rel=1e-9, abs=1e-9)
+    assert free.negative_pivots(0) == whole.negative_pivots(0) == system.constraint_count
+    free.double = True
+    assert free.double
+
+
 def test_a_refined_mesh_has_as_many_cells_around(bellows):
     around = ring_sheets(bellows, sheets(bellows))
     assert len(around) == 2
@@ -50,3 +84,13 @@ def test_a_refined_mesh_has_as_many_cells_around(bellows):
     assert fine.mesh.revolved == "x"
     assert len(fine.mesh.cells) == 4 * len(bellows.cells)
     assert len(ring_sheets(fine.mesh, sheets(fine.mesh))) == 2
+
+
+def test_the_pinhole_on_the_axis_touches_nothing(bellows):
+    model = of_two(bellows)
+    contact = tg.Contact(self_contact=True)
+    touching = tg.Model(model.mesh, model.materials, model.supports, [], contact=contact)
+    sides = np.concatenate([part.surface.sides for part in System(touching).contact.parts])
+    assert len(sides)
+    assert bellows.on_axis.any()
+    assert not bellows.on_axis[sides].all(axis=1).any()

@@ -178,8 +178,8 @@ CHANGES = [
     ('size = "3 mm"', 'size = "8 mm"', "small.toml:8: mesh.size: 8 mm, too coarse for the wall of 1 mm; allowed is 0."),
     ('size = "3 mm"', 'wall_cells = 5', "small.toml:8: mesh.wall_cells: 5; allowed is 1, which leaves the walls as "),
     ('size = "3 mm"', 'cells = "hexa"', "small.toml:8: mesh.cells: unknown kind of cells 'hexa'"),
-    ('size = "3 mm"', 'cells = "hexahedra"\nface_sizes = { cavity = "1 mm" }', "small.toml:8: mesh.cells: mesh size of "
-     "face 'cavity' is given, but only tetrahedra can follow sizes of faces."),
+    ('size = "3 mm"', 'cells = "hexahedra"\nface_sizes = { cavity = "4 mm" }', "small.toml:9: mesh.face_sizes: mesh "
+     "size of face 'cavity' is 4 mm; allowed is 0.067 mm to "),
     ('size = "3 mm"', 'wall_cells = 1.5', "small.toml:8: mesh.wall_cells: 1.5 is not a whole number."),
     ('size = "3 mm"', 'face_sizes = { cavty = "1 mm" }', "small.toml:8: mesh.face_sizes: unknown face 'cavty'; did "),
     ('size = "3 mm"', 'face_sizes = { cavity = "3 mm" }', "small.toml:8: mesh.face_sizes: mesh size of face 'cavity' "

@@ -9,7 +9,7 @@ import turgor as tg
 from turgor.errors import TurgorError
 from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden, YeohN
 from turgor.meshing.exchange.read import read_mesh
-from turgor.model.inp_materials import material_lines
+from turgor.model.inp.materials import material_lines
 from turgor.model.loads import Traction
 from turgor.model.supports import Displacement
 from turgor.model.write_inp import cell_faces, write_inp

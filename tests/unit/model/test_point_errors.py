@@ -88,6 +88,8 @@ def test_what_has_no_mirror_image_is_refused(load):
         ((), 6),
         ((tg.Fixed("plate"),), 3),
         ((tg.Fixed("plate"), Hinge("plate", "y")), 1),
+        ((tg.Fixed("plate"), Hinge("plate", (1, 2, 3))), 1),
+        ((tg.Fixed("plate"), Rotation("plate", 1.0, (1, 2, 3), tilts=True)), 2),
         ((Rotation("plate"),), 3),
         ((tg.Fixed("plate"), Rotation("plate")), 0),
     ],
@@ -102,7 +104,23 @@ def test_a_point_holds_the_motions_that_it_holds(holds, free, coupling):
     check_supports(tg.Model(mesh, model.materials, [sprung], []))
 
 
-def test_it_is_described_and_measured(tmp_path):
+@pytest.mark.parametrize("axis", ["w", (0, 0, 0), (1, 2)])
+def test_a_hinge_needs_an_axis(axis):
+    with pytest.raises(TurgorError, match="hinge of 'plate': axis is"):
+        Hinge("plate", axis)
+
+
+def test_a_hinge_between_mirror_planes_turns_about_their_normal_or_not_at_all():
+    still, turns = (
+        System(rig.rig(PLATE, [Hinge("plate", axis)], mesh=rig.bar(half=True))) for axis in ((1, 1, 0), (0, 2, 0))
+    )
+    free = [int((~s.held[3 * s.carriers[0].arrows[:, None] + np.arange(3)]).sum()) for s in (still, turns)]
+    assert free == [0, 4]
+    with pytest.raises(TurgorError, match="it can turn about y only"):
+        System(rig.rig(PLATE, [Rotation("plate", 1.0, (1, 1, 0), tilts=True)], mesh=rig.bar(half=True)))
+
+
+def test_it_is_described_and_measured():
     supports = [tg.Fixed("plate", "x"), Hinge("plate", "y")]
     model = rig.rig(PLATE, supports, [Moment("plate", (0, 0.02, 0)), Hanging("plate", 0.1)], bulk_modulus=5e6)
     said = " ".join([*describe.supports(model), *describe.loads(model)])
@@ -113,8 +131,37 @@ def test_it_is_described_and_measured(tmp_path):
     assert find_measure("plate_reaction_moment_y").unit == "Nm"
     with pytest.raises(TurgorError, match="unknown measure of a reference point 'rotaton'; did you mean 'rotation'"):
         of_point("plate", "rotaton", "x")
-    with pytest.raises(TurgorError, match="is not written into"):
+
+
+@pytest.mark.parametrize(
+    ("point", "supports", "loads", "said"),
+    [
+        (ReferencePoint("plate", "x1", coupling="averaging"), (), (), "cannot be held or moved"),
+        (ReferencePoint("plate", "x1", rotational_spring=1.0), (), (), "its rotational spring has no form"),
+        (ReferencePoint("plate", "x1", mass=1.0, center=(0, 0, 0)), (), (), "a center of mass beside the point"),
+        (PLATE, (Hinge("plate", (1, 1, 0)),), (), "its axis is (1.0, 1.0, 0.0); .inp files have hinges about"),
+        (PLATE, (Rotation("plate", 1.0, tilts=True),), (), "tilts, which .inp files cannot say"),
+        (PLATE, (), (Moment("plate", (0, 1, 0), follower=True),), "follows its point has no form"),
+    ],
+)
+def test_what_has_no_form_in_inp_files_is_refused(tmp_path, point, supports, loads, said):
+    model = rig.rig(point, supports, loads, bulk_modulus=5e6)
+    with pytest.raises(TurgorError) as error:
         write_inp(model, tmp_path / "model.inp")
+    assert said in str(error.value)
+
+
+def test_an_inp_file_of_abaqus_has_couplings(tmp_path):
+    file = tmp_path / "model.inp"
+    point = ReferencePoint("plate", "x1", coupling="averaging", mass=0.1, spring=(20.0, 0, 0))
+    write_inp(rig.rig(point, [tg.Fixed("plate", "x")], [Moment("plate", (0, 0.02, 0))]), file, program="abaqus")
+    text = file.read_text()
+    node = len(rig.bar().points) + 1
+    assert f"*NODE\n{node}, 40, " in text
+    assert f"*COUPLING, CONSTRAINT NAME=tie_plate, REF NODE={node}, SURFACE=x1\n*DISTRIBUTING\n1, 6\n" in text
+    assert f"*BOUNDARY\n{node}, 1\n" in text
+    assert f"*CLOAD, AMPLITUDE=ramp\n{node}, 5, 20\n" in text  # N mm
+    assert "*SPRING, ELSET=spring_plate_x\n1\n0.02\n" in text  # N/mm
 
 
 def test_its_rotation_is_read_as_vector_and_twist():

@@ -54,6 +54,10 @@ def read(tmp_path, more):
         FULL,
         '[points.plate]\nface = "tip"\nheld = "xz"\ndisplacement = [0, 0, "1 mm"]\nrotation = "20 deg"\naxis = "+y"\n',
         '[points.plate]\nface = "tip"\nheld = "x"\nhinge = "y"\nforce = [0, 0, "1 mN"]\n',
+        '[points.plate]\nface = "tip"\nhinge = [1, 1, 0]\nspring = ["2 N/m", 0, "1 N/m"]\nforce = [0, 0, "1 mN"]\n',
+        '[points.plate]\nface = "tip"\nrotation = "20 deg"\ntilts = true\n',
+        '[points.plate]\nface = "tip"\nheld = "z"\ndisplacement = [0, 0, "1 mm"]\n'
+        "history = [[0, 0], [0.5, 1], [1, 0]]\n",
     ],
 )
 def test_points_are_read_and_come_back(tmp_path, more):
@@ -92,7 +96,9 @@ def test_the_keys_are_those_of_the_model(tmp_path):
         ('face = "tip"\ndisplacement = [0, 0, "1 mm"]', "the point is not held"),
         ('face = "tip"\nheld = "xw"', "allowed are the letters x, y and z"),
         ('face = "tip"\nrotation = "1 deg"\nhinge = "y"', "rotation and hinge are both given"),
-        ('face = "tip"\nhinge = "w"', "allowed are 'x', 'y' and 'z'"),
+        ('face = "tip"\nhinge = "w"', "unknown direction 'w'"),
+        ('face = "tip"\nforce = [0, 0, "1 mN"]\ntilts = true', "the point has no rotation"),
+        ('face = "tip"\nmass = "1 g"\nspring = ["1 N", 0, 0]', "'1 N' is a force, but a spring stiffness is needed"),
     ],
 )
 def test_what_cannot_be_is_refused(tmp_path, more, said):
@@ -114,6 +120,20 @@ def test_a_weight_is_what_the_support_carries(tmp_path):
     assert response.column("reaction")[-1] == pytest.approx(1e-3 * 9.80665, rel=1e-5)
     assert response.column("plate_displacement_z")[-1] < -5e-6
     assert response.column("plate_rotation_x")[-1] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_history_moves_the_point_there_and_back(tmp_path):
+    model, _ = prepare(
+        read(
+            tmp_path,
+            '[points.plate]\nface = "tip"\nheld = "z"\ndisplacement = [0, 0, "-1 mm"]\n'
+            "history = [[0, 0], [0.5, 1], [1, 0]]\n",
+        )
+    )
+    response = tg.measure(tg.solve(model))
+    moved = response.column("plate_displacement_z")
+    assert moved.min() == pytest.approx(-1e-3)
+    assert moved[-1] == pytest.approx(0.0, abs=1e-12)
 
 
 def test_concentrated_forces_are_read_and_come_back(tmp_path):

@@ -6,6 +6,7 @@ from dataclasses import is_dataclass
 from importlib import import_module
 from pathlib import Path
 
+import pytest
 import typer.main
 from PIL import Image
 
@@ -19,7 +20,7 @@ from turgor.job.tables.obstacles import SHAPES, STL, ObstacleTable, obstacle_tab
 
 ROOT = Path(__file__).parents[3]
 SOURCES = sorted((ROOT / "src").rglob("*.py"))
-FINDING = re.compile(r"\b([BDGLMNP]\d\d)\b")
+FINDING = re.compile(r"\b([BDFGLMNP]\d\d)\b")
 
 
 def read(name):
@@ -37,8 +38,9 @@ def test_every_finding_has_its_section():
     assert used >= {"G01", "B01", "B02"}
 
 
-def test_functions_named_on_the_page_on_theory_exist():
-    names = set(re.findall(r"`(turgor\.[\w.]+)`", read("docs/theory.md")))
+@pytest.mark.parametrize("page", ["theory", "rods"])
+def test_functions_named_on_the_pages_on_theory_exist(page):
+    names = set(re.findall(r"`(turgor\.[\w.]+)`", read(f"docs/{page}.md")))
     assert len(names) > 15
     for name in names:
         module, attribute = name.rsplit(".", 1)

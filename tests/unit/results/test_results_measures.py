@@ -30,6 +30,13 @@ def test_bending_angle_of_a_circle(half, angle):
     assert measures.bending_angle(state) / deg == pytest.approx(angle, abs=1e-2)  # quadratic faces of a curved body
 
 
+@pytest.mark.parametrize("half", [False, True])
+@pytest.mark.parametrize("angle", [-60, 30, 120])
+def test_chord_angle_of_a_circle_is_half_of_it(half, angle):
+    state = cases.state(cases.model(cases.body(half=half)), cases.bent(angle * deg))
+    assert find_measure("chord_angle")(state) / deg == pytest.approx(angle / 2, abs=1e-2)
+
+
 def test_bending_angle_ignores_a_turn_of_the_whole_actuator():
     """The base may turn: what counts is the tip against it."""
     c, s = np.cos(50 * deg), np.sin(50 * deg)

@@ -1,8 +1,8 @@
 """What hoops, and threads that go slack, do to a semicircular bender (review, guidelines 7.2-2, 7.2-5; 8.1).
 
 The section of V21: void of radius 8 mm, wall and base 2 mm, neo-Hookean (C10 = 0.12 MPa), base 650 N/mm along and
-across, contour 257 N/mm, smeared. A slice far from the ends of a long actuator, between planes that turn against each
-other (tests/verification/bent_slice.py); the angle is that of 160 mm of it. Expected: a converged section (case V21 of
+across, contour 257 N/mm, smeared. The section of a long actuator, far from its ends (`turgor.Section`); the angle is
+that of 160 mm of it. Expected: a converged section (case V21 of
 tests/verification). Tolerance: 2 % or the last digit of the expected angle.
 """
 

@@ -19,6 +19,7 @@ from turgor.engine.system import System
 from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
+SHELL = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e-3, bending=True)
 WRINKLING = tg.Membrane(SHEET.material, SHEET.thickness, compression=0.0)
 OPEN = tg.Pressure("z1", 4e4)
 OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))
@@ -40,6 +41,7 @@ CASES = {
     "pressure on all faces": (problems.YEOH, np.inf, None, tuple(tg.Pressure(s, 4e4) for s in meshes.SIDES)),
     "membrane": (problems.YEOH, np.inf, SHEET, ()),
     "membrane that wrinkles": (problems.YEOH, np.inf, WRINKLING, ()),
+    "shell": (problems.YEOH, np.inf, SHELL, ()),
     "membrane and pressure": (problems.YEOH, 2e7, SHEET, (OPEN,)),
 }
 

@@ -5,8 +5,8 @@ reference area: ½ · 257 (λs − 1)² N/mm on the whole contour, on the base a
 in tension and compression: smeared fibers with compression = 1. Closed ends. κ is rotation for each reference length.
 Reference: converged mixed elements of third and fourth order on the section (NGSolve), reduction exact for actuators
 that are long enough.
-Tolerance: 2 % of κ for whole actuators. The slice (`bent_slice`, one layer of 27-node hexahedra between planes that
-turn against each other) is the same problem, and is held to 1 % of κ and 0.5 % of the volume.
+Tolerance: 2 % of κ for whole actuators. `turgor.Section` solves the same problem as the reference, and is held to 0.5 %
+of κ and 0.2 % of the volume.
 The whole actuator: the base has no stiffness in shear but its 2 mm of rubber (G t = 0.48 N/mm against 650 N/mm along
 the fibers), so fibers that an end wall holds flat slip against each other over √(650 / 0.48) · 20 mm / 2π ≈ 117 mm. An
 actuator of 100 mm is all end: its κ between 40 % and 60 % of the length is 15 % too large at 2 kPa. 2 % needs about
@@ -33,21 +33,21 @@ def test_section(record_verification):
     curvature = [each.curvature * mm for each in found]
     volume = [each.volume / mm**2 for each in found]
     record_verification(
-        claim="semicircular bender, slice: κ at 2, 5, 10, 20, 50, 100 kPa [rad/mm]",
+        claim="semicircular bender, section: κ at 2, 5, 10, 20, 50, 100 kPa [rad/mm]",
         source="V21, converged",
         expected=CURVATURE,
         got=curvature,
-        tolerance="1 %",
+        tolerance="0.5 %",
     )
     record_verification(
-        claim="semicircular bender, slice: volume of the cavity [mm³/mm]",
+        claim="semicircular bender, section: volume of the cavity [mm³/mm]",
         source="V21, converged",
         expected=VOLUME,
         got=volume,
-        tolerance="0.5 %",
+        tolerance="0.2 %",
     )
-    assert curvature == pytest.approx(CURVATURE, rel=0.01)
-    assert volume == pytest.approx(VOLUME, rel=5e-3)
+    assert curvature == pytest.approx(CURVATURE, rel=5e-3)
+    assert volume == pytest.approx(VOLUME, rel=2e-3)
 
 
 @pytest.mark.slow

@@ -6,18 +6,22 @@ pure bending is, so that quadratic cells hold the exact solution of the linear t
 Exact: the end turns by M L / (E I), and the point's mean displacement is that of a parabola.
 Source: theory of beams, exact here; E = 6 C10, I = a⁴/12. Tolerance: 1e-6, the share of what is not linear.
 
+With a hinge about an axis at 45° in the section, the part of the moment about this axis bends the bar, and the hinge
+takes the rest. A prescribed twist that leaves the tilt free leaves the bending as it is, of 1e-3 of an angle squared.
+
 A rigid face that may only move along x is what `PlaneSection` and `Fixed` in y and z make of it: the same equations, so
 the same displacements to round-off. And half of a bar between mirror planes carries half of force, moment and springs.
 """
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation as Turn
 
 import problems
 import rig
 import turgor as tg
 from turgor.loads import Force, Hanging, Moment
-from turgor.supports import PlaneSection, ReferencePoint, Rotation
+from turgor.supports import Hinge, PlaneSection, ReferencePoint, Rotation
 
 YOUNG = 6 * problems.NEO_HOOKE.C10
 INERTIA = rig.SIDE**4 / 12
@@ -37,6 +41,50 @@ def test_a_moment_bends_a_bar_to_a_circle(record_verification):
     assert state.points["left"].moment == pytest.approx([0.0, -moment, 0.0], abs=1e-6 * moment)
     # the tip of a parabola, less what the section of the other end dishes on average, which is the same at both
     assert state.points["right"].displacement[2] == pytest.approx(-0.5e-3 * rig.LENGTH, rel=1e-5)
+
+
+def _bent(*supports):
+    points = [ReferencePoint("left", "x0", coupling="averaging"), ReferencePoint("right", "x1", coupling="averaging")]
+    moment = np.array([0.0, 1e-3 * YOUNG * INERTIA / rig.LENGTH, 0.0])
+    model = tg.Model(
+        rig.bar(), {"body": problems.rubber(problems.NEO_HOOKE)},
+        [*points, tg.Fixed("left"), Rotation("left"), *supports], [Moment("right", moment)],
+    )  # fmt: skip
+    right = problems.solve(model, tg.Static(tolerance=1e-9)).states[-1].points["right"]
+    return Turn.from_matrix(right.rotation).as_rotvec(), right.moment / moment[1]
+
+
+def test_a_hinge_takes_the_moment_across_its_axis(record_verification):
+    rotation, reaction = _bent(Hinge("right", (0.0, 2.0, 2.0)))
+    angle = float(np.linalg.norm(rotation))
+    record_verification("bar with a skew hinge: angle of its end [mrad]", "V08, beam", 0.5**0.5, 1e3 * angle, "1e-6")
+    assert rotation == pytest.approx([0.0, 0.5e-3, 0.5e-3], abs=1e-9)
+    assert reaction == pytest.approx([0.0, -0.5, 0.5], abs=2e-6)
+
+
+def test_a_driven_twist_leaves_the_bending():
+    rotation, reaction = _bent(Rotation("right", 2e-3, tilts=True))
+    assert rotation == pytest.approx([2e-3, 1e-3, 0.0], abs=3e-6)  # the bent axis is not that of the twist
+    assert reaction[0] > 0.1
+    assert reaction[1:] == pytest.approx([0.0, 0.0], abs=2e-3)
+    kept, held = _bent(Rotation("right", 2e-3))
+    assert kept == pytest.approx([2e-3, 0.0, 0.0], abs=1e-12)
+    assert held[1] == pytest.approx(-1.0, abs=1e-5)
+    twice = _bent(Rotation("right", 4e-3, tilts=True))[1]
+    assert twice[0] == pytest.approx(2 * reaction[0], rel=1e-5)
+
+
+def test_a_twist_goes_through_many_turns_with_a_tilt():
+    """More than half a turn about a skew axis: the twist is what was asked for, whatever the tilt."""
+    axis = np.array([3.0, 1.0, 0.0]) / 10**0.5
+    point = ReferencePoint("plate", "x1")
+    model = rig.rig(point, [Rotation("plate", 3.5, tuple(axis), tilts=True)], mesh=rig.bar(counts=(4, 1, 1)))
+    last = problems.solve(model, tg.Static(first_step=0.1)).states[-1].points["plate"]
+    x, y, z, w = Turn.from_matrix(last.rotation).as_quat()
+    twist = 2 * np.arctan2(axis @ [x, y, z], w)
+    assert np.cos(twist - 3.5) == pytest.approx(1.0, abs=1e-8)
+    tilted = np.arccos(axis @ last.rotation @ axis)
+    assert tilted > 0.05
 
 
 def test_a_guided_rigid_face_is_a_plane_section():

@@ -38,10 +38,19 @@ def _point(coupling, **more):
     return ReferencePoint("plate", "x1", at=AT, coupling=coupling, **more)
 
 
+#: A hinge about a skew axis, and a prescribed twist about it.
+BEARINGS = {
+    "free": (),
+    "hinge": (Hinge("plate", (1.0, -2.0, 0.5)),),
+    "twist": (Rotation("plate", 0.7, (1.0, -2.0, 0.5), tilts=True),),
+}
+
+
+@pytest.mark.parametrize("bearing", BEARINGS)
 @pytest.mark.parametrize("coupling", COUPLINGS)
-def test_the_tangent_is_the_derivative(coupling, record_verification):
+def test_the_tangent_is_the_derivative(coupling, bearing, record_verification):
     point = _point(coupling, spring=(30.0, 40.0, 50.0), rotational_spring=0.3)
-    system = System(rig.rig(point, loads=LOADS, bulk_modulus=50e6))
+    system = System(rig.rig(point, BEARINGS[bearing], loads=LOADS, bulk_modulus=50e6))
     unknowns = rig.turned(system, 1)
     way = np.random.default_rng(2).standard_normal(system.size)
     way[rig.followers(system)] = 0.0
@@ -49,7 +58,9 @@ def test_the_tangent_is_the_derivative(coupling, record_verification):
     differences = (system.residual(unknowns + step * way, 1.0) - system.residual(unknowns - step * way, 1.0)) / 2 / step
     tangent = system.tangent(unknowns, 1.0) @ way
     error = float(np.abs(tangent - differences).max() / np.abs(differences).max())
-    record_verification(f"tangent of a point, {coupling}, against differences", "derivation", 0.0, error, "1e-8")
+    record_verification(
+        f"tangent of a point, {coupling}, {bearing}, against differences", "derivation", 0.0, error, "1e-8"
+    )
     assert error < 1e-8
 
 
@@ -174,7 +185,9 @@ def test_the_face_carries_what_acts_on_the_point(coupling, record_verification):
 def test_a_solver_that_pivots_in_fronts_factors_them(coupling, kind, counts):
     """Places and multipliers have zeros on the diagonal, which stopped the factorization on some of these meshes."""
     mesh = rig.bar(kind, counts)
-    for supports in ((), (tg.Fixed("plate", "yz"),), (Rotation("plate"),), (tg.Fixed("plate"), Hinge("plate", "y"))):
+    hinges = [(tg.Fixed("plate"), Hinge("plate", axis)) for axis in ("y", (1, 2, 3))]
+    turns = [(Rotation("plate"),), (Rotation("plate", 1.0, (1, 2, 3), tilts=True),)]
+    for supports in ((), (tg.Fixed("plate", "yz"),), *turns, *hinges):
         system = System(rig.rig(_point(coupling), supports, mesh=mesh))
         data = system.tangent_data(system.evaluate(np.zeros(system.size), 0.0))
         system.apply_supports(data)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from turgor.geometry.cad.inspection import Inspection
     from turgor.job.output.outcome import RunOutcome
+    from turgor.laboratory.compare import Comparison
     from turgor.materials.experiments.material_test import MaterialTest
     from turgor.materials.fitting.history_fit import HistoryFit
     from turgor.materials.fitting.ranking import Ranking
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from turgor.meshing.mesh import Mesh
     from turgor.response import Response
     from turgor.results.convergence.study import Convergence
+    from turgor.section.solution import SectionSolution
     from turgor.solvers.dynamics.modes import Modes
 
 
@@ -131,6 +133,37 @@ class ModesResult:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ComparedResult:
+    """``turgor compare``: how far a run is from an experiment, in SI units.
+
+    Parameters
+    ----------
+    x, y : str
+        Columns of the run that were compared.
+    rows : int
+        Number of measured rows within the computed range.
+    rms, largest, largest_at, relative, shift, rms_shifted : float
+        As in `turgor.experiments.Comparison`.
+    notes : list of str
+        What was left out or assumed.
+    files : list of str
+        Files that were written.
+    """
+
+    x: str
+    y: str
+    rows: int
+    rms: float
+    largest: float
+    largest_at: float
+    relative: float
+    shift: float
+    rms_shifted: float
+    notes: Sequence[str]
+    files: Sequence[Path]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ConvergenceResult:
     """``turgor convergence``: a measure on finer and finer meshes.
 
@@ -149,6 +182,32 @@ class ConvergenceResult:
     measure: str
     columns: list[dict[str, Any]]
     summary: str
+    folder: Path
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SectionResult:
+    """``turgor section``: the section of the actuator against pressure.
+
+    Parameters
+    ----------
+    name : str
+        Name of the job.
+    status, message : str
+        ``"converged"``, or why the path ended early, and what may help.
+    columns : list of tables
+        ``name``, ``unit`` and ``values`` in this unit, one for each state.
+    stable : list of bool
+        Whether each state is stable.
+    folder : str
+        Folder of table and plot.
+    """
+
+    name: str
+    status: str
+    message: str
+    columns: list[dict[str, Any]]
+    stable: Sequence[bool]
     folder: Path
 
 
@@ -302,10 +361,37 @@ def modes_result(modes: "Modes") -> ModesResult:
     )
 
 
+def compared_result(found: "Comparison", files: Sequence[Path]) -> ComparedResult:
+    """Return the numbers of a comparison.
+
+    Parameters
+    ----------
+    found : Comparison
+    files : sequence of Path
+    """
+    return ComparedResult(
+        x=found.x, y=found.y, rows=len(found.rows), rms=found.rms, largest=found.largest, largest_at=found.largest_at,
+        relative=found.relative, shift=found.shift, rms_shifted=found.rms_shifted, notes=found.notes, files=files,
+    )  # fmt: skip
+
+
 def convergence_result(study: "Convergence", folder: Path) -> ConvergenceResult:
     """Make the result of a convergence study."""
     columns = columns_of(study.response)
     return ConvergenceResult(measure=study.measure.name, columns=columns, summary=study.summary, folder=folder)
+
+
+def section_result(name: str, solution: "SectionSolution", folder: Path) -> SectionResult:
+    """Make the result of a section analysis."""
+    response = solution.response
+    return SectionResult(
+        name=name,
+        status=response.status,
+        message=response.message,
+        columns=columns_of(response),
+        stable=solution.stable,
+        folder=folder,
+    )
 
 
 def inspect_result(found: "Inspection") -> InspectResult:

@@ -6,11 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.cyclic import CyclicPairs
 from turgor.engine.algebra.multipoint import UNTIED, MultiPoint
 from turgor.engine.algebra.node_frames import NodeFrames
-from turgor.engine.algebra.rings import TANGENTIAL, rings_of
+from turgor.engine.algebra.rings import AXIAL, TANGENTIAL, rings_of
 from turgor.engine.algebra.sections import Section, coordinate_plane, plane_sections
-from turgor.engine.points.carriers import Carrier, carriers_of
+from turgor.engine.points.carriers import Carrier, carriers_of, with_carried
 from turgor.engine.points.holding import Turned, check_rigid, hold_points, rigid_ties
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
@@ -111,8 +112,11 @@ def held_components(model: Model) -> Held:
         section.check(mask)
         mask[section.nodes, section.axis] = True
     if model.mesh.revolved:
-        return _around_axis(model, mask, tuple(moving), sections)
-    return _with_rigid(_with_normals(mask, tuple(moving), radial, sections), carriers)
+        return _around_axis(model, mask, tuple(moving), sections, carriers)
+    held = _with_normals(mask, tuple(moving), radial, sections)
+    if model.mesh.wedge is not None:
+        held = _with_cyclic(model, held, mask, sections)
+    return _with_rigid(held, carriers)
 
 
 def _nodes(model: Model, support: Fixed | Symmetry | Displacement, points: Mapping[str, Carrier]) -> Ints:
@@ -133,16 +137,40 @@ def _with_rigid(held: Held, carriers: tuple[Carrier, ...]) -> Held:
     return replace(held, ties=ties, carriers=carriers)
 
 
+def _with_cyclic(model: Model, held: Held, mask: NDArray[np.bool_], sections: tuple[Section, ...]) -> Held:
+    """Let the higher cut face of a wedge follow the lower one; ``mask`` are the components held along the axes."""
+    carriers = carriers_of(model)
+    pairs = CyclicPairs.of(model.mesh, carriers)
+    pairs.check_alike(mask)
+    pairs.check_sections(sections)
+    local, along = held.mask.copy(), held.along_axes.copy()
+    local[pairs.low] |= local[pairs.high]
+    for both in (local, along):
+        both[pairs.on_axis[:, None], pairs.wedge.across] = True
+    frames, normals = pairs.frames(held.frames, held.normals, len(mask))
+    ties = pairs.ties(held.ties, len(mask))
+    held = replace(held, mask=local, frames=frames, along_axes=along, normals=normals, ties=ties)
+    points = with_carried(model.mesh.points, carriers)
+    for nodes, _, support in held.moving:
+        if isinstance(support, Displacement):
+            pairs.check_moved(np.where(local, held.values(points, 1.0), 0.0), nodes, support.face)
+    local.ravel()[ties.followers] = True
+    return held
+
+
 def _around_axis(
     model: Model,
     mask: NDArray[np.bool_],
     moving: tuple[tuple[Ints, list[int], Displacement | Turned], ...],
     sections: tuple[Section, ...],
+    carriers: tuple[Carrier, ...],
 ) -> Held:
-    """Hold and tie the nodes of a body of revolution ring by ring; see `turgor.engine.algebra.rings`."""
-    rings = rings_of(model.mesh)
-    if len(mask) > len(model.mesh.points):
-        raise TurgorError("reference points do not go with axisymmetric meshes; use another kind of cells.")
+    """Hold and tie the nodes of a body of revolution ring by ring; see `turgor.engine.algebra.rings`.
+
+    Its mirror planes leave a reference point the way along the axis alone, which a rigid face follows; the radii of
+    the face stay.
+    """
+    rings, count = rings_of(model.mesh), len(model.mesh.points)
     for section in sections:
         mask[section.nodes, section.axis] = False  # its leader is free, and the others follow it
         if section.axis != rings.axis:
@@ -150,11 +178,17 @@ def _around_axis(
                 f"PlaneSection of '{section.face}': its normal must be the axis {AXES[rings.axis]} of the axisymmetric "
                 "mesh."
             )
-    local = rings.local_mask(mask, radial_normals(model)[0])
-    ties = rings.ties(_ties(mask, np.zeros(0, dtype=np.int64), sections))
-    held = Held(local, moving, rings.frames, mask, np.zeros_like(model.mesh.points), ties)
+    rigid = [each for each in carriers if each.rigid]
+    radial = np.concatenate([radial_normals(model)[0], *(each.nodes for each in rigid)])
+    local = np.concatenate([rings.local_mask(mask[:count], radial), mask[count:]])
+    together = [(section.nodes, 3 * section.leader + AXIAL) for section in sections]
+    together += [(each.nodes, 3 * each.node + rings.axis) for each in rigid]
+    ties = rings.ties(together, len(mask))
+    along_axes = mask.copy()
+    along_axes[:count] |= rings.on_axis[:, None] & (np.arange(3) != rings.axis)
+    held = Held(local, moving, rings.frames, along_axes, np.zeros_like(model.mesh.points), ties, carriers)
     for nodes, _, support in moving:
-        swept = held.values(model.mesh.points, 1.0)[nodes]
+        swept = held.values(with_carried(model.mesh.points, carriers), 1.0)[nodes]
         astray = np.abs(swept[:, TANGENTIAL]).max(initial=0.0)
         if isinstance(support, Displacement) and astray > ROUND * np.abs(swept).max():
             raise TurgorError(

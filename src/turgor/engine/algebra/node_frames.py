@@ -58,11 +58,12 @@ class NodeFrames:
         """Turn the rows and columns of a matrix of all unknowns."""
         if not len(self.nodes):
             return matrix
-        rows = (3 * self.nodes[:, None] + np.arange(3)).ravel()
-        turn = sp.identity(matrix.shape[0], format="lil")
-        turn[rows, rows] = 0.0
-        turn[np.repeat(rows, 3), np.repeat(rows.reshape(-1, 3), 3, axis=0).ravel()] = self.axes.ravel()
-        turn = turn.tocsc()
+        own = 3 * self.nodes[:, None] + np.arange(3)
+        rest = np.setdiff1d(np.arange(matrix.shape[0]), own)
+        rows = np.concatenate([np.repeat(own, 3, axis=1).ravel(), rest])
+        columns = np.concatenate([np.tile(own, (1, 3)).ravel(), rest])
+        values = np.concatenate([self.axes.ravel(), np.ones(len(rest))])
+        turn = sp.csc_matrix((values, (rows, columns)), shape=matrix.shape)
         return (turn @ matrix @ turn.T).tocsc()
 
 

@@ -5,6 +5,7 @@ is zero, and the radial and the axial one are the same all around each ring. Wha
 of an axisymmetric model: two for each node of the meridian.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -80,15 +81,24 @@ class Rings:
         np.logical_or.at(out, self.leader, out.copy())  # what is held at any node of a ring is held at its leader
         return np.asarray(out[self.leader])
 
-    def ties(self, extra: MultiPoint) -> MultiPoint:
-        """Tie the radial and axial components of each ring; other ties are applied to the leaders on top."""
-        count = 3 * len(self.leader)
+    def ties(self, together: Sequence[tuple[Ints, int]], node_count: int) -> MultiPoint:
+        """Tie the radial and axial components of each ring, and then the axial ones of some nodes.
+
+        Parameters
+        ----------
+        together : sequence of ((k,) int array, int)
+            Nodes that move along the axis alike, and the degree of freedom that they follow.
+        node_count : int
+            All nodes, those of reference points included.
+        """
+        count = 3 * node_count
         to = np.arange(count)
         nodes = np.flatnonzero(self.leader != np.arange(len(self.leader)))
         for component in (RADIAL, AXIAL):
             to[3 * nodes + component] = 3 * self.leader[nodes] + component
         followed = np.arange(count)
-        followed[to[extra.followers]] = to[extra.leaders]
+        for alike, leader in together:
+            followed[to[3 * alike + AXIAL]] = to[leader]
         to = followed[to]
         followers = np.flatnonzero(to != np.arange(count))
         return MultiPoint(followers, to[followers], np.ones(len(followers)))

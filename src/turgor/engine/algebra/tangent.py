@@ -1,6 +1,7 @@
 """Tangent: assemble it, apply the supports, factor it and solve, with the time that each takes."""
 
 from dataclasses import dataclass
+from functools import partial
 from time import perf_counter
 
 import numpy as np
@@ -8,7 +9,9 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, gmres
 
+from turgor.engine.algebra.free_solver import solver_of
 from turgor.engine.algebra.linear import LinearSolver, UnsymmetricSolver, linear_solver
+from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.evaluation import Evaluation, Stresses
 from turgor.engine.runtime import MIXED, PLAIN
 from turgor.engine.system import System
@@ -88,7 +91,7 @@ class Tangent:
         self._data: Array = np.empty(0)
         self._whole: sp.csc_matrix | None = None
         if system.terms.symmetric:
-            self._symmetric = linear_solver(solver, system.pattern, threads)
+            self._symmetric = self._made(system.pattern)
         else:
             self._general = UnsymmetricSolver(threads)
 
@@ -106,7 +109,10 @@ class Tangent:
     def factor(
         self, at: Evaluation, geometric: Stresses | None = None, jump: Array | None = None, shift: float = 0.0
     ) -> Array:
-        """Form and factor the tangent; return the forces that moving the held unknowns by ``jump`` would cause.
+        """Form and factor the tangent; return the forces that belong to the right side besides the residual.
+
+        These are the forces that moving the held unknowns by ``jump`` would cause, and the correction of stresses that
+        the tangent is linearized about.
 
         ``shift`` is added to the diagonal of the free displacements, to make it positive where it is not.
         """
@@ -121,6 +127,9 @@ class Tangent:
             coupling = system.pattern.product(data, moved)
             if skew is not None:
                 coupling += skew @ moved
+        correction = None if geometric is None else system.correction(at, geometric)
+        if correction is not None:
+            coupling += correction
         rubbing = system.rubbing(at)
         self._rubbing = None if rubbing is None else sp.diags((~system.held).astype(np.float64)) @ rubbing
         system.apply_supports(data)
@@ -154,7 +163,11 @@ class Tangent:
         pattern = self._system.pattern
         if self._general is None and self._analyzed is not pattern:  # walls touch that did not before
             self._symmetric, self._analyzed = None, pattern
-            self._symmetric = linear_solver(self._solver, pattern, self._threads)
+            self._symmetric = self._made(pattern)
+
+    def _made(self, pattern: Pattern) -> LinearSolver:
+        make = partial(linear_solver, self._solver, threads=self._threads)
+        return solver_of(make, pattern, self._system.held)
 
     def factored(self, again: bool) -> Factored:
         """What the next step may need: the matrix too, if it uses the factors ``again``."""

@@ -50,14 +50,17 @@ def mean_stress_numbers(model: Model) -> tuple[Ints, int]:
 
 
 def numbers_at_borders(model: Model) -> tuple[Ints, int]:
-    """Number the mean stresses as `mean_stress_numbers`, but each node of a ring on its own."""
+    """Number the mean stresses as `mean_stress_numbers`, but each node of a ring on its own.
+
+    The cut faces of a wedge are one face inside the body: the node of the higher one counts as its partner.
+    """
     if model.formulation == CONTINUOUS:
-        return _at_vertices(model.mesh), model.mesh.vertex_count
+        return _at_vertices(model.mesh, model.mesh.leaders), model.mesh.vertex_count
     return _numbers(model.mesh, _alike(model), _acting(model))
 
 
-def _at_vertices(mesh: Mesh) -> Ints:
-    return np.ascontiguousarray(mesh.cells[:, : mesh.cell_type.corners])
+def _at_vertices(mesh: Mesh, leaders: Ints) -> Ints:
+    return np.ascontiguousarray(leaders[mesh.cells[:, : mesh.cell_type.corners]])
 
 
 def _alike(model: Model) -> tuple[tuple[str, ...], ...]:
@@ -89,15 +92,15 @@ def _acting(model: Model) -> tuple[str, ...]:
 
 @lru_cache(maxsize=4)
 def _numbers(mesh: Mesh, alike: tuple[tuple[str, ...], ...], acting: tuple[str, ...]) -> tuple[Ints, int]:
-    at_vertices, count = _at_vertices(mesh), len(mesh.points)
-    sides = cell_sides(mesh.cells)
+    leaders, count = mesh.leaders, len(mesh.points)
+    at_vertices, sides = _at_vertices(mesh, leaders), cell_sides(leaders[mesh.cells])
     keys = corner_keys(sides, count)
     first, second = _twins(keys)
     per_cell = len(mesh.cell_type.sides)
     rubber = _rubber_of(mesh, alike)
     jumps = rubber[first // per_cell] != rubber[second // per_cell]
     for name in acting:
-        jumps |= np.isin(keys[first], corner_keys(mesh.face(name), count))
+        jumps |= np.isin(keys[first], corner_keys(leaders[mesh.face(name)], count))
     if not jumps.any():
         return at_vertices, mesh.vertex_count
     corners = mesh.cell_type.side.corners

@@ -98,9 +98,9 @@ def build_parts(
         if model.contact.obstacles:
             raise TurgorError("contact needs tetrahedra or 27-node hexahedra; this mesh has 20-node hexahedra.")
         return []
-    mirrors = of_face(mesh, surface, *mesh.symmetry_faces)
+    mirrors = of_face(mesh, surface, *mesh.cut_faces)
     cavities = of_face(mesh, surface, *mesh.cavities)
-    outside = surface.chosen(~mirrors & ~cavities)
+    outside = surface.chosen(~mirrors & ~cavities & ~_pinhole(mesh, surface))
     parts = _with_itself(model, surface, outside, (points, length))
     for obstacle in model.contact.obstacles:
         chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
@@ -113,6 +113,13 @@ def build_parts(
         else:
             parts.append(ShapePart(obstacle.name, chosen, shape, obstacle, unknown))
     return parts
+
+
+def _pinhole(mesh: Mesh, surface: Surface) -> NDArray[np.bool_]:
+    """Sides around the axis of a revolved mesh, which is within the body: the wall of the pinhole touches nothing."""
+    if not mesh.revolved:
+        return np.zeros(len(surface.sides), dtype=bool)
+    return np.asarray(mesh.on_axis[surface.sides].all(axis=1))
 
 
 def _stiff(surface: Surface, stiffness: float, length: float, model: Model) -> Surface:
@@ -134,7 +141,7 @@ def _with_itself(
         alone.insert(0, outside)
     points, length = scaled_points
     mirrored = np.zeros(len(points), dtype=bool)
-    for name in mesh.symmetry_faces:
+    for name in mesh.cut_faces:
         mirrored[mesh.face_nodes(name)] = True
     parts: list[PairPart | ShapePart] = []
     for one in alone:

@@ -91,7 +91,11 @@ def line_force(mesh: Mesh, load: LineForce) -> Array:
     keys = {tuple(sorted(edge[:2])) for edge in second.tolist()}
     edges = np.array([edge for edge in first.tolist() if tuple(sorted(edge[:2])) in keys], dtype=np.int64)
     if not len(edges):
-        raise TurgorError(f"line force: the faces '{load.faces[0]}' and '{load.faces[1]}' do not meet along an edge.")
+        raise TurgorError(
+            f"line force: the faces '{load.faces[0]}' and '{load.faces[1]}' do not meet along an edge. Along a line "
+            "within a face, take a point force every few millimeters, or divide the face along the line in the CAD "
+            "program and name both parts."
+        )
     points, share = mesh.points[edges], np.ones(len(edges))
     for axis, position in mesh.mirror_planes:
         if load.vector[axis]:

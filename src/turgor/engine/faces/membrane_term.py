@@ -10,6 +10,7 @@ from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
 from turgor.engine.faces.tension_field import TensionField, tension_field
 from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.materials.laws.laws import Hooke
+from turgor.meshing.cells import TETRAHEDRON
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -59,38 +60,62 @@ class MembraneTerm(Term):
         return 0.5 * float(np.einsum("fq,fqi,ij,fqj->", self.areas, strain, self.moduli, strain))
 
     def stresses(self, position: Array, update: Array) -> Array:
-        """Stress times thickness (f, q, 3); where the layer wrinkles, that of the linearized strain."""
+        """Stress times thickness (f, q, 3); where the layer wrinkles, the linearized strain beside it (f, q, 6)."""
         if self.field is None:
             return self._linear(position, update, self.moduli)
-        return self.field.stress(self._linear(position, update, np.eye(3)))
+        strain = self._linear(position, update, np.eye(3))
+        return np.concatenate([self.field.stress(strain), strain], axis=-1)
+
+    def continued(self, position: Array, update: Array, last: Array) -> Array:
+        """Stress and strain of an update; where the layer wrinkles, both are linear in it."""
+        if self.field is None:
+            return self._linear(position, update, self.moduli)
+        strain = self._linear(position, update, np.eye(3))
+        return np.concatenate([self._expanded(strain, last), strain], axis=-1)
+
+    def correction(self, at: Configuration, stresses: Array) -> Array | None:
+        """Forces of the stress linearized about ``stresses``, beyond those of the stress itself."""
+        if self.field is None:
+            return None
+        strain = self._linear(at.position, np.zeros_like(at.position), np.eye(3))
+        beyond = np.ascontiguousarray(self._expanded(strain, stresses) - self.field.stress(strain))
+        out = np.zeros_like(at.position)
+        local = membranes.membrane_forces(at.position, self.nodes, self.gradients, self.areas, beyond)
+        add_at_nodes(out, self.nodes, local)
+        return out
 
     def tangents(self, at: Configuration, stresses: Array) -> Array:
         """Material part, and the geometric part of the stresses."""
-        moduli = np.ascontiguousarray(self._tangent_moduli(at.position))
-        local = membranes.membrane_tangents(at.position, self.nodes, self.gradients, self.areas, moduli, stresses)
-        return lower(local)
+        if self.field is None:
+            moduli, stress = np.broadcast_to(self.moduli, (*self.areas.shape, 3, 3)), stresses
+        else:
+            about = self.field.linearized_about(stresses[..., :3], stresses[..., 3:])
+            moduli, stress = self.field.tangent(about), self.field.stress(about)
+        parts = np.ascontiguousarray(moduli), np.ascontiguousarray(stress)
+        return lower(membranes.membrane_tangents(at.position, self.nodes, self.gradients, self.areas, *parts))
+
+    def _expanded(self, strain: Array, given: Array) -> Array:
+        """Stress (f, q, 3) of a strain, linearized about what is given."""
+        assert self.field is not None
+        about = self.field.linearized_about(given[..., :3], given[..., 3:])
+        change = np.einsum("fqij,fqj->fqi", self.field.tangent(about), strain - about)
+        return np.asarray(self.field.stress(about) + change)
 
     def _linear(self, position: Array, update: Array, moduli: Array) -> Array:
         """Moduli times the strain linearized for an update, (f, q, 3)."""
         found = membranes.membrane_stress(position, update, self.nodes, self.gradients, self.areas, moduli)
         return np.asarray(found)
 
-    def _tangent_moduli(self, position: Array) -> Array:
-        """Derivatives of the stresses by the strains, (f, q, 3, 3)."""
-        if self.field is None:
-            return np.broadcast_to(self.moduli, (*self.areas.shape, 3, 3))
-        return self.field.tangent(self._linear(position, np.zeros_like(position), np.eye(3)))
-
 
 def membrane_terms(setting: Setting) -> list[MembraneTerm]:
-    """One for each membrane, several for each shell."""
+    """One for each membrane, several for each shell on hexahedra; `plate_terms` makes the bending on tetrahedra."""
     model, terms = setting.model, []
     for name, membrane in model.membranes.items():
         law, scale = membrane.material.law, membrane.thickness / (setting.length * setting.stress)
         assert isinstance(law, Hooke)
         moduli = membranes.plane_stress_moduli(law) * scale
         field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
-        if membrane.bending:
+        if membrane.bending and model.mesh.cell_type is not TETRAHEDRON:
             layers = shell_layers(model.mesh, name, membrane.thickness, setting.length)
             across = shear_layers(model.mesh, name, setting.length)
             shear = shear_moduli(law) * scale

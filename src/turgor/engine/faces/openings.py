@@ -17,9 +17,15 @@ IN_PLANE = 1e-9
 _GAUSS = ((0.5 - 0.5 / 3**0.5, 0.5), (0.5 + 0.5 / 3**0.5, 0.5))
 
 
+#: Where there is no wedge.
+NO_AXIS = -1
+
+
 def mirror_point(mesh: Mesh) -> Array:
-    """Return a point on all mirror planes of a mesh, (3,) [m]; its other components are zero."""
+    """Return a point on all mirror planes of a mesh or the axis of its wedge, (3,) [m]; other components are zero."""
     out = np.zeros(3)
+    if mesh.wedge is not None:
+        out[list(mesh.wedge.across)] = np.array(mesh.wedge.center)[list(mesh.wedge.across)]
     for axis, position in mesh.mirror_planes:
         out[axis] = position
     return out
@@ -47,19 +53,22 @@ def rim_loops(edges: Ints) -> list[Ints]:
     return [edges[label == i] for i in range(int(label.max()) + 1)]
 
 
-def cap_volume(points: Array, edges: Ints) -> float:
+def cap_volume(points: Array, edges: Ints, axis: int = NO_AXIS) -> float:
     """Compute what the caps on all loops of a rim add to ⅓ ∮ x·n da.
 
     A cap is the fan of straight lines from an apex, the mean of the loop's nodes, to every point of the loop; around
     a plane opening it is the plane itself. Edges in a coordinate plane through the origin, where a mirror plane cuts
     the body, need no cap; of a loop that ends in such planes the apex is moved into them: the part of the fan in the
-    planes then adds nothing, and the rest is the cap of the modeled part of the opening.
+    planes then adds nothing, and the rest is the cap of the modeled part of the opening. So it is with a loop that ends
+    in the cut faces of a wedge, whose apex is moved onto the axis.
 
     Parameters
     ----------
     points : (n, 3) array [m]
     edges : (e, 3) int array
         Edges of the rim, each in the direction in which its triangle has it.
+    axis : int
+        Number of the axis of a wedge through the origin; −1 where there is none.
 
     Returns
     -------
@@ -75,7 +84,7 @@ def cap_volume(points: Array, edges: Ints) -> float:
     """
     total = 0.0
     for loop in open_loops(points, edges):
-        apex, _ = _apex(points, loop)
+        apex, _ = _apex(points, loop, axis)
         turning = np.zeros(3)
         for position, tangent, weight, _ in _along(points, loop):
             turning += weight * np.cross(position, tangent).sum(axis=0)
@@ -83,13 +92,15 @@ def cap_volume(points: Array, edges: Ints) -> float:
     return total
 
 
-def cap_gradient(points: Array, edges: Ints) -> Array:
+def cap_gradient(points: Array, edges: Ints, axis: int = NO_AXIS) -> Array:
     """Derivative of `cap_volume` by the nodal positions, as long as what lies in a coordinate plane stays there.
 
     Parameters
     ----------
     points : (n, 3) array [m]
     edges : (e, 3) int array
+    axis : int
+        As for `cap_volume`.
 
     Returns
     -------
@@ -97,7 +108,7 @@ def cap_gradient(points: Array, edges: Ints) -> Array:
     """
     out = np.zeros_like(points)
     for loop in open_loops(points, edges):
-        apex, weights = _apex(points, loop)
+        apex, weights = _apex(points, loop, axis)
         turning = np.zeros(3)
         for position, tangent, weight, (along, across) in _along(points, loop):
             turning += weight * np.cross(position, tangent).sum(axis=0)
@@ -128,11 +139,13 @@ def _along(points: Array, loop: Ints) -> list[tuple[Array, Array, float, tuple[A
     return found
 
 
-def _apex(points: Array, loop: Ints) -> tuple[Array, Array]:
+def _apex(points: Array, loop: Ints, axis: int) -> tuple[Array, Array]:
     """The apex, and what each component of it takes of every node of the loop."""
     nodes, count = np.unique(loop[:, :2], return_counts=True)
     ends = points[nodes[count == 1]]  # those of a loop that runs from mirror plane to mirror plane
     cutting = (np.abs(ends) <= _tolerance(points)).any(axis=0) if len(ends) else np.zeros(3, dtype=bool)
+    if len(ends) and axis != NO_AXIS:
+        cutting = np.arange(3) != axis
     every = points[np.unique(loop)]
     weights = np.where(cutting, 0.0, 1 / len(every))
     return weights * every.sum(axis=0), weights

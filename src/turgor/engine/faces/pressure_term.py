@@ -96,9 +96,10 @@ def pressure_terms(setting: Setting) -> list[PressureTerm]:
     Together they may be closed where each alone is open.
     """
     mesh, model, terms = setting.model.mesh, setting.model, []
+    leaders = mesh.leaders  # where the cut faces of a wedge are joined, a surface goes on
     for place, name in enumerate(setting.controlled):
         sides = np.ascontiguousarray(mesh.face(name))
-        potential = surfaces.has_potential(setting.points, sides, setting.held)
+        potential = surfaces.has_potential(setting.points, leaders[sides], setting.held)
         terms.append(PressureTerm(sides, None, place, setting.stress, potential))
     alike: dict[tuple[float, History], list[Pressure]] = {}
     for load in model.pressures:
@@ -106,6 +107,6 @@ def pressure_terms(setting: Setting) -> list[PressureTerm]:
             alike.setdefault((load.pressure, load.history), []).append(load)
     for loads in alike.values():
         sides = np.ascontiguousarray(np.concatenate([mesh.face(load.face) for load in loads]))
-        potential = surfaces.has_potential(setting.points, sides, setting.held)
+        potential = surfaces.has_potential(setting.points, leaders[sides], setting.held)
         terms.append(PressureTerm(sides, loads[0], -1, setting.stress, potential))
     return terms

@@ -1,4 +1,4 @@
-"""Shells: sheets that resist bending too, as two layers of a membrane a little above and below their face.
+"""Shells on hexahedra: sheets that resist bending too, as two layers of a membrane above and below their face.
 
 The strain of each layer is that of the cells on its side of the face, at a distance of h/(2√3): the two points of
 Gauss through the thickness h, which give the membrane stiffness and the bending stiffness E h³/(12 (1 − ν²)) of
@@ -7,8 +7,8 @@ on both sides carry, is held by the sheet's own shear stiffness 5/6 G h (Mindlin
 would bend by shearing the rubber beside it, the sooner the shorter its span.
 
 On tetrahedra the layers would be cut along every edge, because only the displacement is continuous there, not its
-slope across the face: in `tests/verification/membranes_shells/test_shell.py` the bending stiffness was lost with
-refinement. They are refused.
+slope across the face, and the bending stiffness would get lost with refinement. There the sheet bends on its own
+triangles: `turgor.engine.faces.plate_terms`.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ from turgor.engine.cells.reference import reference_cell, reference_nodes, table
 from turgor.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE, surface_frames
 from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke
-from turgor.meshing.cells import TETRAHEDRON, side_type
+from turgor.meshing.cells import side_type
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import cell_sides, corner_keys
 
@@ -29,11 +29,6 @@ Ints = NDArray[np.int64]
 def shell_layers(mesh: Mesh, face: str, thickness: float, length: float) -> list[tuple[Ints, Array, Array]]:
     """The two layers of a sheet: nodes of cells (f, n), gradients (f, q, n, 2), areas (f, q); lengths are scaled."""
     sides = mesh.face(face)
-    if mesh.cell_type is TETRAHEDRON:
-        raise TurgorError(
-            f"the sheet on '{face}' resists bending, which needs hexahedra; mesh with cells = \"hexahedra\", or model "
-            "the sheet as a membrane or as a thin solid region."
-        )
     points = mesh.points / length
     frames = surface_frames(points, sides)
     owners = _cells_at(mesh, sides)

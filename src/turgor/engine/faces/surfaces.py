@@ -5,8 +5,9 @@ from numba import njit, prange
 from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import side_tables
-from turgor.engine.faces.openings import cap_volume
+from turgor.engine.faces.openings import NO_AXIS, cap_volume
 from turgor.meshing.cells import side_type
+from turgor.meshing.mesh import Mesh
 
 Array = NDArray[np.float64]
 Triangles = NDArray[np.int64]
@@ -21,16 +22,19 @@ def _tangents(points: Array, triangles: Triangles) -> tuple[Array, Array, Array]
     return x, t[..., 0], t[..., 1]
 
 
-def enclosed_volume(points: Array, triangles: Triangles) -> float:
+def enclosed_volume(points: Array, triangles: Triangles, mesh: Mesh | None = None) -> float:
     """Volume enclosed by a surface, ⅓ ∮ x·n da, positive for outward normals.
 
     The surface may be open where it meets coordinate planes through the origin (mirror planes): their share is zero.
+    Neither counts what is missing at the two cut faces of a wedge about an axis through the origin, which cancels.
     Any other opening, such as an air inlet, is closed by the fan of `turgor.engine.faces.openings.cap_volume`.
 
     Parameters
     ----------
     points : (n, 3) array [m]
     triangles : (f, 6), (f, 8) or (f, 9) int array
+    mesh : Mesh, optional
+        Whose sides they are; needed where that is a wedge.
 
     Returns
     -------
@@ -39,7 +43,8 @@ def enclosed_volume(points: Array, triangles: Triangles) -> float:
     weights = side_tables(triangles.shape[1]).weights
     x, r, s = _tangents(points, triangles)
     walls = float(np.einsum("q,fqi,fqi->", weights, x, np.cross(r, s)) / 3)
-    return walls + cap_volume(points, rim_edges(triangles))
+    axis = NO_AXIS if mesh is None or mesh.wedge is None else mesh.wedge.number
+    return walls + cap_volume(points, open_rim(mesh, triangles), axis)
 
 
 def vector_area(points: Array, triangles: Triangles) -> Array:
@@ -115,6 +120,16 @@ def rim_edges(triangles: Triangles) -> NDArray[np.int64]:
     key = np.sort(edges[:, :2], axis=1)
     _, index, count = np.unique(key, axis=0, return_index=True, return_counts=True)
     return np.asarray(edges[index[count == 1]])
+
+
+def open_rim(mesh: Mesh | None, triangles: Triangles) -> NDArray[np.int64]:
+    """Rim of a surface as of `rim_edges`, without the edges in the cuts of a wedge, where the surface goes on."""
+    edges = rim_edges(triangles)
+    if mesh is None or mesh.wedge is None:
+        return edges
+    key = np.sort(mesh.leaders[edges[:, :2]], axis=1)
+    _, place, count = np.unique(key, axis=0, return_inverse=True, return_counts=True)
+    return np.asarray(edges[count[place.ravel()] == 1])
 
 
 def has_potential(points: Array, triangles: Triangles, held: NDArray[np.bool_]) -> bool:

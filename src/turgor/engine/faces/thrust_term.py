@@ -34,7 +34,7 @@ class ThrustTerm(Term):
         Rim of the walls in the section, each edge in the direction in which its side has it.
     section : Section
     origin : (3,) array
-        A point on the mirror planes, so that an opening that they cut is measured from there.
+        A point on the mirror planes or the axis of a wedge, so that an opening that they cut is measured from there.
     """
 
     couples = True

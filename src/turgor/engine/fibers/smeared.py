@@ -39,7 +39,7 @@ class Course:
     turning : tuple of floats
         +1 for a right-handed family of threads, −1 for a left-handed one.
     copies : int
-        How many copies of the face, mirrored at planes along the axis, go all around.
+        How many copies of the face, mirrored at planes along the axis or turned about it, go all around.
     """
 
     angle: float
@@ -76,7 +76,7 @@ def course_of(mesh: Mesh, fibers: Fibers) -> Course:
         np.einsum("q,fq->", tables.weights, np.linalg.norm(np.cross(tangents[..., 0], tangents[..., 1]), axis=2))
     )
     around = [name for name in mesh.symmetry_faces if not _across(mesh, name, axis)]
-    copies = int(2 ** len(around))
+    copies = int(2 ** len(around)) * (1 if mesh.wedge is None else mesh.wedge.fold)
     perimeter = area / length * copies
     angle = _angle(winding, perimeter, length)
     if mesh.symmetry_faces and winding.hand != "both" and 1e-9 < angle < pi / 2 - 1e-9:

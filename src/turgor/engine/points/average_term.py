@@ -41,12 +41,12 @@ class AverageTerm(Term):
 
     @property
     def unknowns(self) -> Ints:
-        """A node of the face and all nodes of the point (k, 27): a solver that pivots finds these in one front."""
+        """A node of the face and all n of the point (k, 3 + 3 n): a solver that pivots finds these in one front."""
         return displacements(self._nodes)
 
     @property
     def _nodes(self) -> Ints:
-        own = np.tile(self.carrier.node + np.arange(8), (len(self.carrier.nodes), 1))
+        own = np.tile(self.carrier.node + np.arange(self.carrier.count), (len(self.carrier.nodes), 1))
         return np.concatenate([self.carrier.nodes[:, None], own], axis=1)
 
     def add_forces(self, out: Array, at: Configuration) -> None:
@@ -54,7 +54,7 @@ class AverageTerm(Term):
         x, place, arrows, force, moment = self._parts(at.position)
         w, along, turning = self._shares
         turned = turning @ arrows
-        local = np.zeros((len(x), 9, 3))
+        local = np.zeros((len(x), 1 + self.carrier.count, 3))
         local[:, 0] = w[:, None] * force + np.cross(moment, turned)
         local[:, 1] = -w[:, None] * force
         local[:, 2:5] = turning[:, :, None] * np.cross(x, moment)[:, None] - along[:, :, None] * force
@@ -66,8 +66,8 @@ class AverageTerm(Term):
         """Second derivative of W, node by node."""
         x, _, arrows, _, moment = self._parts(at.position)
         w, along, turning = self._shares
-        count, one = len(x), np.eye(3)
-        local = np.zeros((count, 9, 3, 9, 3))
+        count, each, one = len(x), 1 + self.carrier.count, np.eye(3)
+        local = np.zeros((count, each, 3, each, 3))
         local[:, 7, :, 0] = w[:, None, None] * one
         local[:, 7, :, 1] = -w[:, None, None] * one
         for j in range(3):
@@ -76,7 +76,7 @@ class AverageTerm(Term):
             local[:, 2 + j, :, 0] = turning[:, j, None, None] * np.einsum("kmn,k->mn", EPSILON, moment)
             local[:, 8, :, 2 + j] = turning[:, j, None, None] * np.einsum("kmn,an->akm", EPSILON, x)
         local[:, 8, :, 0] = np.einsum("kmn,am->akn", EPSILON, turning @ arrows)
-        flat = local.reshape(count, 27, 27)
+        flat = local.reshape(count, 3 * each, 3 * each)
         return lower(flat + flat.transpose(0, 2, 1))
 
     @property

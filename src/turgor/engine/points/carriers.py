@@ -5,21 +5,24 @@ it, r the gyration radius of its face. Whatever is rigid with the point is then 
 / r, at rotations of any size: a rigid face is eliminated by constant weights, masses are constant, and no angle has a
 range (Betsch and Leyendecker 2006, doi 10.1002/nme.1639). Six multipliers keep the arrows
 orthonormal (`rigid_term`), six more tie an averaging point to its face (`average_term`); they stand in the three
-components of two further nodes each.
+components of two further nodes each. A bearing (`bearing_term`) adds a node of three multipliers, and one for its
+angle.
 """
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import side_tables
 from turgor.errors import TurgorError
+from turgor.geometry.wedge import Wedge
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
-from turgor.model.points import RIGID, ReferencePoint
-from turgor.model.supports import Symmetry
+from turgor.model.points import RIGID, Hinge, ReferencePoint, Rotation
+from turgor.model.supports import Support, Symmetry
 from turgor.units import mm
 
 Array = NDArray[np.float64]
@@ -54,6 +57,10 @@ class Carrier:
         Length r of the arrows.
     mirrored : tuple of int
         Axes along the normals of the mirror planes that cut the face.
+    bearing : Hinge, Rotation or None
+        A hinge, or a rotation whose axis may tilt; None where a mirror plane or a wedge leaves one way to turn at most.
+    wedge : Wedge, optional
+        The sector of which the face is a share: the point moves along its axis, and turns about it.
     """
 
     point: ReferencePoint
@@ -66,6 +73,26 @@ class Carrier:
     center: Array
     radius: float
     mirrored: tuple[int, ...]
+    bearing: Hinge | Rotation | None = None
+    wedge: Wedge | None = None
+
+    @property
+    def kept(self) -> tuple[int, ...]:
+        """Axes along which the point cannot move: its displacement there is zero by symmetry."""
+        return (*self.mirrored, *(() if self.wedge is None else self.wedge.across))
+
+    @property
+    def turning(self) -> tuple[int, ...]:
+        """Axes about which it may turn."""
+        free = {0, 1, 2} if self.wedge is None else {self.wedge.number}
+        for axis in self.mirrored:
+            free &= {axis}
+        return tuple(sorted(free))
+
+    @property
+    def unturned(self) -> tuple[int, ...]:
+        """Axes whose arrows keep their direction, and along which the other arrows do not turn."""
+        return (*self.mirrored, *(() if self.wedge is None else (self.wedge.number,)))
 
     @property
     def rigid(self) -> bool:
@@ -88,9 +115,19 @@ class Carrier:
         return self.node + 6 + np.arange(0 if self.rigid else 2)
 
     @property
+    def bolts(self) -> Ints:
+        """Node of the multipliers of a bearing, and node of its angle."""
+        return self.node + (6 if self.rigid else 8) + np.arange(0 if self.bearing is None else 2)
+
+    @property
+    def multipliers(self) -> Ints:
+        """Nodes of all multipliers."""
+        return np.concatenate([self.stress, self.ties, self.bolts[:1]])
+
+    @property
     def count(self) -> int:
         """How many nodes it has."""
-        return 6 if self.rigid else 8
+        return 4 + len(self.stress) + len(self.ties) + len(self.bolts)
 
 
 def carriers_of(model: Model) -> tuple[Carrier, ...]:
@@ -110,9 +147,10 @@ def carriers_of(model: Model) -> tuple[Carrier, ...]:
         If a point lies beside a mirror plane that cuts its face, or the face has no size.
     """
     mirrors = tuple(each.face for each in model.supports if isinstance(each, Symmetry))
+    bearings = {each.point: each for each in model.supports if _is_bearing(each)}
     found, node = [], len(model.mesh.points)
     for point in model.points.values():
-        found.append(_carrier(model.mesh, point, node, mirrors))
+        found.append(_carrier(model.mesh, point, node, mirrors, bearings.get(point.name)))
         node += found[-1].count
     return tuple(found)
 
@@ -122,13 +160,20 @@ def with_carried(points: Array, carriers: tuple[Carrier, ...]) -> Array:
     return np.concatenate([points, *(np.tile(each.at, (each.count, 1)) for each in carriers)])
 
 
+def _is_bearing(support: Support) -> TypeGuard[Hinge | Rotation]:
+    return isinstance(support, Hinge) or (isinstance(support, Rotation) and support.tilts)
+
+
 @lru_cache(maxsize=32)
-def _carrier(mesh: Mesh, point: ReferencePoint, node: int, mirrors: tuple[str, ...]) -> Carrier:
+def _carrier(
+    mesh: Mesh, point: ReferencePoint, node: int, mirrors: tuple[str, ...], bearing: Hinge | Rotation | None
+) -> Carrier:
     sides = mesh.face(point.face)
     nodes, areas, firsts = _moments(mesh.points, sides)
     whole = float(areas.sum())
     middle = firsts.sum(axis=0) / whole
-    cut = _cuts(mesh, nodes, mirrors)
+    mirrored = _cuts(mesh, nodes, mirrors)
+    cut = mirrored | ({} if mesh.wedge is None else {i: mesh.wedge.center[i] for i in mesh.wedge.across})
     for axis, level in cut.items():
         middle[axis] = level
     at = middle if point.at is None else np.array(point.at)
@@ -137,7 +182,8 @@ def _carrier(mesh: Mesh, point: ReferencePoint, node: int, mirrors: tuple[str, .
         if abs(at[axis] - level) > SAME_PLACE * size:
             raise TurgorError(
                 f"reference point '{point.name}': at is {at[axis] / mm:.4g} mm along {'xyz'[axis]}, but its face is "
-                f"cut by a mirror plane at {level / mm:.4g} mm; put the point there, or model the whole actuator."
+                f"cut by a {'mirror plane' if axis in mirrored else 'wedge whose axis is'} at {level / mm:.4g} mm; put "
+                "the point there, or model the whole actuator."
             )
     weights = areas / whole
     about = mesh.points[nodes] - middle
@@ -147,7 +193,7 @@ def _carrier(mesh: Mesh, point: ReferencePoint, node: int, mirrors: tuple[str, .
     return Carrier(
         point=point, node=node, at=at, nodes=nodes, weights=weights, arms=mesh.points[nodes] - at,
         moments=firsts / whole - weights[:, None] * middle, center=middle - at, radius=spread,
-        mirrored=tuple(cut),
+        mirrored=tuple(mirrored), bearing=None if cut else bearing, wedge=mesh.wedge,
     )  # fmt: skip
 
 

@@ -10,6 +10,8 @@ from turgor.engine.points.carriers import Carrier
 from turgor.errors import TurgorError
 from turgor.model.model import Model
 from turgor.model.points import Hinge, Rotation
+from turgor.model.supports import Displacement
+from turgor.units import mm
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -26,35 +28,42 @@ class Turned:
     radius: float
 
     def value(self, points: Array, load_factor: float) -> Array:
-        """Change of the arrows (3, 3) [m], one in each row."""
+        """Change of the arrows (3, 3) [m], one in each row; r θ (1, 3) [m] where the axis may tilt."""
+        if self.rotation.tilts:
+            return np.array([[self.radius * self.rotation.angle_at(load_factor), 0.0, 0.0]])
         return self.radius * (self.rotation.matrix(load_factor).T - np.eye(3))
 
 
 def hold_points(model: Model, carriers: Sequence[Carrier], mask: NDArray[np.bool_]) -> list[tuple[Ints, Turned]]:
     """Mark the prescribed components of the points' nodes in ``mask``, in place; return the arrows that are turned.
 
-    The displacements of the points are marked already. Mirror planes hold what has no mirror image. A multiplier is
-    held where all components that it constrains are prescribed.
+    The displacements of the points are marked already. Mirror planes and wedges hold what would differ in an image. A
+    multiplier is held where all components that it constrains are prescribed.
     """
     rotations = {each.point: each for each in model.supports if isinstance(each, Rotation)}
-    hinges = {each.point: "xyz".index(each.axis) for each in model.supports if isinstance(each, Hinge)}
+    hinges = {each.point: each for each in model.supports if isinstance(each, Hinge)}
     moving = []
     for carrier in carriers:
         name = carrier.point.name
         arrows = np.zeros((3, 3), dtype=bool)
-        for axis in (*carrier.mirrored, *([hinges[name]] if name in hinges else [])):
+        for axis in carrier.unturned:
             arrows[axis] = arrows[:, axis] = True
+        if carrier.bearing is not None:
+            mask[carrier.bolts] = [isinstance(carrier.bearing, Rotation)] * 2 + [name in hinges], [True] * 3
+        elif name in hinges:
+            arrows |= any(hinges[name].direction[k] for k in range(3) if k not in carrier.unturned)
         if name in rotations:
+            turned, driven = Turned(rotations[name], carrier.radius), rotations[name].tilts and not carrier.unturned
             _check_mirror(carrier, rotations[name])
-            arrows[:] = True
-            moving.append((carrier.arrows, Turned(rotations[name], carrier.radius)))
+            arrows |= not driven
+            moving.append((carrier.bolts[1:] if driven else carrier.arrows, turned))
+        _check_moves(model, carrier)
         mask[carrier.arrows] = arrows
-        mask[carrier.node, list(carrier.mirrored)] = True
+        mask[carrier.node, list(carrier.kept)] = True
         mask[carrier.stress] = _settled(arrows).reshape(2, 3)
         if not carrier.rigid:
-            mask[carrier.ties[0], list(carrier.mirrored)] = True
-            for axis in carrier.mirrored:
-                mask[carrier.ties[1], [k for k in range(3) if k != axis]] = True
+            mask[carrier.ties[0], list(carrier.kept)] = True
+            mask[carrier.ties[1], [k for k in range(3) if k not in carrier.turning]] = True
     return moving
 
 
@@ -67,12 +76,27 @@ def _settled(arrows: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _check_mirror(carrier: Carrier, rotation: Rotation) -> None:
-    for axis in carrier.mirrored:
+    for axis in carrier.unturned:
         if rotation.angle and any(rotation.axis[k] for k in range(3) if k != axis):
+            what = "mirror plane" if axis in carrier.mirrored else "wedge"
             raise TurgorError(
-                f"rotation of '{carrier.point.name}': its axis is {rotation.axis}; a mirror plane cuts the face, so "
+                f"rotation of '{carrier.point.name}': its axis is {rotation.axis}; a {what} cuts the face, so "
                 f"that it can turn about {'xyz'[axis]} only; model the whole actuator (symmetric = false)."
             )
+
+
+def _check_moves(model: Model, carrier: Carrier) -> None:
+    for each in model.supports:
+        if not isinstance(each, Displacement) or each.face != carrier.point.name:
+            continue
+        end = np.broadcast_to(each.value(carrier.at[None], 1.0), (1, 3))[0]
+        for axis in carrier.kept:
+            if "xyz"[axis] in each.directions and end[axis]:
+                why = "a mirror plane" if axis in carrier.mirrored else "a wedge"
+                raise TurgorError(
+                    f"displacement of '{carrier.point.name}': {end[axis] / mm:.4g} mm along {'xyz'[axis]} has no "
+                    f"symmetric image, for {why} cuts the face; model the whole actuator (symmetric = false)."
+                )
 
 
 def rigid_ties(carriers: Sequence[Carrier]) -> tuple[Ints, Ints, Array]:
@@ -85,15 +109,16 @@ def rigid_ties(carriers: Sequence[Carrier]) -> tuple[Ints, Ints, Array]:
     for each in carriers:
         if not each.rigid:
             continue
-        shares = np.column_stack([np.ones(len(each.nodes)), each.arms / each.radius, np.zeros((len(each.nodes), 2))])
+        nothing = np.zeros((len(each.nodes), each.count - 4))
+        shares = np.column_stack([np.ones(len(each.nodes)), each.arms / each.radius, nothing])
         for axis in range(3):
-            followers.append(np.repeat(3 * each.nodes + axis, 6))
-            leaders.append(np.tile(3 * (each.node + np.arange(6)) + axis, len(each.nodes)))
+            followers.append(np.repeat(3 * each.nodes + axis, each.count))
+            leaders.append(np.tile(3 * (each.node + np.arange(each.count)) + axis, len(each.nodes)))
             weights.append(shares.ravel())
-    nothing = np.zeros(0, dtype=np.int64)
+    none = np.zeros(0, dtype=np.int64)
     return (
-        np.concatenate([nothing, *followers]),
-        np.concatenate([nothing, *leaders]),
+        np.concatenate([none, *followers]),
+        np.concatenate([none, *leaders]),
         np.concatenate([np.zeros(0), *weights]),
     )
 

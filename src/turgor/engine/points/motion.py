@@ -25,7 +25,7 @@ class PointMotion:
     moment : (3,) array [N m]
         Reaction moment of its supports and springs about the point, of the whole actuator.
     multipliers : (k, 3) array [N]
-        Those of the rigid body, and of the ties of an averaging point.
+        Those of the rigid body, of the ties of an averaging point, and of a bearing.
     """
 
     displacement: Array
@@ -64,8 +64,8 @@ def carried_displacement(
         )
         values[0] = place / length
         values[1:4] = (rotation.T - np.eye(3)) * each.radius / length
-        if motion is not None and len(motion.multipliers) == each.count - 4:
-            values[4:] = motion.multipliers / (stress * length**2)
+        if motion is not None and len(motion.multipliers) == len(each.multipliers):
+            values[each.multipliers - each.node] = motion.multipliers / (stress * length**2)
         out.append(values)
     return np.concatenate(out)
 
@@ -77,8 +77,8 @@ def _fitted(carrier: Carrier, displacement: Array) -> tuple[Array, Array]:
     middle = carrier.weights @ now
     left, _, right = np.linalg.svd((now - middle).T @ (np.abs(carrier.weights)[:, None] * arms))
     rotation = left @ np.diag([1.0, 1.0, np.linalg.det(left @ right)]) @ right
-    for axis in carrier.mirrored:
-        middle[axis] = 0.0
+    middle[list(carrier.kept)] = 0.0
+    for axis in carrier.unturned:
         rotation = _about(rotation, axis)
     return middle - (rotation - np.eye(3)) @ carrier.center, rotation
 
@@ -111,9 +111,9 @@ def carried_velocity(
         about, moved = x - weights @ x, velocity[each.nodes]
         inertia = (weights @ (about**2).sum(axis=1)) * np.eye(3) - (weights[:, None] * about).T @ about
         spin = np.linalg.solve(inertia, weights @ np.cross(about, moved))
-        spin[[k for k in range(3) if each.mirrored and each.mirrored != (k,)]] = 0.0
+        spin[[k for k in range(3) if k not in each.turning]] = 0.0
         values[0] = (weights @ moved + np.cross(spin, place - weights @ x)) / length
-        values[0, list(each.mirrored)] = 0.0
+        values[0, list(each.kept)] = 0.0
         arrows = displacement[each.arrows] + each.radius / length * np.eye(3)
         values[1:4] = np.cross(spin, arrows)
         out.append(values)

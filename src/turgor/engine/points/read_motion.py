@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.evaluation import Evaluation
+from turgor.engine.points.bearing_term import BearingTerm
 from turgor.engine.points.carriers import Carrier
 from turgor.engine.points.motion import PointMotion
 from turgor.engine.points.spring_term import SpringTerm
@@ -30,7 +31,7 @@ def motions(system: System, at: Evaluation) -> dict[str, PointMotion]:
     unit = system.stress_scale * system.length**2
     forces = system.by_node(at.residual)
     for term in system.terms.all:
-        if isinstance(term, SpringTerm):  # what is left besides the springs comes from supports and springs
+        if isinstance(term, SpringTerm | BearingTerm):  # what is left besides these comes from supports and these
             sprung = np.zeros_like(forces)
             term.add_forces(sprung, system.configuration(at))
             forces = forces - sprung
@@ -42,7 +43,7 @@ def motions(system: System, at: Evaluation) -> dict[str, PointMotion]:
             rotation=arrows.T * system.length / each.radius,
             force=_of_whole(system, each, forces[each.node] * unit, False),
             moment=_of_whole(system, each, _moment(arrows, forces[each.arrows]) * unit * system.length, True),
-            multipliers=u[np.concatenate([each.stress, each.ties])] * unit,
+            multipliers=u[each.multipliers] * unit,
         )
     return found
 
@@ -52,8 +53,8 @@ def _moment(arrows: Array, forces: Array) -> Array:
 
 
 def _of_whole(system: System, carrier: Carrier, vector: Array, axial: bool) -> Array:
-    """A force or an axial moment together with its mirror images (3,)."""
+    """A force or an axial moment together with its images (3,)."""
     out = vector * system.model.mesh.symmetry_factor
-    for axis in carrier.mirrored:
-        out[[k for k in range(3) if (k != axis) == axial]] = 0.0
+    none = [k for k in range(3) if k not in carrier.turning] if axial else list(carrier.kept)
+    out[none] = 0.0
     return np.asarray(out)

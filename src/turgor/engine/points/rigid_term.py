@@ -35,7 +35,7 @@ class RigidTerm(Term):
 
     @property
     def unknowns(self) -> Ints:
-        """All nodes of the point, (1, 18) or (1, 24): a solver that pivots finds them in one front."""
+        """All nodes of the point (1, 3 k): a solver that pivots finds them in one front."""
         return displacements(self.carrier.node + np.arange(self.carrier.count)[None])
 
     def add_forces(self, out: Array, at: Configuration) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.ducts import check_inlet
 from turgor.geometry.parts.layout import Layout, Prism, check_ends, check_fields
-from turgor.geometry.rules import SMALLEST_LENGTH, check_length, in_mm
+from turgor.geometry.rules import SMALLEST_LENGTH, check_length, check_option, in_mm
 from turgor.geometry.shapes.sections import Outline, rectangle
 from turgor.units import m, mm
 
@@ -29,7 +29,7 @@ class RectangularBender:
     floor : float [m]
         Thickness of the silicone between the chamber and the strain-limiting layer.
     base : float [m]
-        Thickness of the silicone below the strain-limiting layer.
+        Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     length : float [m]
         Length from the fixed end to the tip, end walls included; 1 mm to 2 m.
     end_wall : float [m]
@@ -81,7 +81,7 @@ class RectangularBender:
         why = f"less than half the width of {in_mm(self.width)}"
         check_length("side_wall", self.side_wall, high=(self.width - least) / 2, why=why)
         why = f"so that a cavity remains within the height of {in_mm(self.height)}"
-        check_length("base", self.base, high=self.height - 3 * least, why=why)
+        check_option("base", self.base, high=self.height - 3 * least, why=why)
         check_length("floor", self.floor, high=self.height - self.base - 2 * least, why=why)
         check_length("top_wall", self.top_wall, high=self.height - self.base - self.floor - least, why=why)
         check_ends(self, "end_wall")
@@ -95,7 +95,7 @@ class RectangularBender:
     @property
     def smallest_wall(self) -> float:
         """Thickness of the thinnest wall [m]."""
-        return min(self.side_wall, self.top_wall, self.floor, self.base, self.end_wall)
+        return min(self.side_wall, self.top_wall, self.floor, self.base or self.floor, self.end_wall)
 
     @property
     def cavity_volumes(self) -> Mapping[str, float]:
@@ -113,7 +113,8 @@ class RectangularBender:
         Returns
         -------
         Geometry
-            Regions ``body`` and ``base``; faces ``cavity``, ``strain_limiting_layer`` (between body and base),
+            Regions ``body`` and, where there is one, ``base``; faces ``cavity``, ``strain_limiting_layer`` (between
+            them, or the bottom where there is no base),
             ``fixed`` (the plane x = 0, or the block), ``tip`` (x = length), ``outside`` (the rest)
             and, for a half, ``symmetry_y``.
 
@@ -136,11 +137,13 @@ class RectangularBender:
     @property
     def _layout(self) -> Layout:
         across, whole = (-self.width / 2, self.width / 2), (0.0, self.length)
-        body, base = rectangle(across, (self.base, self.height)), rectangle(across, (0.0, self.base))
+        pieces = [Prism(name="body", outline=rectangle(across, (self.base, self.height)), along=whole)]
+        if self.base:
+            pieces.append(Prism(name="base", outline=rectangle(across, (0.0, self.base)), along=whole))
         inside = (self.end_wall, self.length - self.end_wall)
         return Layout(
             title="rectangular bender",
-            pieces=(Prism(name="body", outline=body, along=whole), Prism(name="base", outline=base, along=whole)),
+            pieces=tuple(pieces),
             air=(Prism(name="cavity", outline=self._chamber, along=inside),),
             length=self.length,
             clamp_length=self.clamp_length,

@@ -30,7 +30,7 @@ class SemicircularBender:
     floor : float [m]
         Thickness of the silicone between the chamber and the strain-limiting layer.
     base : float [m]
-        Thickness of the silicone below the strain-limiting layer.
+        Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     layer : float [m]
         Thickness of the strain-limiting layer as a thin solid region between floor and base; 0 for a sheet without
         thickness, a face.
@@ -79,8 +79,9 @@ class SemicircularBender:
 
     def __post_init__(self) -> None:
         check_fields(self)
-        for name in ("radius", "wall", "floor", "base"):
+        for name in ("radius", "wall", "floor"):
             check_length(name, getattr(self, name), high=0.5 * m)
+        check_option("base", self.base, high=0.5 * m)
         check_option("layer", self.layer, high=10 * mm)
         check_ends(self, "end_wall")
         check_inlet(
@@ -90,7 +91,7 @@ class SemicircularBender:
     @property
     def smallest_wall(self) -> float:
         """Thickness of the thinnest wall [m]."""
-        return min(self.wall, self.floor, self.base, self.end_wall)
+        return min(self.wall, self.floor, self.base or self.floor, self.end_wall)
 
     @property
     def cavity_volumes(self) -> Mapping[str, float]:
@@ -108,8 +109,8 @@ class SemicircularBender:
         Returns
         -------
         Geometry
-            Regions ``body`` and ``base``; faces ``cavity``, ``strain_limiting_layer`` (between body and base; a region
-            of that name where it has a thickness),
+            Regions ``body`` and, where there is one, ``base``; faces ``cavity``, ``strain_limiting_layer`` (between
+            them, or the bottom where there is no base; a region of that name where it has a thickness),
             ``fixed`` (the plane x = 0, or the block), ``tip`` (x = length), ``outside`` (the rest)
             and, for a half, ``symmetry_y``.
 
@@ -132,7 +133,7 @@ class SemicircularBender:
             pieces=(
                 Prism(name="body", outline=body, along=whole),
                 *((sheet,) if self.layer else ()),
-                Prism(name="base", outline=base, along=whole),
+                *((Prism(name="base", outline=base, along=whole),) if self.base else ()),
             ),
             air=(Prism(name="cavity", outline=half_disc(self.radius, (0.0, floor_top)), along=inside),),
             length=self.length,

@@ -13,6 +13,9 @@ from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.symmetry.wanted import NONE, WantedSymmetry
 from turgor.geometry.geometry import Geometry
 
+#: What breaks the symmetry: pairs of an axis and a reason.
+Reasons = tuple[tuple[str, str], ...]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CadFile:
@@ -31,7 +34,7 @@ class CadFile:
     split : SplitPlane, optional
         A plane that cuts off the bottom as a region of its own.
     symmetry : str or WantedSymmetry
-        Mirror planes to cut the part at, as for `read_cad`.
+        Where to cut the part, as for `read_cad`.
     sha256 : str
         Checksum of the file, as a lock file states it; computed if it is empty.
 
@@ -71,7 +74,8 @@ class CadFile:
         """Read the file with `read_cad`, once: a job builds its actuator several times."""
         names = tuple(self.faces.items()), tuple(self.regions.items())
         wanted = self.wanted_symmetry
-        symmetry = (wanted.planes, tuple(sorted(wanted.broken.items())))
+        broken = tuple(sorted(wanted.broken.items())), tuple(sorted(wanted.broken_turns.items()))
+        symmetry = (wanted.planes, *broken)
         return _built(self.file, self.sha256, self.unit, *names, self.split, symmetry)
 
     @property
@@ -88,8 +92,8 @@ def _built(
     faces: tuple[tuple[str, Selector], ...],
     regions: tuple[tuple[str, Selector], ...],
     split: SplitPlane | None,
-    symmetry: tuple[str, tuple[tuple[str, str], ...]],
+    symmetry: tuple[str, Reasons, Reasons],
 ) -> Geometry:
     """Read a file; the checksum makes another call of it when its content changes."""
-    wanted = WantedSymmetry(symmetry[0], dict(symmetry[1]))
+    wanted = WantedSymmetry(symmetry[0], dict(symmetry[1]), dict(symmetry[2]))
     return read_cad(file, unit=unit, faces=dict(faces), regions=dict(regions), split=split, symmetry=wanted)

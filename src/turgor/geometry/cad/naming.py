@@ -45,7 +45,7 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
 
     A face gets the first of these names: that of a selector which picks it; its name in the file, if it is one of
     ``fixed``, ``tip``, ``cavity…``, ``symmetry_…`` and ``strain_limiting_layer``; that of the cavity of which it is a
-    wall; between two bodies ``strain_limiting_layer`` (``body`` and ``base``) or ``interface`` (others); ``outside``.
+    wall; between two bodies that of `_between`; ``outside``.
     Cavities are numbered along x; those side by side from +z counterclockwise, seen from the tip. A pocket with one
     opening is closed for measuring its volume and stays open in the mesh.
 
@@ -81,9 +81,8 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
         for name, hollow in cavities.items():
             for i in hollow.faces:
                 names[i] = names[i] or name
-    between = "strain_limiting_layer" if interface is None and set(part.regions) == {"body", "base"} else interface
-    for i, name in enumerate(names):
-        names[i] = name or ((between or "interface") if part.between[i] else "outside")
+    inner = _between(part, interface)
+    names = [name or inner.get(i, "outside") for i, name in enumerate(names)]
     taken = sorted({name for name in names if name.startswith("cavity")})
     walls = {name: tuple(i for i, n in enumerate(names) if n == name and not part.between[i]) for name in taken}
     made = {
@@ -92,6 +91,18 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
         if faces
     }
     return Naming(names=tuple(names), cavities=made, findings=(*findings, *_missing(part, names)))
+
+
+def _between(part: Part, interface: str | None) -> dict[int, str]:
+    """Names of the faces between bodies.
+
+    A split gives one. Those between ``body`` and ``base`` alone are the ``strain_limiting_layer``, those between two
+    other regions ``interface``. Among more regions, each pair that touches has its own name, such as ``walls-lid``.
+    """
+    pairs = {i: tuple(sorted(set(each), key=part.regions.index)) for i, each in enumerate(part.owners) if len(each) > 1}
+    known = interface or ("strain_limiting_layer" if set(part.regions) == {"body", "base"} else "interface")
+    several = interface is None and len({pair for pair in pairs.values() if len(pair) > 1}) > 1
+    return {i: "-".join(pair) if several and len(pair) > 1 else known for i, pair in pairs.items()}
 
 
 def pick(part: Part, name: str, selector: Selector) -> list[int]:

@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -50,8 +50,8 @@ class Part:
         Their triangles.
     items : tuple of Item
         Properties of each face for selectors.
-    between : (f,) bool array
-        Whether a face lies between two bodies.
+    owners : tuple of tuple of str
+        Regions of the bodies on each face: two where it lies between two bodies.
     """
 
     path: Path
@@ -61,7 +61,12 @@ class Part:
     faces: list[Any]
     facets: Facets
     items: tuple[Item, ...]
-    between: NDArray[np.bool_]
+    owners: tuple[tuple[str, ...], ...]
+
+    @property
+    def between(self) -> NDArray[np.bool_]:
+        """Whether each face lies between two bodies (f,)."""
+        return np.array([len(each) > 1 for each in self.owners])
 
 
 def load_part(
@@ -104,7 +109,6 @@ def load_part(
             "the CAD program, or join them."
         )
     faces = list(dict.fromkeys(shape.faces))
-    count = owners(solids, faces)
     _check_touching(path, solids)
     facets = find_facets(shape, faces)
     return Part(
@@ -115,7 +119,7 @@ def load_part(
         faces=faces,
         facets=facets,
         items=tuple(shape_item(face, facets.corners(np.array([i])) * mm) for i, face in enumerate(faces)),
-        between=count > 1,
+        owners=owners(solids, faces),
     )
 
 
@@ -135,7 +139,7 @@ def _surface_part(path: Path, file: FileContents, region: str, split: SplitPlane
         faces=list(shape.faces),
         facets=surface_facets(shape),
         items=surface_items(shape),
-        between=np.zeros(len(shape.faces), dtype=bool),
+        owners=((region,),) * len(shape.faces),
     )
 
 
@@ -201,11 +205,27 @@ def as_vector(values: Array) -> Vector:
     return float(values[0]), float(values[1]), float(values[2])
 
 
-def owners(solids: list[Any], faces: list[Any]) -> NDArray[np.int64]:
-    """Return the number of bodies of each face: two where it lies between them."""
-    number = {face: i for i, face in enumerate(faces)}
-    owned = [number[face] for solid in solids for face in dict.fromkeys(solid.faces)]
-    return np.bincount(owned, minlength=len(faces))
+def with_shape(part: Part, shape: Any, faces: list[Any], facets: Facets) -> Part:
+    """Return a part with another shape, such as a share of it, whose faces have their names already."""
+    solids = list(shape.solids)
+    return replace(
+        part,
+        shape=shape,
+        regions=tuple(str(solid.name) for solid in solids),
+        faces=faces,
+        facets=facets,
+        items=tuple(shape_item(face, facets.corners(np.array([i])) * mm) for i, face in enumerate(faces)),
+        owners=owners(solids, faces),
+    )
+
+
+def owners(solids: list[Any], faces: list[Any]) -> tuple[tuple[str, ...], ...]:
+    """Return the regions of the bodies of each face, as their names: two where it lies between them."""
+    found: dict[Any, tuple[str, ...]] = dict.fromkeys(faces, ())
+    for solid in solids:
+        for face in dict.fromkeys(solid.faces):
+            found[face] += (str(solid.name),)
+    return tuple(found[face] for face in faces)
 
 
 def _check_touching(path: str | Path, solids: list[Any]) -> None:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from turgor.errors import TurgorError
+from turgor.geometry.cad.cavities import Hollow
 from turgor.geometry.cad.files import check_file, reading
 from turgor.geometry.cad.naming import STANDARD, Naming, name_faces
 from turgor.geometry.cad.part import Part, load_part
@@ -12,6 +13,7 @@ from turgor.geometry.cad.selectors import ByName, Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.cad.symmetry.cut import modeled_part
+from turgor.geometry.cad.symmetry.modeled import Modeled
 from turgor.geometry.cad.symmetry.wanted import NONE, WHOLE, WantedSymmetry
 from turgor.geometry.cad.walls import smallest_wall
 from turgor.geometry.child import in_child
@@ -48,8 +50,9 @@ def read_cad(
     split : SplitPlane, optional
         Plane that cuts off the bottom as a region of its own.
     symmetry : str or WantedSymmetry
-        ``"none"`` for the whole part, ``"automatic"`` to cut it at every mirror plane across x, y or z that it has, or
-        the normals of the planes to use, such as ``"y"`` or ``"yz"``. The side toward positive coordinates is kept.
+        ``"none"`` for the whole part; ``"automatic"`` to cut it at every mirror plane across x, y or z that it has, or
+        to a wedge where that is smaller; the normals of the planes to use, such as ``"y"`` or ``"yz"``, of which the
+        side toward positive coordinates is kept; or ``"wedge"`` for one of n equal sectors, ``"wedge 6"`` with n.
 
     Returns
     -------
@@ -79,7 +82,7 @@ def read_cad(
     _check_names("face", faces or {})
     _check_names("region", regions or {})
     wanted = symmetry if isinstance(symmetry, WantedSymmetry) else WantedSymmetry(symmetry)
-    wanted = replace(wanted, broken=dict(wanted.broken))
+    wanted = replace(wanted, broken=dict(wanted.broken), broken_turns=dict(wanted.broken_turns))
     return in_child(reading(path), read_here, Path(path), unit, dict(faces or {}), dict(regions or {}), split, wanted)
 
 
@@ -98,10 +101,14 @@ def read_here(
     part = load_part(path, unit, regions or {}, split)
     interface = split.interface if split is not None else None
     naming = name_faces(part, faces or {}, interface)
-    modeled, names, told = modeled_part(part, naming.names, symmetry)
-    if modeled is not part:
-        naming = _named_again(modeled, names, naming, interface)
-    geometry = _geometry(Path(path), modeled, replace(naming, findings=(*naming.findings, *told)))
+    modeled = modeled_part(part, naming.names, symmetry)
+    if modeled.wedge is not None:
+        naming = _of_wedge(modeled, naming)
+    elif modeled.part is not part:
+        naming = _named_again(modeled.part, modeled.names, naming, interface)
+    naming = replace(naming, findings=(*naming.findings, *modeled.findings))
+    wall = smallest_wall((part if modeled.wedge is not None else modeled.part).facets)
+    geometry = replace(_geometry(Path(path), modeled.part, naming, wall), wedge=modeled.wedge)
     if isinstance(part.shape, SurfaceShape):
         return geometry
     again = packed(geometry._shape).shape()
@@ -110,8 +117,8 @@ def read_here(
     return geometry
 
 
-def _geometry(path: Path, part: Part, naming: Naming) -> Geometry:
-    """Write the names into the shape and return it as a geometry."""
+def _geometry(path: Path, part: Part, naming: Naming, wall: float) -> Geometry:
+    """Write the names into the shape and return it as a geometry with a smallest wall [CAD units]."""
     shape, solids = part.shape, [part.shape]
     if isinstance(shape, SurfaceShape):
         shape = shape.named(naming.names)
@@ -121,7 +128,7 @@ def _geometry(path: Path, part: Part, naming: Naming) -> Geometry:
             face.name = face_name
     return Geometry(
         name=path.stem,
-        smallest_wall=smallest_wall(part.facets) * mm,
+        smallest_wall=wall * mm,
         cavity_volumes={name: hollow.volume * mm**3 for name, hollow in naming.cavities.items()},
         solid_volume=sum(float(solid.mass) for solid in solids) * mm**3,
         regions=tuple(dict.fromkeys(part.regions)),
@@ -132,12 +139,25 @@ def _geometry(path: Path, part: Part, naming: Naming) -> Geometry:
     )
 
 
+def _of_wedge(modeled: Modeled, whole: Naming) -> Naming:
+    """Names of the faces of a sector, whose cavities have their share of those of the whole."""
+    assert modeled.wedge is not None
+    volumes: dict[str, Hollow] = {}
+    for name, hollow in whole.cavities.items():
+        together = modeled.renamed.get(name, name)
+        before = volumes[together].volume if together in volumes else 0.0
+        volumes[together] = replace(hollow, volume=before + hollow.volume / modeled.wedge.fold)
+    return replace(whole, names=modeled.names, cavities=volumes)
+
+
 def _named_again(part: Part, names: Sequence[str], whole: Naming, interface: str | None) -> Naming:
     """Name the faces of a part that was cut as those of the whole, and measure the cavities of what is left."""
-    between = {name for name, inner in zip(names, part.between, strict=True) if inner}
+    inner = part.between
+    between = {name for name, within in zip(names, inner, strict=True) if within}
     own = set(names) - {"outside", *STANDARD} - between
     naming = name_faces(part, {name: ByName(name) for name in sorted(own)}, interface)
-    return replace(naming, findings=whole.findings)
+    kept = tuple(old if within else new for old, new, within in zip(names, naming.names, inner, strict=True))
+    return replace(naming, names=kept, findings=whole.findings)
 
 
 def _check_names(what: str, names: Mapping[str, Selector]) -> None:

@@ -21,6 +21,8 @@ UNDEFORMED = "undeformed.png"
 DEFORMED = "deformed.png"
 CONTACT = "contact.png"
 FIELDS = "vtu"
+#: Folder of what was compared with a run; a new run leaves it.
+COMPARISONS = "comparisons"
 
 #: Locked while a run writes into the folder; the system unlocks it when the run ends, however it ends.
 IN_USE = ".in-use"

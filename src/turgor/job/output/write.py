@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 
+from turgor.job.compare import comparison_sections
 from turgor.job.output.folder import (
     CONTACT,
     DEFORMED,
@@ -108,6 +109,7 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
         versions={**outcome.written_by, "threads": job.threads or ""},
         repeat=f"turgor run {LOCK} --output {job.name}-again",
         files={name: CONTENTS[name] for name in beside},
+        comparisons=comparison_sections(outcome.folder, outcome.response),
         created=datetime.now().astimezone().strftime("%Y-%m-%d %H:%M %Z"),
     )
 

@@ -94,7 +94,8 @@ class CadFileTable(Table):
         STEP, BREP or STL file; its path counts from the folder of the job file.
     symmetry : str
         ``"automatic"`` models a half or a quarter where the part and its loads are the same on both sides of a plane
-        across x, y or z. ``"y"`` or ``"yz"`` names the planes, ``"none"`` models the whole part.
+        across x, y or z, or a wedge with cyclic faces where that is a smaller share. ``"y"`` or ``"yz"`` names the
+        planes; ``"wedge"`` models one of n equal sectors, ``"wedge 6"`` says how many. ``"none"`` models the whole.
     """
 
     type: str

@@ -77,6 +77,13 @@ def _check_mirror(load: Force, geometry: Geometry | None, problems: Problems) ->
                 f"the force along {axis} points across the mirror plane of a half model; "
                 "set actuator.symmetric = false.",
             )
+        wedge = None if geometry is None else geometry.wedge
+        if wedge is not None and part and axis != wedge.axis:
+            problems.add(
+                ("loads", load.face),
+                f"the force along {axis} is not the same in all sectors of the wedge about {wedge.axis}; set "
+                'actuator.symmetry = "none".',
+            )
 
 
 def history_of(table: Timed, what: str, duration: float | None) -> Any:

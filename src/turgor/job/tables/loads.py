@@ -118,6 +118,14 @@ def _gravity_allowed(
     if geometry is not None and f"symmetry_{text[1]}" in geometry.faces:
         problems.add(key, f"'{text}' points across the mirror plane of a half model; set actuator.symmetric = false.")
         return False
+    wedge = None if geometry is None else geometry.wedge
+    if wedge is not None and text[1] != wedge.axis:
+        problems.add(
+            key,
+            f"'{text}' is not the same in all sectors of the wedge about {wedge.axis}; set actuator.symmetry = "
+            '"none".',
+        )
+        return False
     light = [n for n, m in materials.items() if isinstance(m, Material) and m.density is None]
     for name in light:
         problems.whole.add(

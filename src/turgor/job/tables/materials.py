@@ -11,7 +11,7 @@ from turgor.geometry import Geometry
 from turgor.job.tables.material_tables import LibraryTable, StatedTable, law_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import MeshTable, read_table, shown
+from turgor.job.text.quantities import read_table, shown
 from turgor.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke
 from turgor.materials.laws.names import law_name
 from turgor.materials.library.records import from_library, library
@@ -43,7 +43,10 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
         problems.add((*key, BASE), f"the combined constants of {combined[0]} stand for this region; leave one out.")
     for name, entry in values.items():
         if geometry is not None and name not in (*geometry.regions, *geometry.faces):
-            known = (*geometry.regions, *(face for face in geometry.faces if not face.startswith("symmetry_")))
+            known = (
+                *geometry.regions,
+                *(face for face in geometry.faces if not face.startswith(("symmetry_", "cyclic_"))),
+            )
             problems.add((*key, name), str(unknown("region or face", name, known)))
             continue
         made = _read_material(entry, (*key, name), geometry, problems)
@@ -176,13 +179,6 @@ def _law(kind: Any, constants: Mapping[str, Any]) -> Any:
     if kind is GeneralizedRivlin:
         return GeneralizedRivlin.from_names(constants["coefficients"])
     return kind(**constants)
-
-
-def refuse_shells(materials: Mapping[str, Material | Membrane], mesh: MeshTable | None, problems: Problems) -> None:
-    """Note every shell on a mesh of tetrahedra, which do not support shells."""
-    for name, entry in materials.items():
-        if mesh is not None and mesh.cells == "tetrahedra" and isinstance(entry, Membrane) and entry.bending:
-            problems.add(("materials", name, "form"), '"shell" needs hexahedra; add cells = "hexahedra" to [mesh].')
 
 
 def _suits(

@@ -32,6 +32,7 @@ def _three(value: object, dimension: str, example: str) -> Vector:
 
 
 _MOMENT, _INERTIA = '[0, "20 N mm", 0]', '["2 kg mm²", "1 kg mm²", "1 kg mm²"]'
+_SPRINGS = '["20 N/m", 0, 0]'
 Moments = Annotated[
     Any,
     BeforeValidator(partial(_three, dimension="moment", example=_MOMENT)),
@@ -41,6 +42,11 @@ Inertia = Annotated[
     Any,
     BeforeValidator(partial(_three, dimension="inertia", example=_INERTIA)),
     Says("three moments of inertia", _INERTIA, "inertia"),
+]
+Springs = Annotated[
+    Any,
+    BeforeValidator(partial(_three, dimension="spring stiffness", example=_SPRINGS)),
+    Says("three spring stiffnesses", _SPRINGS, "spring stiffness"),
 ]
 Turning = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="rotational stiffness"))]
 
@@ -53,7 +59,8 @@ class PointTable(Table):
     face : str
         The face that is tied to the point.
     spring : float [N/m], optional
-        Stiffness of a spring between the point and its place at rest, in all directions.
+        Stiffness of a spring between the point and its place at rest, in all directions, or a list of three along x, y
+        and z.
     rotational_spring : float [N m/rad], optional
         Moment per angle of a spring that turns the point back.
     force : (3,) floats [N], optional
@@ -72,11 +79,13 @@ class PointTable(Table):
         Angle by which the point is turned at the end; 0 keeps it from turning.
     axis : direction
         Axis of this rotation.
-    hinge : str, optional
-        Axis about which alone the point may turn: x, y or z.
+    tilts : bool
+        Whether the rotation leaves the point free to tilt: then only its twist about the axis is prescribed.
+    hinge : direction, optional
+        Axis about which alone the point may turn: x, y, z or three numbers.
     history : list or str, optional
-        Share of force, moment, weight and rotation over the load factor: points [load factor, share] with straight
-        lines between them, or an expression in s. By default it rises with the load factor.
+        Share of force, moment, weight, displacement and rotation over the load factor: points [load factor, share] with
+        straight lines between them, or an expression in s. By default it rises with the load factor.
     history_over_time : list or str, optional
         The same over time in seconds, where the procedure has a duration.
     """
@@ -87,7 +96,7 @@ class PointTable(Table):
     mass: Mass | None = None
     center: Lengths | None = None
     inertia: Inertia = None
-    spring: SpringStiffness | None = None
+    spring: SpringStiffness | Springs | None = None
     rotational_spring: Turning | None = None
     force: Forces = None
     moment: Moments = None
@@ -97,7 +106,8 @@ class PointTable(Table):
     displacement: Lengths | None = None
     rotation: Angle | None = None
     axis: Direction = (1.0, 0.0, 0.0)
-    hinge: str | None = Field(default=None, examples=['"x"'])
+    tilts: bool = False
+    hinge: Direction | None = None
     history: Points = None
     history_over_time: Points = None
 
@@ -183,13 +193,15 @@ def _holds(name: str, table: PointTable, history: Any) -> tuple[Support, ...]:
     if table.displacement is not None:
         if not table.held:
             raise TurgorError("displacement: the point is not held; name the directions with held, such as held = 'z'.")
-        holds.append(Displacement(name, Shift(table.displacement), table.held))
+        holds.append(Displacement(name, Shift(table.displacement, history), table.held))
     elif table.held:
         holds.append(Fixed(name, table.held))
     if table.rotation is not None and table.hinge is not None:
         raise TurgorError("rotation and hinge are both given; one of them says how the point may turn.")
     if table.rotation is not None:
-        holds.append(Rotation(name, table.rotation, table.axis, history))
+        holds.append(Rotation(name, table.rotation, table.axis, history, table.tilts))
+    elif table.tilts:
+        raise TurgorError("tilts: the point has no rotation; give one, or leave tilts out: a point may tilt anyway.")
     if table.hinge is not None:
         holds.append(Hinge(name, table.hinge))
     return tuple(holds)
@@ -241,11 +253,13 @@ def _point_values(point: ReferencePoint) -> dict[str, Any]:
         values["inertia"] = [format_quantity(part, "kg mm²") for part in point.inertia]
     for key, value, unit in (
         ("mass", point.mass, "g"),
-        ("spring", point.stiffness[0], "N/m"),
         ("rotational_spring", point.rotational_spring, "N m/rad"),
     ):
         if value:
             values[key] = format_quantity(value, unit)
+    if any(point.stiffness):
+        along = [format_quantity(part, "N/m") for part in point.stiffness]
+        values["spring"] = along[0] if len(set(along)) == 1 else along
     return values
 
 
@@ -259,7 +273,8 @@ def _load_values(rig: Rig) -> dict[str, Any]:
                 values |= {"moment": [format_quantity(part, "N m") for part in vector], "follower": follower}
             case Hanging(_, mass):
                 values["hangs"] = format_quantity(mass, "g")
-    histories = [each.history for each in (*rig.loads, *rig.holds) if hasattr(each, "history")]
+    moves = [each.value if isinstance(each, Displacement) else each for each in rig.holds]
+    histories = [each.history for each in (*rig.loads, *moves) if hasattr(each, "history")]
     if histories and histories[0] != RAMP:
         history = histories[0]
         values["history"] = history if isinstance(history, str) else [list(point) for point in history]
@@ -274,8 +289,9 @@ def _held_values(rig: Rig) -> dict[str, Any]:
                 values["held"] = directions
             case Displacement(_, Shift(vector), directions):
                 values |= {"held": directions, "displacement": [format_quantity(part, "mm") for part in vector]}
-            case Rotation(_, angle, axis):
+            case Rotation(_, angle, axis, _, tilts):
                 values |= {"rotation": format_quantity(angle, "deg"), "axis": list(axis)}
-            case Hinge(_, axis):
-                values["hinge"] = axis
+                values |= {"tilts": True} if tilts else {}
+            case Hinge():
+                values["hinge"] = list(each.direction)
     return values

@@ -61,7 +61,7 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     problems.attempt((*key, "face_sizes"), lambda: check_face_sizes(geometry, table.face_sizes, size))
     limit = table.ignore_features_below
     problems.attempt((*key, "ignore_features_below"), lambda: check_features(geometry, limit, size, cells))
-    problems.attempt((*key, "cells"), lambda: check_cells(geometry, cells, table.face_sizes))
+    problems.attempt((*key, "cells"), lambda: check_cells(geometry, cells))
     return table
 
 

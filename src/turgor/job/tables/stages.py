@@ -19,6 +19,7 @@ from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Says, Table, read_table, shown
 from turgor.materials.material import Material
 from turgor.model.contact import Contact
+from turgor.model.history import RAMP
 from turgor.model.model import Membrane
 from turgor.model.obstacles import Vector
 from turgor.model.supports import Displacement, Fixed, Shift
@@ -227,6 +228,10 @@ def _written(stage: Stage) -> dict[str, Any]:
 def _vector(moved: Displacement) -> Vector:
     if not isinstance(moved.value, Shift):
         raise TurgorError(f"the displacement of '{moved.face}' is a function, which has no form in a job file.")
+    if moved.value.history != RAMP:
+        raise TurgorError(
+            f"the displacement of '{moved.face}' has a history, which has no form in a stage of a job file."
+        )
     return moved.value.vector
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.meshing.bodies.bodies import find_overlap
-from turgor.meshing.bodies.placing import said_before
+from turgor.meshing.bodies.placing import refuse_wedge, said_before
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.openings import mirror_planes
 from turgor.units import mm
@@ -51,6 +51,8 @@ def together(bodies: Mapping[str, Mesh]) -> Mesh:
     >>> pair.cavities, pair.symmetry_faces
     (('cavity_lower', 'cavity_upper'), ('symmetry_y',))
     """
+    for mesh in bodies.values():
+        refuse_wedge(mesh)
     _check_bodies(bodies)
     _check_apart(bodies)
     mirrors = _shared_mirrors(bodies)

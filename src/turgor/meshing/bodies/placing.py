@@ -112,8 +112,18 @@ def said_before(prefix: str, finding: Finding) -> Finding:
     return finding if said else replace(finding, message=f"{prefix}: {finding.message}")
 
 
+def refuse_wedge(mesh: Mesh) -> None:
+    """Refuse one sector of a whole, whose images would not follow it."""
+    if mesh.wedge is not None:
+        raise TurgorError(
+            f"mesh '{mesh.name}' is a wedge of 1/{mesh.wedge.fold} about {mesh.wedge.axis}, which cannot be moved or "
+            'combined with other bodies; model the whole of it (symmetry = "none").'
+        )
+
+
 def _moved(mesh: Mesh, matrix: Array, shift: Array) -> Mesh:
     """Map the points of a mesh by a rotation or a reflection and a shift; mirror planes stay exactly plane."""
+    refuse_wedge(mesh)
     matrix = np.round(matrix, 15)  # a quarter turn is meant exactly
     points = mesh.points @ matrix.T + shift
     faces, names = dict(mesh.faces), {}

@@ -58,7 +58,7 @@ def crossings(mesh: Mesh) -> tuple[Ints, Array]:
     """
     surface = six_node_triangles(outer_triangles(mesh))
     on_mirror = np.zeros(len(surface), dtype=bool)
-    for name in mesh.symmetry_faces:  # a mirror plane is not a surface of the whole actuator
+    for name in mesh.cut_faces:  # a cut is not a surface of the whole actuator
         on_mirror |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
     surface = surface[~on_mirror]
     edges = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)

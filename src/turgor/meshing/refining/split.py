@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.geometry.wedge import HIGH, LOW
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, TRIANGLE_EDGES, Mesh
 from turgor.meshing.refining.refinement import Refinement
 
@@ -90,6 +91,7 @@ def split_edges(mesh: Mesh, edges: Ints) -> Mesh:
 def refine_tetrahedra(mesh: Mesh, edges: Ints) -> Refinement:
     """Cut the cells at these edges as `split_edges` does, and say which part of which cell each new cell is."""
     parts = _Parts.whole(mesh)
+    edges = _on_both_cuts(mesh, edges)
     if not len(edges):
         return Refinement(mesh, parts.parent, parts.corners)
     ranks = _ranks(mesh, edges)
@@ -149,10 +151,30 @@ class _Parts:
 def _ranks(mesh: Mesh, edges: Ints) -> tuple[Ints, Ints]:
     """Keys of the edges, sorted, and the place of each in the order of cutting: the longest first."""
     keys, first = np.unique(_keys(edges, 1 << 31), return_index=True)
-    length = np.linalg.norm(mesh.points[edges[first, 1]] - mesh.points[edges[first, 0]], axis=1)
+    ends = mesh.leaders[edges[first]]  # images in the cuts of a wedge are cut alike
+    length = np.linalg.norm(mesh.points[ends[:, 1]] - mesh.points[ends[:, 0]], axis=1)
     rank = np.empty(len(keys), dtype=np.int64)
-    rank[np.lexsort((keys, -np.round(length / length.max(), 9)))] = np.arange(len(keys))
+    rank[np.lexsort((keys, _keys(ends, 1 << 31), -np.round(length / length.max(), 9)))] = np.arange(len(keys))
     return keys, rank
+
+
+def _on_both_cuts(mesh: Mesh, edges: Ints) -> Ints:
+    """Edges together with their images in the other cut of a wedge."""
+    if mesh.wedge is None or not len(edges):
+        return edges
+    leaders, all_nodes = mesh.leaders, np.arange(len(mesh.points))
+    high = np.flatnonzero(leaders != all_nodes)
+    onto, back = np.full(len(mesh.points), -1), np.full(len(mesh.points), -1)
+    onto[leaders[high]], back[high] = high, leaders[high]
+    axis = np.intersect1d(mesh.face_nodes(LOW), mesh.face_nodes(HIGH))
+    onto[axis] = back[axis] = axis
+    known = np.unique(_keys(np.concatenate([mesh.cells[:, e] for e in TETRAHEDRON_EDGES]), 1 << 31))
+    for image in (onto, back):
+        moved = image[edges]
+        moved = moved[(moved >= 0).all(axis=1)]
+        moved = moved[np.isin(_keys(moved, 1 << 31), known)]
+        edges = np.concatenate([edges, moved])
+    return np.unique(np.sort(edges, axis=1), axis=0)
 
 
 def _first_marked(nodes: Ints, sides: tuple[tuple[int, int], ...], ranks: tuple[Ints, Ints]) -> Ints:

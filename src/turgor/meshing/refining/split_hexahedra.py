@@ -22,7 +22,7 @@ Ints = NDArray[np.int64]
 
 #: Edges of a hexahedron by their direction in the cell, and of a quadrilateral by theirs.
 CELL_EDGES = (((0, 1), (3, 2), (4, 5), (7, 6)), ((0, 3), (1, 2), (4, 7), (5, 6)), ((0, 4), (1, 5), (2, 6), (3, 7)))
-_SIDE_EDGES = (((0, 1), (3, 2)), ((0, 3), (1, 2)))
+SIDE_EDGES = (((0, 1), (3, 2)), ((0, 3), (1, 2)))
 
 #: Reference coordinates of the corners of a square and a cube, in the node order of the cells.
 _SQUARE = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
@@ -147,7 +147,7 @@ def _cut_sides(mesh: Mesh, sides: Ints, chosen: Ints, of_cell: Ints, known: dict
         return sides
     cut = _cut_edges(mesh, chosen, of_cell)
     count, out, order = len(mesh.points), [], []
-    flags_of = np.stack([np.isin(_edge_keys(sides[:, list(group[0])], count), cut) for group in _SIDE_EDGES], axis=1)
+    flags_of = np.stack([np.isin(_edge_keys(sides[:, list(group[0])], count), cut) for group in SIDE_EDGES], axis=1)
     for flags in product((False, True), repeat=2):
         rows = np.flatnonzero((flags_of == flags).all(axis=1))
         for box in _boxes(flags):

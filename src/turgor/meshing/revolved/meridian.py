@@ -2,16 +2,15 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import atan2, hypot, pi
+from math import pi
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
-from turgor.geometry.cad.volumes import POLE
+from turgor.geometry.cad.planes.tracing import loops_of, outline_of, samples
 from turgor.geometry.geometry import Geometry
-from turgor.geometry.shapes.sections import Outline
 from turgor.geometry.sweep import Fill
 
 Array = NDArray[np.float64]
@@ -19,17 +18,8 @@ Array = NDArray[np.float64]
 #: Two ends of edges are one corner if they are nearer than this share of the size of the part.
 SAME = 1e-7
 
-#: An edge is straight, or an arc, if its points are nearer to the line or circle than this share of its length.
-STRAIGHT = 1e-6
-
 #: The turned section has the volume of the part up to this share, which free-form edges miss by less.
 SAME_VOLUME = 1e-3
-
-#: Arcs that stand for a free-form edge.
-PIECES = 16
-
-#: Points of each edge, from which the sides of cells find it again.
-SAMPLES = 400
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -90,6 +80,22 @@ def meridian_of(geometry: Geometry) -> Meridian:
     )
 
 
+def is_revolved(geometry: Geometry) -> bool:
+    """Whether a geometry is a quarter of a body of revolution, which `meridian_of` can read.
+
+    Examples
+    --------
+    >>> from turgor.geometry import BellowsOfRevolution, FastPneuNet
+    >>> is_revolved(BellowsOfRevolution(folds=1).build()), is_revolved(FastPneuNet(chambers=2, length=20e-3).build())
+    (True, False)
+    """
+    try:
+        meridian_of(geometry)
+    except TurgorError:
+        return False
+    return True
+
+
 def _about(geometry: Geometry, axis: int) -> Meridian:
     """The meridian if the part is revolved about an axis."""
     planes = {letter: _position(geometry, letter) for letter in "xyz" if f"symmetry_{letter}" in geometry.faces}
@@ -125,9 +131,9 @@ def _loops(
         for face in solid.faces:
             if face.name != f"symmetry_{plane}":
                 continue
-            for number, wire in enumerate(_loops_of(face)):
+            for number, wire in enumerate(loops_of(face)):
                 lines = [_points(edge, axis, radial, center / scale) * scale for edge in wire]
-                loops.append((str(solid.name) if number == 0 else None, _outline(lines)))
+                loops.append((str(solid.name) if number == 0 else None, outline_of(lines)))
                 for edge, line in zip(wire, lines, strict=True):
                     names = [str(f.name) for f, owned in beside if edge in owned and not f.name.startswith("symmetry_")]
                     if names:
@@ -135,72 +141,7 @@ def _loops(
     return loops, edges
 
 
-def _loops_of(face: Any) -> list[list[Any]]:
-    """The loops of edges of a face, the outer one first."""
-    wires = [[edge for edge in wire.edges if edge.mass > POLE] for wire in face.wires]
-    size = [sum(float(edge.mass) for edge in wire) for wire in wires]
-    return [wires[i] for i in np.argsort(size)[::-1]]
-
-
 def _points(edge: Any, axis: int, radial: int, center: Array) -> Array:
     """Points of an edge (SAMPLES + 1, 2) along the axis and the radius, in the order of its parameter."""
-    low, high = edge.parameter_interval
-    values = [edge.Value(t) for t in np.linspace(low, high, SAMPLES + 1)]
-    points = np.array([(p.x, p.y, p.z) for p in values]) - center
+    points = samples(edge) - center
     return np.stack([points[:, axis], np.abs(points[:, radial])], axis=1)
-
-
-def _outline(lines: Sequence[Array]) -> Outline:
-    """Chain edges into an outline, counterclockwise."""
-    left = list(lines)
-    chain = [left.pop(0)]
-    size = max(float(np.ptp(line, axis=0).max()) for line in lines)
-    while left:
-        end = chain[-1][-1]
-        gaps = [min(hypot(*(line[0] - end)), hypot(*(line[-1] - end))) for line in left]
-        line = left.pop(int(np.argmin(gaps)))
-        chain.append(line if hypot(*(line[0] - end)) <= hypot(*(line[-1] - end)) else line[::-1])
-    if hypot(*(chain[-1][-1] - chain[0][0])) > 1e-4 * size:  # the first edge was taken backwards
-        chain[0] = chain[0][::-1]
-    pieces = [piece for line in chain for piece in _pieces(line)]
-    outline = Outline(corners=tuple(p for p, _ in pieces), arcs=tuple(arc for _, arc in pieces))
-    if outline.area >= 0:
-        return outline
-    corners = tuple(reversed(outline.corners))
-    return Outline(corners=corners, arcs=tuple(-arc for arc in (*reversed(outline.arcs[:-1]), outline.arcs[-1])))
-
-
-def _pieces(line: Array) -> list[tuple[tuple[float, float], float]]:
-    """An edge as straight pieces and arcs: the start of each, and the angle through which it turns."""
-    length = float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
-    turn = _turn(line[0], line[SAMPLES // 2], line[-1])
-    if _off(line, turn) <= STRAIGHT * length:
-        return [(_pair(line[0]), turn)]
-    step = SAMPLES // PIECES
-    starts = range(0, SAMPLES, step)
-    return [(_pair(line[i]), _turn(line[i], line[i + step // 2], line[i + step])) for i in starts]
-
-
-def _pair(point: Array) -> tuple[float, float]:
-    return float(point[0]), float(point[1])
-
-
-def _turn(start: Array, middle: Array, end: Array) -> float:
-    """Angle through which an arc from start through middle to end turns, 0 for a straight line."""
-    first, second = middle - start, end - middle
-    cross, dot = first[0] * second[1] - first[1] * second[0], float(first @ second)
-    angle = 2 * atan2(cross, dot)
-    return 0.0 if abs(angle) < STRAIGHT else angle
-
-
-def _off(line: Array, turn: float) -> float:
-    """Largest distance of the points of an edge from the straight line or arc between its ends."""
-    start, end = line[0], line[-1]
-    span = end - start
-    chord = hypot(*span)
-    if not turn:
-        return float(np.abs(span[0] * (line[:, 1] - start[1]) - span[1] * (line[:, 0] - start[0])).max() / chord)
-    radius = chord / 2 / abs(np.sin(turn / 2))
-    apothem = chord / 2 / np.tan(turn / 2)
-    center = (start + end) / 2 + apothem * np.array([-span[1], span[0]]) / chord
-    return float(np.abs(np.hypot(*(line - center).T) - radius).max())

@@ -67,7 +67,7 @@ def find_thin_walls(mesh: Mesh, size: float) -> ThinWalls:
     """
     surface = outer_triangles(mesh)
     on_mirror = np.zeros(len(surface), dtype=bool)
-    for name in mesh.symmetry_faces:
+    for name in mesh.cut_faces:
         on_mirror |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
     corners = mesh.points[surface[~on_mirror][:, :3]]
     inward = surface[~on_mirror][:, [0, 2, 1]]

@@ -1,6 +1,6 @@
 """Swept meshes: 27-node hexahedra of a section moved along a line or turned about an axis."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import pi
 
 from turgor.errors import TurgorError, unknown
@@ -63,7 +63,7 @@ def swept_mesh(geometry: Geometry, fine: Fineness) -> Mesh:
     )
 
 
-def check_cells(geometry: Geometry, cells: object, face_sizes: Mapping[str, float]) -> str:
+def check_cells(geometry: Geometry, cells: object) -> str:
     """Return a kind of cells, refusing what is none and hexahedra where these cannot be made.
 
     Parameters
@@ -71,18 +71,16 @@ def check_cells(geometry: Geometry, cells: object, face_sizes: Mapping[str, floa
     geometry : Geometry
     cells : str
         As `turgor.mesh` takes it.
-    face_sizes : mapping of str to float [m]
-        Sizes of some faces; hexahedra allow none.
 
     Raises
     ------
     TurgorError
-        If the kind is unknown, the geometry is no sweep, or a face has a size of its own.
+        If the kind is unknown, or the geometry is no sweep.
 
     Examples
     --------
     >>> from turgor.geometry import FastPneuNet
-    >>> check_cells(FastPneuNet().build(), "hexahedrons", {})
+    >>> check_cells(FastPneuNet().build(), "hexahedrons")
     Traceback (most recent call last):
     turgor.errors.TurgorError: unknown kind of cells 'hexahedrons'; did you mean 'hexahedra'? Known: ...
     """
@@ -90,9 +88,6 @@ def check_cells(geometry: Geometry, cells: object, face_sizes: Mapping[str, floa
         raise unknown("kind of cells", str(cells), KINDS)
     if cells == "hexahedra":
         _sweep_of(geometry)
-    if cells != "tetrahedra" and face_sizes:
-        name = next(iter(face_sizes))
-        raise TurgorError(f"mesh size of face '{name}' is given, but only tetrahedra can follow sizes of faces.")
     return str(cells)
 
 

@@ -120,10 +120,8 @@ def extents_of(states: Iterable[StateFields]) -> dict[str, Array]:
         faces = {each.face for each in at.model.contact.obstacles if each.face is not None}
         for name in ("", *faces):
             points = at.points if name == "" else at.points[at.mesh.face_nodes(name)]
-            ends = np.stack([points.min(axis=0), points.max(axis=0)])
-            for plane in at.facts.mirrors:
-                both = np.append(ends[:, plane.axis], 2 * plane.position - ends[:, plane.axis])
-                ends[:, plane.axis] = both.min(), both.max()
+            whole = np.concatenate([image.of(points) for image in at.facts.images])
+            ends = np.stack([whole.min(axis=0), whole.max(axis=0)])
             known = out.get(name, ends)
             out[name] = np.stack([np.minimum(known[0], ends[0]), np.maximum(known[1], ends[1])])
     return out

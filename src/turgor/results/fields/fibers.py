@@ -139,9 +139,4 @@ def drawn_threads(at: StateFields) -> list[Array]:
         except TurgorError:
             if fibers.form == DISCRETE:
                 raise
-    for plane in at.facts.mirrors:
-        images = [line.copy() for line in lines]
-        for line in images:
-            line[:, plane.axis] = 2 * plane.position - line[:, plane.axis]
-        lines += images
-    return lines
+    return [image.of(line) for image in at.facts.images for line in lines]

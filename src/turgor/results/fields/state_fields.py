@@ -21,11 +21,33 @@ Array = NDArray[np.float64]
 Made = TypeVar("Made")
 
 
+class Image(NamedTuple):
+    """A map of the modeled part onto a part of the whole: x → center + turn (x − center); ``flips`` if it mirrors."""
+
+    turn: Array
+    center: Array
+    flips: bool
+
+    def of(self, points: Array) -> Array:
+        """Images (…, 3) of points (…, 3) [m]."""
+        return np.asarray((points - self.center) @ self.turn.T + self.center)
+
+
+#: The map of the modeled part onto itself.
+ITSELF = Image(np.eye(3), np.zeros(3), False)
+
+
 class MirrorPlane(NamedTuple):
     """A plane on which a half or quarter model is cut: ``points[:, axis] == position`` [m]."""
 
     axis: int
     position: float
+
+    def image(self) -> Image:
+        """The map onto the other side."""
+        flip, at = np.eye(3), np.zeros(3)
+        flip[self.axis, self.axis], at[self.axis] = -1.0, self.position
+        return Image(flip, at, True)
 
 
 class MeshFacts:
@@ -47,6 +69,18 @@ class MeshFacts:
     def mirrors(self) -> tuple[MirrorPlane, ...]:
         """Mirror planes, one for each face named ``symmetry_*``."""
         return tuple(MirrorPlane(axis, position) for axis, position in self.mesh.mirror_planes)
+
+    @cached_property
+    def images(self) -> tuple[Image, ...]:
+        """Maps of the modeled part onto all parts of the whole, itself first."""
+        found = [ITSELF]
+        for plane in map(MirrorPlane.image, self.mirrors):  # each moves along one axis of its own
+            found += [Image(plane.turn @ each.turn, each.center + plane.center, not each.flips) for each in found]
+        wedge = self.mesh.wedge
+        if wedge is not None:
+            center = np.array(wedge.center)
+            found += [Image(wedge.turn(k), center, False) for k in range(1, wedge.fold)]
+        return tuple(found)
 
     @cached_property
     def walls(self) -> FacingWalls:
@@ -72,11 +106,14 @@ class MeshFacts:
         return outer_triangles(self.mesh)
 
     def of_whole(self, vector: Array) -> Array:
-        """Mean over the whole actuator of a vector of the modeled part: what points along a mirror's normal cancels."""
+        """Mean over the whole actuator of a vector of the modeled part.
+
+        What points along a mirror's normal cancels, and so does what points across the axis of a wedge.
+        """
         out = np.array(vector, dtype=np.float64)
         for plane in self.mirrors:
             out[..., plane.axis] = 0.0
-        return out
+        return out if self.mesh.wedge is None else self.mesh.wedge.mean(out)
 
 
 class StateFields:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from turgor.engine.faces import surfaces
+from turgor.engine.faces.openings import mirror_point
 from turgor.errors import TurgorError
 from turgor.meshing.openings import find_rims, torn_rims
 from turgor.meshing.surface import rim_edges
@@ -30,9 +31,7 @@ def enclosed_volume(at: StateFields, names: Sequence[str]) -> float:
         If a face is unknown, or the faces lie open off the mirror planes elsewhere than at a plane opening.
     """
     triangles = np.unique(np.concatenate([at.mesh.face(name) for name in names]), axis=0)
-    points = at.points.copy()
-    for plane in at.facts.mirrors:  # a mirror plane adds nothing to ⅓ ∮ x·n da if it holds the origin
-        points[:, plane.axis] -= plane.position
+    points = at.points - mirror_point(at.mesh)  # what is cut at planes and axes through the origin adds nothing
     rim = rim_edges(triangles)
     torn = torn_rims(at.mesh, at.facts.surface, rim) if find_rims(at.mesh, rim) else ()
     if torn:
@@ -42,4 +41,4 @@ def enclosed_volume(at: StateFields, names: Sequence[str]) -> float:
             "close the inlet or name all walls of the cavity."
         )
     # normals point out of the solid, which is into the cavity
-    return -at.mesh.symmetry_factor * surfaces.enclosed_volume(points, triangles)
+    return -at.mesh.symmetry_factor * surfaces.enclosed_volume(points, triangles, at.mesh)

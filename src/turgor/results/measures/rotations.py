@@ -19,7 +19,11 @@ def face_rotation(at: StateFields, face: str) -> Array:
         Name of the face.
     """
     weights = surfaces.nodal_weights(at.mesh.points, at.mesh.face(face))
-    rest, now = (points - weights @ points / weights.sum() for points in (at.mesh.points, at.points))
+    rest, now = at.mesh.points, at.points
+    if at.mesh.wedge is not None:  # one sector leans on the axis, and the whole turns about it
+        weights = np.tile(weights, at.mesh.wedge.fold)
+        rest, now = (np.concatenate([image.of(points) for image in at.facts.images]) for points in (rest, now))
+    rest, now = (points - weights @ points / weights.sum() for points in (rest, now))
     left, _, right = np.linalg.svd((now * weights[:, None]).T @ rest)
     mend = np.diag([1.0, 1.0, np.linalg.det(left @ right)])  # a rotation, never a mirror image
     return np.asarray(left @ mend @ right, dtype=np.float64)

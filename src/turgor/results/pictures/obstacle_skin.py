@@ -8,11 +8,11 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from turgor.results.fields.contact import drawn_obstacles, place_of
-from turgor.results.fields.state_fields import MeshFacts, MirrorPlane, StateFields
+from turgor.results.fields.state_fields import ITSELF, MeshFacts, MirrorPlane, StateFields
 from turgor.results.pictures.obstacle_shapes import outline
 from turgor.results.pictures.raycast import Camera, Hits
 from turgor.results.pictures.shading import Bytes, draw_lines, find_lines
-from turgor.results.pictures.skin import EDGE_ANGLE, Skin, with_image
+from turgor.results.pictures.skin import EDGE_ANGLE, Skin, with_images
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -75,7 +75,7 @@ def _mirrored(skin: Skin, facts: MeshFacts) -> Skin:
     """Add the images of an obstacle in the mirror planes, unless it is its own image."""
     for plane in facts.mirrors:
         if not _own_image(skin, plane):
-            skin = with_image(skin, plane)
+            skin = with_images(skin, (ITSELF, plane.image()))
     return skin
 
 

@@ -1,5 +1,6 @@
 """Skin: the visible surface of the whole actuator as small flat triangles, ready to be drawn."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import cos
@@ -14,7 +15,7 @@ from turgor.engine.cells.reference import reference_nodes, tables_at
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
-from turgor.results.fields.state_fields import MeshFacts, MirrorPlane
+from turgor.results.fields.state_fields import Image, MeshFacts
 from turgor.units import deg
 
 Array = NDArray[np.float64]
@@ -78,7 +79,7 @@ class Skin:
 
 
 def visible_skin(at: Drawn, values: Array) -> Skin:
-    """Build the skin of a state: outer surface without the mirror planes, mirrored to the whole actuator.
+    """Build the skin of a state: outer surface without the cuts, mirrored or turned to the whole actuator.
 
     Parameters
     ----------
@@ -92,7 +93,7 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
     triangles, region = drawn_triangles(mesh)
     shared = len(values) == len(mesh.points)
     corners = values[triangles if shared else at.facts.region_nodes.of(triangles, np.tile(region[:, None], 6))]
-    smooth = _smooth_patches(mesh.points, triangles)
+    smooth = _smooth_patches(mesh, triangles)
     normals = _nodal_normals(at, triangles, smooth)
     patch = np.unique(np.stack([smooth, region], axis=1), axis=0, return_inverse=True)[1].ravel()
     parts = PARTS if len(triangles) * PARTS**2 * mesh.symmetry_factor <= MANY else 2
@@ -109,16 +110,14 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
         triangles=(pieces + count * np.arange(len(triangles))[:, None, None]).reshape(-1, 3),
         patch=np.repeat(patch, len(pieces)),
     )
-    for plane in at.facts.mirrors:
-        skin = with_image(skin, plane)
-    return skin
+    return with_images(skin, at.facts.images)
 
 
 def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
-    """Return the outer triangles that lie on no mirror plane, and the number of the region behind each."""
+    """Return the outer triangles that lie in no cut, and the number of the region behind each."""
     triangles = six_node_triangles(outer_triangles(mesh))
     count = len(mesh.points)
-    for name in mesh.symmetry_faces:
+    for name in mesh.cut_faces:
         plane = six_node_triangles(mesh.face(name))
         on_plane = np.isin(corner_keys(triangles, count), corner_keys(plane, count))
         triangles = triangles[~on_plane]
@@ -129,12 +128,15 @@ def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
     return triangles, touching[:, triangles].all(axis=2).argmax(axis=0)
 
 
-def _smooth_patches(points: Array, triangles: Ints) -> Ints:
+def _smooth_patches(mesh: Mesh, triangles: Ints) -> Ints:
     """Number of the smooth patch of each triangle, (f,); patches end at sharp edges."""
-    edges = np.concatenate([triangles[:, [a, b]] for a, b in TRIANGLE_EDGES])
+    leaders = mesh.leaders[triangles]  # a patch of a wedge goes on in the next sector
+    edges = np.concatenate([leaders[:, [a, b]] for a, b in TRIANGLE_EDGES])
     owner = np.tile(np.arange(len(triangles)), 3)
     # normals at the midside nodes, where two curved triangles of one smooth face agree
-    normals = _unit_normals(points, triangles)[:, 3:].transpose(1, 0, 2).reshape(-1, 3)
+    normals = _unit_normals(mesh.points, triangles)
+    normals[leaders != triangles] = normals[leaders != triangles] @ _turn(mesh)
+    normals = normals[:, 3:].transpose(1, 0, 2).reshape(-1, 3)
     key = np.sort(edges, axis=1)
     order = np.lexsort((key[:, 1], key[:, 0]))
     same = (key[order[1:]] == key[order[:-1]]).all(axis=1)
@@ -143,6 +145,11 @@ def _smooth_patches(points: Array, triangles: Ints) -> Ints:
     a, b = owner[first[smooth]], owner[second[smooth]]
     graph = coo_matrix((np.ones(len(a)), (a, b)), shape=(len(triangles),) * 2)
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
+
+
+def _turn(mesh: Mesh) -> Array:
+    """Rotation (3, 3) to the next sector of a wedge."""
+    return np.eye(3) if mesh.wedge is None else mesh.wedge.turn()
 
 
 def _unit_normals(points: Array, triangles: Ints) -> Array:
@@ -156,11 +163,15 @@ def _unit_normals(points: Array, triangles: Ints) -> Array:
 
 def _nodal_normals(at: Drawn, triangles: Ints, patch: Ints) -> Array:
     """Current normals at the nodes of every triangle, averaged within each patch, (f, 6, 3)."""
-    own = _unit_normals(at.points, triangles)
-    key = (patch[:, None] * len(at.mesh.points) + triangles).ravel()
+    own, leaders = _unit_normals(at.points, triangles), at.mesh.leaders
+    turned = leaders[triangles] != triangles  # the surface of a wedge goes on in the next sector
+    turn = _turn(at.mesh)
+    own[turned] = own[turned] @ turn
+    key = (patch[:, None] * len(at.mesh.points) + leaders[triangles]).ravel()
     _, group = np.unique(key, return_inverse=True)
     total = np.stack([np.bincount(group, own[..., i].ravel()) for i in range(3)], axis=1)
     normals = total[group].reshape(own.shape)
+    normals[turned] = normals[turned] @ turn.T
     for face, plane in zip(at.mesh.symmetry_faces, at.facts.mirrors, strict=True):
         on_plane = np.isin(triangles, at.mesh.face_nodes(face))
         normals[on_plane, plane.axis] = 0.0  # the surface continues smoothly into its mirror image
@@ -181,15 +192,14 @@ def _subdivision(parts: int) -> tuple[Array, Ints]:
     return tables_at(6, lattice, np.ones(len(lattice))).N, np.array(pieces)
 
 
-def with_image(skin: Skin, plane: MirrorPlane) -> Skin:
-    """Return the skin together with its mirror image."""
-    points, normals = skin.points.copy(), skin.normals.copy()
-    points[:, plane.axis] = 2 * plane.position - points[:, plane.axis]
-    normals[:, plane.axis] *= -1
+def with_images(skin: Skin, images: Sequence[Image]) -> Skin:
+    """Return the images of a skin together; its own place is one of them."""
+    count = len(skin.points)
+    turned = [skin.triangles[:, ::-1] if image.flips else skin.triangles for image in images]
     return Skin(
-        points=np.concatenate([skin.points, points]),
-        normals=np.concatenate([skin.normals, normals]),
-        values=np.concatenate([skin.values, skin.values]),
-        triangles=np.concatenate([skin.triangles, skin.triangles[:, ::-1] + len(points)]),
-        patch=np.concatenate([skin.patch, skin.patch]),
+        points=np.concatenate([image.of(skin.points) for image in images]),
+        normals=np.concatenate([skin.normals @ image.turn.T for image in images]),
+        values=np.tile(skin.values, len(images)),
+        triangles=np.concatenate([triangles + k * count for k, triangles in enumerate(turned)]),
+        patch=np.tile(skin.patch, len(images)),
     )

@@ -188,6 +188,8 @@ def _listed(vector: Vector) -> str:
 def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
     """Counts of a mesh and, where it was measured, its quality."""
     share = {1: "whole actuator", 2: "half, mirrored", 4: "quarter, mirrored"}.get(of.symmetry_factor, "part, mirrored")
+    if of.wedge is not None:
+        share = f"wedge of 1/{of.wedge.fold} about {of.wedge.axis}"
     rows = [
         ("cells", f"{len(of.cells):,} {of.cell_type.name.replace('hedron', 'hedra')} ({share})"),
         ("nodes", f"{len(of.points):,}"),

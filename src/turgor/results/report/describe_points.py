@@ -18,12 +18,15 @@ def point_text(support: ReferencePoint | Rotation | Hinge) -> str:
     match support:
         case ReferencePoint():
             return _point(support)
+        case Rotation(point, angle, axis, _, True):
+            return f"{point} turned by {angle / deg:g} deg about ({_listed(axis)}), free to tilt."
         case Rotation(point, angle, axis):
             if not angle:
                 return f"{point} kept from turning."
             return f"{point} turned by {angle / deg:g} deg about ({_listed(axis)})."
         case Hinge(point, axis):
-            return f"{point} may turn about {axis} only."
+            about = axis if isinstance(axis, str) else f"({_listed(axis)})"
+            return f"{point} may turn about {about} only."
 
 
 def _point(point: ReferencePoint) -> str:

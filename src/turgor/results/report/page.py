@@ -60,6 +60,8 @@ class Report:
         Files beside the report and what each holds.
     created : str
         When it was made; nothing is said if it is empty.
+    comparisons : tuple of (str, str, str)
+        Title, text and picture (SVG) of each comparison with an experiment.
     """
 
     title: str
@@ -73,6 +75,7 @@ class Report:
     repeat: str = ""
     files: Mapping[str, str] = field(default_factory=dict)
     created: str = ""
+    comparisons: tuple[tuple[str, str, str], ...] = ()
 
 
 def write_report(path: str | Path, report: Report) -> None:
@@ -130,6 +133,7 @@ def _context(report: Report) -> dict[str, object]:
         "repeat": report.repeat,
         "files": list(report.files.items()),
         "created": report.created,
+        "comparisons": list(report.comparisons),
     }
 
 

@@ -1,6 +1,7 @@
 """Checks of contact: walls that met without contact, walls that overlap at rest, contact that penetrates too deep."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -10,6 +11,7 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.mirror_gap import find_mirror_walls, mirror_gap
 from turgor.meshing.quality.overlaps import find_overlaps
 from turgor.meshing.quality.proximity import find_facing_walls, smallest_gap
+from turgor.meshing.wedge import sectors
 from turgor.model.contact import SELF
 from turgor.model.drive import common_pressure, drive_text, pressed_together, rises
 from turgor.model.model import Model
@@ -117,7 +119,36 @@ def meeting_walls(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
         if first:
             whom = min(first, key=lambda each: first[each])
             found.append(_met(model, cavity, whom, first[whom]))
-    return tuple(found)
+    return (*found, *_met_next_sector(model, states))
+
+
+def _met_next_sector(model: Model, states: Sequence[State]) -> tuple[Finding, ...]:
+    """Find the load at which outer walls of a wedge first met those of the next sector, which no contact stops."""
+    wedge = model.mesh.wedge
+    if wedge is None:
+        return ()
+    pair = sectors(model.mesh, 2)
+    facing = find_facing_walls(pair.mesh)
+    alone = [np.setdiff1d(pair.nodes[i], pair.nodes[1 - i]) for i in range(2)]
+    within = np.array([[np.isin(wall, nodes).all() for nodes in alone] for wall in facing.walls], dtype=bool)
+    within = within.reshape(-1, 2)
+    a, b = facing.pairs.reshape(-1, 2).T
+    between = (within[a, 0] & within[b, 1]) | (within[a, 1] & within[b, 0])
+    facing = replace(facing, pairs=facing.pairs.reshape(-1, 2)[between])
+    gaps = (smallest_gap(facing, pair.displacement(wedge, state.displacement)) for state in states)
+    factor = _first_contact(states, gaps)
+    if factor is None:
+        return ()
+    load = drive_text(model, factor, 3) or f"load factor {factor:.3g}"
+    return (
+        Finding(
+            code="B02",
+            severity=Severity.ERROR,
+            message=f"Outer walls met those of the next sector of the wedge at {load}; beyond it they pass through "
+            "each other, because contact between sectors is not modeled.",
+            advice=f'Model mirror planes or the whole part (symmetry = "none"), or use the results below {load} only.',
+        ),
+    )
 
 
 def _unguarded(model: Model) -> tuple[str | None, ...]:

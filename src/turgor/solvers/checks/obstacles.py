@@ -55,7 +55,7 @@ def _overlap(mesh: Mesh, obstacle: Obstacle) -> Finding | None:
 def _outside(mesh: Mesh) -> Ints:
     """Nodes of the surface without cavities and mirror planes."""
     count, outer = len(mesh.points), outer_triangles(mesh)
-    hidden = [corner_keys(mesh.faces[name], count) for name in (*mesh.cavities, *mesh.symmetry_faces)]
+    hidden = [corner_keys(mesh.faces[name], count) for name in (*mesh.cavities, *mesh.cut_faces)]
     keys = np.concatenate([np.zeros(0, dtype=np.int64), *hidden])
     return np.unique(outer[~np.isin(corner_keys(outer, count), keys)])
 

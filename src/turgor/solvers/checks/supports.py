@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.boundary import Held, held_components
+from turgor.engine.points.bearing_term import stopped
 from turgor.engine.points.carriers import with_carried
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
@@ -73,7 +74,7 @@ def _held_motions(model: Model, supports: Held, body: Body) -> int:
         mask[each.arrows] |= each.point.rotational_spring > 0
     # a rigid face moves along with its point; the nodes of a plane section may part
     follows = np.isin(tied.followers // 3, body.nodes) & (tied.leaders < 3 * len(model.mesh.points))
-    count = mask.sum() + follows.sum()
+    count = mask.sum() + follows.sum() + sum(each.bearing is not None for each in carriers)
     if not count:
         return 0
     arms, goes = _arms(model, supports, body)
@@ -82,7 +83,8 @@ def _held_motions(model: Model, supports: Held, body: Body) -> int:
         for motion in (goes[:, None] * np.eye(3)[axis], np.cross(np.eye(3)[axis], arms)):
             local = supports.frames.to_local(motion)
             parted = local.ravel()[tied.followers[follows]] - local.ravel()[tied.leaders[follows]]
-            motions.append(np.concatenate([local[mask], parted]))
+            stops = [stopped(each, motion) for each in carriers]
+            motions.append(np.concatenate([local[mask], parted, *stops]))
     return int(np.linalg.matrix_rank(np.array(motions), tol=1e-6 * max(1.0, np.sqrt(count))))
 
 
@@ -102,7 +104,7 @@ def _named(body: Body) -> str:
 
 def _faces_to_hold(body: Body) -> str:
     """Faces that a body can be held at, one that is meant for it first."""
-    faces = [name for name in body.faces if not name.startswith(("cavity", "symmetry_"))]
+    faces = [name for name in body.faces if not name.startswith(("cavity", "symmetry_", "cyclic_"))]
     if not faces:
         return "which has no name yet"
     best = next((name for name in faces if name.startswith("fixed")), faces[0])
@@ -125,7 +127,7 @@ def everything_held(model: Model) -> tuple[Finding, ...]:
     """Say where the whole surface outside the cavities is held, so that nothing can move (B09)."""
     mesh = model.mesh
     fixed = {name for name in mesh.faces for each in model.supports if each == Fixed(name, "xyz")}
-    inner = (*mesh.cavities, *mesh.symmetry_faces)
+    inner = (*mesh.cavities, *mesh.cut_faces)
     outside = corner_keys(outer_triangles(mesh), len(mesh.points))
     left = outside[~np.isin(outside, _sides(mesh, (*inner, *fixed)))]
     if not fixed or len(left):

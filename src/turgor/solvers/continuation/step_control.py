@@ -3,8 +3,21 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from turgor.solvers.continuation.thresholds import COMFORTABLE_ITERATIONS, LOAD_DIGITS, ROUND_OFF, STEP_CUT, STRETCH
+from turgor.model.model import Model
+from turgor.solvers.continuation.thresholds import (
+    COMFORTABLE_ITERATIONS,
+    LOAD_DIGITS,
+    ROUND_OFF,
+    STEP_CUT,
+    STRETCH,
+    WRINKLING_ITERATIONS,
+)
 from turgor.solvers.procedures.step_options import StepOptions
+
+
+def sheets_wrinkle(model: Model) -> bool:
+    """Whether a sheet of a model bears less compression than tension."""
+    return any(sheet.wrinkles for sheet in model.membranes.values())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,6 +34,8 @@ class StepControl:
         Load factors to hit exactly, rising, the last one is 1.
     patience : int
         Successes since the last failure; steps do not grow right after one.
+    comfortable : float
+        Iterations of a step that is neither too easy nor too hard.
     """
 
     length: float
@@ -28,10 +43,18 @@ class StepControl:
     min_step: float
     targets: tuple[float, ...]
     patience: int = 2
+    comfortable: float = COMFORTABLE_ITERATIONS
 
     @staticmethod
-    def of(procedure: StepOptions, kinks: Sequence[float] = ()) -> "StepControl":
-        """Start as a procedure asks, and hit the kinks of the load histories too."""
+    def of(procedure: StepOptions, kinks: Sequence[float] = (), wrinkling: bool = False) -> "StepControl":
+        """Start as a procedure asks, and hit the kinks of the load histories too; where sheets wrinkle steps are hard.
+
+        Examples
+        --------
+        >>> from turgor.solvers.procedures.static import Static
+        >>> [StepControl.of(Static(), wrinkling=one).accepted(0.05, 9).length for one in (True, False)]
+        [0.05, 0.03333333333333333]
+        """
         asked = {factor for factor in procedure.at if all(abs(factor - kink) > ROUND_OFF for kink in kinks)}
         targets = tuple(sorted({*asked, *kinks, 1.0}))
         return StepControl(
@@ -39,6 +62,7 @@ class StepControl:
             max_step=procedure.max_step,
             min_step=procedure.min_step,
             targets=targets,
+            comfortable=WRINKLING_ITERATIONS if wrinkling else COMFORTABLE_ITERATIONS,
         )
 
     def next_load(self, load_factor: float) -> float:
@@ -59,7 +83,7 @@ class StepControl:
 
     def accepted(self, increment: float, iterations: int) -> "StepControl":
         """Grow after an easy step, shrink after a hard one; a step shortened by a target does not shrink the next."""
-        factor = min(2.0, max(0.5, COMFORTABLE_ITERATIONS / max(iterations, 1)))
+        factor = min(2.0, max(0.5, self.comfortable / max(iterations, 1)))
         if self.patience < 2:
             factor = min(factor, 1.0)
         reference = max(increment, self.length) if factor >= 1 else increment

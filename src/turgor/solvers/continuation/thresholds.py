@@ -98,6 +98,9 @@ SUPPORT_ASIDE = 0.2
 #: Iterations of a step that is neither too easy nor too hard.
 COMFORTABLE_ITERATIONS = 6
 
+#: The same where sheets wrinkle: each step finds anew which points are slack, in 6 to 9 iterations whatever its length.
+WRINKLING_ITERATIONS = 9
+
 #: A failed step is tried again with this share of its length.
 STEP_CUT = 0.35
 

@@ -3,8 +3,8 @@
 Load control and every other constraint share this file: under load control the border has no row (k = 0). Two things
 make it cheaper than the textbook. The geometric stiffness uses the stress linearized from the last iterate (mixed
 integration points, Magisano, Leonetti and Garcea 2017, doi 10.1016/j.cma.2016.10.023), which converges from farther
-away. And factors are used again while they still reduce the residual well (modified Newton), because a residual costs a
-twentieth of a factorization.
+away; a sheet that wrinkles is linearized about that stress altogether. And factors are used again while they still
+reduce the residual well (modified Newton), because a residual costs a twentieth of a factorization.
 """
 
 from collections.abc import Callable
@@ -250,7 +250,7 @@ def _choose_factors(run: _Newton, now: _Iterate, last: Evaluation, update: Array
     now.fresh = run.border.tangent.plain or bool(now.jump.any()) or not (contracting and length == 1)
     if run.mixed and now.fresh:
         start = perf_counter()
-        now.geometric = run.constraint.sought.system.stresses(last, length * update)
+        now.geometric = run.constraint.sought.system.stresses(last, length * update, now.geometric)
         run.border.tangent.clock.residual += perf_counter() - start
 
 

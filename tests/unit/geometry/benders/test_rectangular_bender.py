@@ -55,8 +55,8 @@ def test_it_meshes_coarsely():
     [
         ("width", 0.0, "width is 0 mm; allowed is 1 mm to 1000 mm."),
         ("side_wall", 7e-3, "side_wall is 7 mm; allowed is 0.01 mm to 6.995 mm, less than half the width of 14 mm."),
-        ("base", 13e-3, "base is 13 mm; allowed is 0.01 mm to 12.47 mm, so that a cavity remains within the height of "
-         "12.5 mm."),
+        ("base", 13e-3, "base is 13 mm; allowed is 0 (none) or 0.01 mm to 12.47 mm, so that a cavity remains within "
+         "the height of 12.5 mm."),
         ("floor", 11e-3, "floor is 11 mm; allowed is 0.01 mm to 10.98 mm, so that a cavity remains within the height "
          "of 12.5 mm."),
         ("top_wall", 10e-3, "top_wall is 10 mm; allowed is 0.01 mm to 9.49 mm, so that a cavity remains within the "

@@ -11,6 +11,7 @@ from turgor.geometry.cad.cad_file import CadFile
 from turgor.geometry.cad.read import read_here as read_cad
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, WithNormal
 from turgor.geometry.cad.split import SplitPlane
+from turgor.geometry.cad.symmetry.wanted import WantedSymmetry
 from turgor.meshing.quality.cell_quality import cell_volumes
 from turgor.units import mm
 
@@ -189,7 +190,12 @@ def test_three_colored_solids_become_three_bonded_regions(tmp_path):
     part = read_cad(cases.written(tmp_path, Compound([low, walls, lid])), faces=ENDS, regions=colors)
     assert set(part.regions) == {"base", "walls", "lid"}
     assert [volume / mm**3 for volume in part.cavity_volumes.values()] == pytest.approx([24 * 6 * 6])
-    assert areas(part)["interface"] == pytest.approx(2 * (30 * 10 - 24 * 6))
+    order = list(part.regions)
+    low, high = ("-".join(sorted(pair, key=order.index)) for pair in (("base", "walls"), ("walls", "lid")))
+    assert (areas(part)[low], areas(part)[high]) == pytest.approx((30 * 10 - 24 * 6,) * 2)
+    assert "interface" not in part.faces
+    half = read_cad(part.file, faces=ENDS, regions=colors, symmetry=WantedSymmetry("y"))
+    assert (areas(half)[low], areas(half)[high]) == pytest.approx((15 * 10 - 12 * 6,) * 2)
     mesh = tg.mesh(part, size=4 * mm)
     nodes = {name: set(np.unique(mesh.cells[cells]).tolist()) for name, cells in mesh.regions.items()}
     heights = {pair: np.unique(mesh.points[sorted(nodes[pair[0]] & nodes[pair[1]]), 2]) for pair in (
@@ -220,7 +226,10 @@ def test_an_assembly_of_many_bodies_keeps_their_names(tmp_path):
         body.name = f"part {number}"
     part = read_cad(cases.written(tmp_path, Compound(bodies)), faces=ENDS)
     assert set(part.regions) == {f"part {number}" for number in range(24)}
-    assert areas(part)["interface"] == pytest.approx(12 * 60 + 2 * 11 * 40)
+    pairs = {name: area for name, area in areas(part).items() if "-" in name}
+    assert sum(pairs.values()) == pytest.approx(12 * 60 + 2 * 11 * 40)
+    assert len(pairs) == 12 + 2 * 11
+    assert pairs["part 3-part 5"] == pytest.approx(40)
     mesh = tg.mesh(part, size=6 * mm)
     assert {name: cell_volumes(mesh)[cells].sum() for name, cells in mesh.regions.items()} == pytest.approx(
         dict.fromkeys(part.regions, 240 * mm**3)

@@ -123,7 +123,7 @@ def test_cavities_with_names_of_their_own_keep_a_plane_from_use(tmp_path):
     ("asked", "said"),
     [
         ("y", "is not the same on both sides of a plane across y; its mirror planes are across: x, z"),
-        ("half", 'allowed are "none", "automatic", and normals of mirror planes'),
+        ("half", 'allowed are "none", "automatic", normals of mirror planes'),
         ("yy", 'allowed are "none", "automatic"'),
     ],
 )

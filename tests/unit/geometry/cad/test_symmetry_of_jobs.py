@@ -3,6 +3,8 @@
 import pytest
 from netgen.occ import Cylinder, Pnt, X
 
+import wedge_cases
+from turgor.errors import TurgorError
 from turgor.job.read import read_job
 
 JOB = """
@@ -53,3 +55,38 @@ def test_planes_are_those_that_the_loads_allow(folder, more, planes, reason):
     told = part.findings[-1]
     assert told.code == "D07"
     assert reason in told.message
+
+
+@pytest.mark.parametrize(
+    ("more", "wedge", "reason"),
+    [
+        ("", True, "A wedge of 1/6 of the part about x is modeled"),
+        ('gravity = "-x"', True, "A wedge of 1/6"),
+        ('gravity = "-z"', False, "Half of the part is modeled, cut at the mirror plane y"),
+        ('point_forces = [{ at = [0, "8 mm", 0], force = ["1 N", 0, 0] }]', False, "The whole part is modeled"),
+    ],
+)
+def test_a_wedge_is_used_where_loads_allow_it(folder, more, wedge, reason):
+    wedge_cases.lobed().WriteStep(str(folder / "lobed.step"))
+    path = folder / "wedge.toml"
+    path.write_text(JOB.format(more=more).replace("tube.step", "lobed.step"), encoding="utf-8")
+    _, part = read_job(path).built
+    assert (part.wedge is not None) == wedge
+    assert reason in part.findings[-1].message
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ('gravity = "-z"', "'-z' is not the same in all sectors of the wedge about x"),
+        (
+            '[loads.tip]\nforce = [0, "0.1 N", 0]',
+            "the force along y is not the same in all sectors of the wedge",
+        ),
+    ],
+)
+def test_loads_that_break_a_wedge_are_refused(folder, more, said):
+    path = folder / "broken.toml"
+    path.write_text(JOB.format(more=more).replace('"automatic"', '"wedge 6"'), encoding="utf-8")
+    with pytest.raises(TurgorError, match=said):
+        read_job(path)

@@ -19,7 +19,7 @@ from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogd
 from turgor.materials.library.record_text import describe_material
 from turgor.materials.library.records import from_library
 from turgor.materials.material import Material
-from turgor.model.inp_materials import material_lines
+from turgor.model.inp.materials import material_lines
 from turgor.model.write_inp import _static
 from turgor.source import Source
 

@@ -57,6 +57,7 @@ def test_a_bellows_with_small_fillets_gets_a_mesh_of_a_reasonable_size(lobed_bel
     assert cell_volumes(made).sum() == pytest.approx(part.solid_volume, rel=2e-3)
     (found,) = [finding for finding in made.findings if finding.code == "G11"]
     assert "below 1.25 mm: 24 of outside, 24 of cavity (smallest radius 0.8 mm)" in found.message
+    assert 'a body of revolution: where its loads are the same all around, cells = "axisymmetric"' in found.advice
 
 
 def test_the_limit_decides_which_rounds_are_left(lobed_bellows):

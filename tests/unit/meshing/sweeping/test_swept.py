@@ -164,8 +164,8 @@ def test_unknown_cells_and_sizes_of_faces_are_refused() -> None:
     geometry = FastPneuNet(**SHORT).build()
     with pytest.raises(TurgorError, match="did you mean 'hexahedra'"):
         mesh(geometry, size=3 * mm, cells="hexaedra")
-    with pytest.raises(TurgorError, match="only tetrahedra can follow sizes of faces"):
-        mesh(geometry, size=3 * mm, cells="hexahedra", face_sizes={"cavity": 1 * mm})
+    with pytest.raises(TurgorError, match=r"'outside' is 0.12 mm, which makes more than .* million unknowns: hexa"):
+        mesh(geometry, size=3 * mm, cells="hexahedra", face_sizes={"outside": 0.12 * mm})
     with pytest.raises(TurgorError, match="mesh size is 40 mm"):
         mesh(geometry, size=40 * mm, cells="hexahedra")
 

@@ -1,7 +1,6 @@
-"""Cut a named CAD part at mirror planes and keep the side toward positive coordinates."""
+"""Cut a named CAD part at mirror planes and keep the side toward positive coordinates, or cut a sector out of it."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,11 +9,12 @@ from netgen.occ import Glue, HalfSpace, Pnt, Vec
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry.cad.facets import find_facets
-from turgor.geometry.cad.part import Part, owners, shape_item
+from turgor.geometry.cad.part import Part, with_shape
 from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.cad.symmetry.find import MirrorPlane, PartSymmetry, find_symmetry
+from turgor.geometry.cad.symmetry.modeled import Modeled
 from turgor.geometry.cad.symmetry.wanted import WantedSymmetry
-from turgor.units import mm
+from turgor.geometry.cad.symmetry.wedges import asked_wedge, cut_to_wedge, smaller_wedge
 
 #: Half a part has half its volume, up to this share; the kernel's volumes of free forms are that sharp.
 HALF = 1e-4
@@ -23,10 +23,8 @@ HALF = 1e-4
 IN_PLANE = 1e-5
 
 
-def modeled_part(
-    part: Part, names: Sequence[str], wanted: WantedSymmetry
-) -> tuple[Part, tuple[str, ...], list[Finding]]:
-    """Cut a part at the mirror planes that are wanted and that it has.
+def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Modeled:
+    """Cut a part at the mirror planes, or to the wedge, that are wanted and that it has.
 
     Parameters
     ----------
@@ -38,28 +36,31 @@ def modeled_part(
 
     Returns
     -------
-    part, names
-        The half, quarter or eighth; its faces on the planes are named ``symmetry_x`` and so on.
-    findings : list of Finding
-        Which planes are used, and which are not (D07).
+    Modeled
+        The half, quarter, eighth or sector.
 
     Raises
     ------
     TurgorError
-        If a plane that is asked for by name does not map the part onto itself.
+        If what is asked for by name does not map the part onto itself.
     """
-    if not wanted.automatic and not wanted.normals:
-        return part, tuple(names), []
+    if not wanted.automatic and not wanted.normals and not wanted.wedge:
+        return Modeled(part=part, names=tuple(names))
     if isinstance(part.shape, SurfaceShape):
         raise TurgorError(
             f"symmetry: '{part.path}' is given by facets, and such a part is not cut; model the whole of it, or cut it "
             "where it was made and name the cut symmetry_y."
         )
     found = find_symmetry(part, names)
+    if wanted.wedge:
+        return cut_to_wedge(part, names, asked_wedge(part, names, found, wanted.fold))
     used, left = _chosen(part, found, wanted)
+    smaller = smaller_wedge(part, names, found, wanted, 2 ** len(used)) if wanted.automatic else None
+    if smaller is not None:
+        return cut_to_wedge(part, names, smaller)
     for plane in used:
         part, names = _half(part, names, plane)
-    return part, tuple(names), _told(used, left)
+    return Modeled(part=part, names=tuple(names), findings=(_told(used, left),))
 
 
 def _chosen(part: Part, found: PartSymmetry, wanted: WantedSymmetry) -> tuple[list[MirrorPlane], dict[str, str]]:
@@ -135,31 +136,19 @@ def _named(part: Part, shape: Any, axis: int, plane: MirrorPlane) -> tuple[Part,
         on = float(np.abs(at - plane.position).max()) < IN_PLANE * size
         names.append(f"symmetry_{plane.normal}" if on else str(face.name))
         face.name = names[-1]
-    solids = list(shape.solids)
-    half = replace(
-        part,
-        shape=shape,
-        regions=tuple(str(solid.name) for solid in solids),
-        faces=faces,
-        facets=facets,
-        items=tuple(shape_item(face, facets.corners(np.array([i])) * mm) for i, face in enumerate(faces)),
-        between=owners(solids, faces) > 1,
-    )
-    return half, tuple(names)
+    return with_shape(part, shape, faces, facets), tuple(names)
 
 
-def _told(used: Sequence[MirrorPlane], left: dict[str, str]) -> list[Finding]:
+def _told(used: Sequence[MirrorPlane], left: dict[str, str]) -> Finding:
     """Say what is modeled."""
     share = {0: "The whole part", 1: "Half of the part", 2: "A quarter of the part", 3: "An eighth of the part"}
     planes = " and ".join(f"{plane.normal} = {plane.position + 0.0:.4g} mm" for plane in used)
     at = f", cut at the mirror plane{'s' if len(used) > 1 else ''} {planes}" if used else ""
     rest = "".join(f" The mirror plane across {letter} is not used: {reason}." for letter, reason in left.items())
-    return [
-        Finding(
-            code="D07",
-            severity=Severity.NOTE,
-            message=f"{share[len(used)]} is modeled{at}.{rest}",
-            advice="Volumes, forces and pictures are those of the whole. A half cannot buckle to the side; "
-            'symmetry = "none" models the whole part.',
-        )
-    ]
+    return Finding(
+        code="D07",
+        severity=Severity.NOTE,
+        message=f"{share[len(used)]} is modeled{at}.{rest}",
+        advice="Volumes, forces and pictures are those of the whole. A half cannot buckle to the side; "
+        'symmetry = "none" models the whole part.',
+    )

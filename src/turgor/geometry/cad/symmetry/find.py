@@ -1,8 +1,9 @@
 """Find the mirror planes and rotations that map a CAD part onto itself, with the names of its faces.
 
 A face has a partner where a face of the same area and bodies has its center of mass at the image of its own center,
-and lies about that center as its image does. The CAD kernel integrates exactly over planes and cylinders, and within
-0.2 % of their size over other faces. `turgor.geometry.cad.symmetry.cut` checks the volumes of both sides besides.
+and lies about that center as its image does. Centers are those of facets: the CAD kernel integrates exactly over planes
+and cylinders, but misses the center of a closed spline by 0.7 % of its size. `turgor.geometry.cad.symmetry.cut` checks
+the volumes of both sides besides.
 """
 
 from collections.abc import Sequence
@@ -13,11 +14,11 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from turgor.geometry.cad.part import Part
+from turgor.geometry.cad.symmetry.waves import returns, surface_waves
 
 Array = NDArray[np.float64]
 
-#: Two places are the same if they are nearer than this share of the size of the part: the kernel's center of an
-#: elliptic cylinder is off by half of it.
+#: Two places are the same if they are nearer than this share of the size of the part.
 SAME = 4e-3
 
 #: Two faces lie alike about their centers if their second moments of area differ by less than this share: those of
@@ -72,16 +73,16 @@ class PartSymmetry:
         planes = " and ".join(f"{plane.normal} = {_shown(plane.position)} mm" for plane in self.mirrors)
         said = [f"mirror plane{'s' if len(self.mirrors) > 1 else ''} {planes}"] if planes else []
         if self.fold == 0:
-            said.append(f"a body of revolution about {self.axis}")
+            said.append(f"a body of revolution about {self.axis} (wedges of any number of sectors)")
         elif self.fold > 1:
-            said.append(f"the same after each of {self.fold} turns about {self.axis}")
+            said.append(f"the same after each of {self.fold} turns about {self.axis} (wedge {self.fold})")
         return "; ".join(said) or "none"
 
 
 def find_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:
     """Find the mirror planes across x, y and z and the rotations about x, y and z of a part.
 
-    The planes and axes go through the middle of the box around the part.
+    The planes go through the middle of the box around the part, the axes through the mean of its surface.
 
     Parameters
     ----------
@@ -100,25 +101,43 @@ def find_symmetry(part: Part, names: Sequence[str]) -> PartSymmetry:
         joined = faces.images(flip, center, SAME * size)
         if joined is not None:
             mirrors.append(MirrorPlane(normal=letter, position=float(center[axis]), joined=joined))
-    folds = [_fold(faces, axis, center, SAME * size) for axis in range(3)]
+    middle = faces.middle(center, SAME * size)
+    folds = [_fold((faces, part), axis, middle, SAME * size) for axis in range(3)]
     axis = folds.index(0) if 0 in folds else int(np.argmax(folds))
-    x, y, z = (float(value) for value in center)
+    x, y, z = (float(value) for value in middle)
     about = "" if folds[axis] == 1 else "xyz"[axis]
     return PartSymmetry(mirrors=tuple(mirrors), axis=about, fold=folds[axis], center=(x, y, z))
+
+
+def joined_by_turn(
+    part: Part, names: Sequence[str], symmetry: PartSymmetry, fold: int
+) -> tuple[tuple[str, str], ...] | None:
+    """Pairs of different names that a turn by 1/fold about the axis of a part joins; None if that is no symmetry."""
+    faces, axis = _Faces.of(part, names), "xyz".index(symmetry.axis)
+    size = float(np.ptp(part.facets.points, axis=0).max())
+    center = np.array(symmetry.center)
+    if not returns(surface_waves(part.facets, axis, center), fold):
+        return None
+    return faces.images(_turn(axis, 2 * np.pi / fold), center, SAME * size)
 
 
 def _shown(position: float) -> str:
     return f"{position:.4g}"
 
 
-def _fold(faces: "_Faces", axis: int, center: Array, slack: float) -> int:
+def _fold(of: tuple["_Faces", Part], axis: int, center: Array, slack: float) -> int:
     """By how many equal turns about an axis a part returns to itself; 0 if by any turn."""
-    if faces.images(_turn(axis, ANY_ANGLE), center, slack) is not None:
-        return 0
-    for fold in range(MOST_FOLD, 1, -1):
-        if faces.images(_turn(axis, 2 * np.pi / fold), center, slack) is not None:
-            return fold
-    return 1
+    faces, part = of
+    turns = [ANY_ANGLE, *(2 * np.pi / fold for fold in range(MOST_FOLD, 1, -1))]
+    folds = [
+        fold
+        for fold, turn in zip((0, *range(MOST_FOLD, 1, -1)), turns, strict=True)
+        if faces.images(_turn(axis, turn), center, slack) is not None
+    ]
+    if not folds:
+        return 1
+    waves = surface_waves(part.facets, axis, center)
+    return next((fold for fold in folds if returns(waves, fold)), 1)
 
 
 def _turn(axis: int, angle: float) -> Array:
@@ -146,11 +165,17 @@ class _Faces:
         for solid in part.shape.solids:
             for face in solid.faces:
                 owners.setdefault(face, set()).add(str(solid.name))
-        centers = [(face.center.x, face.center.y, face.center.z) for face in part.faces]
         bodies = tuple(frozenset(owners[face]) for face in part.faces)
         areas = np.array([float(face.mass) for face in part.faces])
-        moments = np.array([_moments(part.facets.corners(np.array([i]))) for i in range(len(part.faces))])
-        return cls(areas, np.array(centers), moments, tuple(names), bodies)
+        lies = [_lies(part.facets.corners(np.array([i]))) for i in range(len(part.faces))]
+        centers, moments = (np.array(each) for each in zip(*lies, strict=True))
+        return cls(areas, centers, moments, tuple(names), bodies)
+
+    def middle(self, center: Array, slack: float) -> Array:
+        """Where an axis of rotation would go through: the mean of the surface, or a center that is as good."""
+        mean = self.areas @ self.centers / self.areas.sum()
+        mean[np.abs(mean) < slack] = 0.0
+        return np.where(np.abs(mean - center) < slack, center, mean)
 
     def images(self, turn: Array, center: Array, slack: float) -> tuple[tuple[str, str], ...] | None:
         """Pairs of different names that a map joins, None if it does not map the part onto itself."""
@@ -176,14 +201,14 @@ class _Faces:
         return bool(equal) and self.bodies[i] == self.bodies[j]
 
 
-def _moments(triangles: Array) -> Array:
-    """Second moments of area (3, 3) of triangles (t, 3, 3) about their center."""
+def _lies(triangles: Array) -> tuple[Array, Array]:
+    """Center (3,) of triangles (t, 3, 3), and their second moments of area (3, 3) about it."""
     middle = triangles.mean(axis=1)
     area = np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=1) / 2
     center = area @ middle / area.sum()
     arms = np.concatenate([triangles.reshape(-1, 3), middle]) - center
     weights = np.concatenate([np.repeat(area / 12, 3), area * 9 / 12])
-    return np.asarray(np.einsum("t,ti,tj->ij", weights, arms, arms))
+    return center, np.asarray(np.einsum("t,ti,tj->ij", weights, arms, arms))
 
 
 def _near(first: Array, second: Array) -> bool:

@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
+from turgor.geometry.wedge import Wedge
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.exchange.formats.raw import Array, Ints
 from turgor.meshing.exchange.formats.stl import Triangles, stl_bytes
@@ -39,6 +40,7 @@ class _Surface:
     faces: dict[str, Ints]
     rest: Ints
     mirrors: tuple[str, ...]
+    wedge: Wedge | None = None
 
 
 def write_stl(source: Geometry | Mesh, path: str | Path, *, face: str | None = None, whole: bool = True) -> Triangles:
@@ -103,8 +105,9 @@ def _of_mesh(mesh: Mesh) -> _Surface:
         faces[name] = flat[on]
     faces = {name: flat for name, flat in faces.items() if len(flat)}
     named = {tuple(sorted(t)) for flat in faces.values() for t in flat.tolist()}
-    rest = [t for t in outer.tolist() if tuple(sorted(t)) not in named]
-    return _Surface(mesh.name, mesh.points, faces, np.array(rest, dtype=np.int64).reshape(-1, 3), mesh.symmetry_faces)
+    unnamed = [t for t in outer.tolist() if tuple(sorted(t)) not in named]
+    rest = np.array(unnamed, dtype=np.int64).reshape(-1, 3)
+    return _Surface(mesh.name, mesh.points, faces, rest, mesh.cut_faces, mesh.wedge)
 
 
 def _flat(sides: Ints) -> Ints:
@@ -131,15 +134,17 @@ def _of_geometry(geometry: Geometry) -> _Surface:
         own = triangles[place == number]
         faces.setdefault(descriptor.bcname, []).append(own if descriptor.domout == 0 else own[:, ::-1])
     joined = {name: np.concatenate(parts) for name, parts in faces.items()}
-    mirrors = tuple(name for name in joined if name.startswith("symmetry_"))
+    mirrors = tuple(name for name in joined if name.startswith(("symmetry_", "cyclic_")))
     points = np.array(made.Coordinates(), dtype=np.float64) * geometry.length_scale
-    return _Surface(geometry.name, points, joined, np.zeros((0, 3), dtype=np.int64), mirrors)
+    return _Surface(geometry.name, points, joined, np.zeros((0, 3), dtype=np.int64), mirrors, geometry.wedge)
 
 
 def _mirrored(surface: _Surface, triangles: Ints, mirrors: Iterable[str]) -> Triangles:
-    """Add the mirror images and make corners at the same place one."""
+    """Add the mirror or turned images and make corners at the same place one."""
     corners = surface.points[triangles]
-    for name in mirrors:
+    if surface.wedge is not None and mirrors:
+        corners = np.concatenate([surface.wedge.images(corners, k) for k in range(surface.wedge.fold)])
+    for name in mirrors if surface.wedge is None else ():
         plane = surface.points[np.unique(surface.faces[name])]
         axis = int(np.ptp(plane, axis=0).argmin())
         image = corners[:, ::-1].copy()

@@ -23,7 +23,7 @@ def mean_wall(question: Question) -> Iterator[Magnitude]:
     """Thickness of a plate of the same volume and surface [m]."""
     mesh = question.model.mesh
     surface = outer_triangles(mesh)
-    mirrored = [corner_keys(mesh.faces[name], len(mesh.points)) for name in mesh.symmetry_faces]
+    mirrored = [corner_keys(mesh.faces[name], len(mesh.points)) for name in mesh.cut_faces]
     if mirrored:
         surface = surface[~np.isin(corner_keys(surface, len(mesh.points)), np.concatenate(mirrored))]
     if len(surface):

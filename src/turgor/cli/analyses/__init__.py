@@ -1,0 +1,1 @@
+"""Commands that solve something else than a run."""

@@ -1,0 +1,82 @@
+"""Command ``turgor section``: curvature, twist, stretch and ballooning of the uniform part of an actuator."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
+from turgor.errors import TurgorError
+
+if TYPE_CHECKING:
+    from turgor.job.job import Job
+    from turgor.section.solution import SectionSolution
+
+#: Columns of the table on the screen.
+PRINTED = ("curvature_y", "curvature_z", "twist", "stretch", "cavity_ballooning", "outside_ballooning")
+
+
+def section_command(
+    job: JobFile,
+    rows: Annotated[int, typer.Option(help="Number of states, up to the pressures of the job.")] = 20,
+    size: Annotated[
+        str, typer.Option(help="Longest edge of a cell, such as '1 mm'; by default some sixty cells.")
+    ] = "",
+    ends: Annotated[str, typer.Option(help="'closed': the pressure pushes on the ends, too; or 'open'.")] = "closed",
+    output: Annotated[
+        Path | None, typer.Option(help="Folder of table and plot; by default NAME-section.", show_default=False)
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False,
+    changes: Changes = None,
+    as_json: Json = False,
+    debug: Debug = False,
+) -> None:
+    """Solve the cross-section of a long actuator: curvature, twist, stretch and ballooning against pressure."""
+    with errors_as_sentences(debug, as_json) as answer:
+        from turgor.cli.answers.results import section_result
+        from turgor.job.output.folder import claimed
+        from turgor.job.section import section_of, solve_section
+
+        length = _length(size)
+        asked = asked_job(job, changes)
+        section = section_of(asked, length, ends)
+        typer.echo(f"{section!r}")
+        solution = solve_section(asked, section, rows)
+        with claimed(output if output is not None else Path(f"{asked.name}-section"), force) as folder:
+            _write(folder, asked, solution)
+        _show(solution)
+        answer.give(lambda: section_result(asked.name, solution, folder))
+        typer.echo(f"Table and plot in {folder}.")
+        if solution.response.message:
+            typer.echo(solution.response.message, err=True)
+        raise typer.Exit(NOT_CONVERGED if solution.response.message else DONE)
+
+
+def _length(size: str) -> float | None:
+    from turgor.units import parse_quantity
+
+    if not size:
+        return None
+    try:
+        return float(parse_quantity(size, "length"))
+    except TurgorError as error:
+        raise TurgorError(f"--size: {error}") from None
+
+
+def _write(folder: Path, job: "Job", solution: "SectionSolution") -> None:
+    from turgor.results.plots.section import write_section_plot
+
+    solution.response.to_csv(folder / "section.csv")
+    if len(solution.response):
+        write_section_plot(folder / "section.png", solution, title=f"{job.name}, section")
+
+
+def _show(solution: "SectionSolution") -> None:
+    """Print a line for each state, with the columns that are not zero all along."""
+    response = solution.response
+    names = [response.names[0], *(name for name in PRINTED if name in response and abs(response[name]).max() > 1e-9)]
+    columns = [response.find(name) for name in names]
+    typer.echo("  ".join(f"{column.header:>18}" for column in columns) + "  stable")
+    for row, stable in enumerate(solution.stable):
+        typer.echo("  ".join(f"{column.in_unit[row]:18.5g}" for column in columns) + ("  yes" if stable else "  no"))

@@ -1,0 +1,124 @@
+"""Compare a run with an experiment: the comparison is kept beside the run, and its report shows it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from turgor.errors import TurgorError
+from turgor.job.output.folder import COMPARISONS, RESPONSE
+from turgor.laboratory.compare import Comparison, compare
+from turgor.laboratory.comparison_plot import comparison_figure
+from turgor.laboratory.read_experiment import read_experiment
+from turgor.laboratory.runs import SPREAD, loading
+from turgor.response import Column, Response
+from turgor.results.drive import drive_of
+from turgor.results.files.response_csv import read_response
+from turgor.results.plots.figures import svg_of, write_figure
+from turgor.source import Source
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """How an experiment is read and compared.
+
+    Parameters
+    ----------
+    y, x : str or None
+        Columns, as `turgor.compare` takes them.
+    units : mapping of str to str
+        Units of columns whose header has none.
+    columns : mapping of str to str
+        New names by header.
+    only_loading : bool
+        Whether the rows in which the drive falls are left out.
+    """
+
+    y: str | None = None
+    x: str | None = None
+    units: Mapping[str, str] = field(default_factory=dict)
+    columns: Mapping[str, str] = field(default_factory=dict)
+    only_loading: bool = False
+
+
+def compare_folder(
+    run: str | Path, experiment: str | Path, asked: Asked | None = None
+) -> tuple[Comparison, list[Path]]:
+    """Compare the response of a run with a table from a laboratory, and write the comparison beside the run.
+
+    Parameters
+    ----------
+    run : str or Path
+        Folder of a run, or a CSV file that holds a response; for a file, nothing is written.
+    experiment : str or Path
+        See `turgor.experiments.read_experiment`.
+    asked : Asked, optional
+
+    Returns
+    -------
+    comparison : Comparison
+    files : list of Path
+        The experiment as it was compared, the compared rows, and the picture.
+
+    Raises
+    ------
+    TurgorError
+        If the folder holds no response, or the two cannot be compared.
+    """
+    run, asked = Path(run), asked or Asked()
+    file = run / RESPONSE if run.is_dir() else run
+    if run.is_dir() and not file.exists():
+        raise TurgorError(f"'{run}' holds no {RESPONSE}, so it is no folder of a run; run the job first.")
+    computed = read_response(file, Source(text=run.name.removesuffix("-results") or run.name))
+    measured = read_experiment(experiment, units=asked.units, columns=asked.columns)
+    if asked.only_loading:
+        measured = loading(measured, drive_of(measured))
+    found = compare(computed, measured, asked.y, x=asked.x)
+    return found, _write(run / COMPARISONS, Path(experiment).stem, found) if run.is_dir() else []
+
+
+def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparison]]:
+    """Return the comparisons that were made with a run, with their names, against its present response.
+
+    Parameters
+    ----------
+    folder : Path
+        Of the run.
+    computed : Response
+        Its response.
+    """
+    found = []
+    for file in sorted((folder / COMPARISONS).glob("*_measured.csv")):
+        measured = read_response(file, Source(text=file.name.removesuffix("_measured.csv")))
+        x, y = measured.names[:2]
+        if x in computed and y in computed:  # the run may have been measured anew with less
+            found.append((measured.source.text, compare(computed, measured, y, x=x)))
+    return found
+
+
+def comparison_sections(folder: Path, computed: Response) -> tuple[tuple[str, str, str], ...]:
+    """Return title, text and picture (SVG) of each comparison, for the report of a run; see `comparisons_of`."""
+    return tuple(
+        (f"Against {name}", " ".join([_sentence(found.summary()), *found.notes]), svg_of(comparison_figure(found)))
+        for name, found in comparisons_of(folder, computed)
+    )
+
+
+def _write(folder: Path, name: str, found: Comparison) -> list[Path]:
+    folder.mkdir(exist_ok=True)
+    files = [folder / f"{name}_measured.csv", folder / f"{name}_compared.csv", folder / f"{name}.png"]
+    x, y = found.computed.find(found.x), found.computed.find(found.y)
+    kept = [
+        Column(found.x, x.unit, found.measured.column(found.measured_x)),
+        Column(found.y, y.unit, found.measured.column(found.measured_y)),
+    ]
+    spread = found.measured_y + SPREAD
+    if spread in found.measured:
+        kept.append(Column(found.y + SPREAD, y.unit, found.measured.column(spread)))
+    Response(columns=tuple(kept), source=found.measured.source).to_csv(files[0])
+    found.to_response().to_csv(files[1])
+    write_figure(files[2], comparison_figure(found), dpi=160)
+    return files
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:]

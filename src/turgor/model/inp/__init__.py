@@ -1,0 +1,1 @@
+"""Parts of .inp files: materials and reference points."""

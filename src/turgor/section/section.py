@@ -1,0 +1,253 @@
+"""Section: the cross-section of a long actuator, and its answer to pressures, forces and moments."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.engine.runtime import use_threads
+from turgor.errors import TurgorError, unknown
+from turgor.geometry.cad.planes.plane_cut import PlaneCut, plane_cut
+from turgor.geometry.geometry import Geometry
+from turgor.materials.material import Material
+from turgor.meshing.mesh import Mesh
+from turgor.model.fibers import Fibers
+from turgor.model.model import Membrane, Model
+from turgor.model.supports import Support
+from turgor.section.cut import slice_of_cut
+from turgor.section.equations import Equations, Question
+from turgor.section.path import follow
+from turgor.section.sketch import Sketch
+from turgor.section.slices import slice_of_geometry, slice_of_mesh
+from turgor.section.solution import SectionError, SectionSolution, solution_of
+from turgor.section.stiffness import FORCE_NAMES, STRAIN_NAMES, scales
+from turgor.shown import Shown, listed
+from turgor.solvers.solution import Status
+from turgor.source import Source
+from turgor.units import kPa
+
+Array = NDArray[np.float64]
+
+#: What a table of loads holds for each name: one value, or one for each row.
+Rows = Mapping[str, float | Sequence[float] | Array]
+
+CLOSED, OPEN = "closed", "open"
+
+
+class Actuator(Protocol):
+    """A family: its dimensions and what builds it."""
+
+    def build(self) -> Geometry:
+        """Build the solids."""
+
+
+@dataclass(frozen=True, slots=True, init=False, eq=False)
+class Section(Shown):
+    """The cross-section of a long actuator: uniform stretch, curvature and twist, and all the warping that they bring.
+
+    Far from its ends every section of a long prismatic actuator is like every other: the actuator is bent to an arc or
+    a helix. Then the section alone is enough. It is solved in its own unknowns, three displacements at every point and
+    the four strains of the rod, without any assumption on how it warps (see the page on theory).
+
+    Parameters
+    ----------
+    shape : actuator, Geometry, Mesh, Sketch or PlaneCut
+        An actuator has its uniform section taken. A CAD part is cut in the middle of its length, and of a mesh of
+        27-node hexahedra in layers along x the layer there is taken; `turgor.sections.cut` cuts both elsewhere.
+    materials : mapping of str to Material or Membrane
+        A material for every region, a membrane or a shell for any face along the actuator.
+    reinforcements : sequence of Fibers
+        Threads wound on faces; a section has them smeared. Angles count from the axis x.
+    supports : sequence of Support
+        `turgor.supports.Radial` for faces that keep their radius. Mirror planes hold by themselves.
+    ends : str
+        ``"closed"``: the pressures also push on the closed ends, with thrust and moments. ``"open"``: they do not, and
+        the walls of the actuator bear no force of the ends.
+    size : float or None [m]
+        Longest edge of a cell; by default the solids get some sixty cells.
+
+    Raises
+    ------
+    TurgorError
+        If the actuator has no uniform section, such as a PneuNet, or a name is unknown.
+
+    Examples
+    --------
+    >>> import turgor as tg
+    >>> from turgor.units import kPa, mm
+    >>> rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))
+    >>> tube = tg.sections.Sketch(areas={"body": tg.sections.disc(8 * mm), "cavity": tg.sections.disc(6 * mm)})
+    >>> tg.Section(tube, {"body": rubber})
+    Section(84 cells, regions: body, cavities: cavity, closed ends)
+    """
+
+    model: Model
+    ends: str
+    _equations: Equations
+
+    def __init__(
+        self,
+        shape: "Actuator | Geometry | Mesh | Sketch | PlaneCut",
+        materials: Mapping[str, Material | Membrane],
+        *,
+        reinforcements: Sequence[Fibers] = (),
+        supports: Sequence[Support] = (),
+        ends: str = CLOSED,
+        size: float | None = None,
+    ) -> None:
+        if ends not in (CLOSED, OPEN):
+            raise unknown("ends of a section", str(ends), (CLOSED, OPEN))
+        mesh = _slice_of(shape, size)
+        known = {**dict.fromkeys(mesh.regions), **dict.fromkeys(mesh.faces)}
+        chosen = {
+            name: material for name, material in materials.items() if name in known or not _elsewhere(shape, name)
+        }
+        model = Model(mesh, chosen, supports, [], reinforcements=reinforcements)
+        object.__setattr__(self, "model", model)
+        object.__setattr__(self, "ends", ends)
+        with use_threads(1):
+            object.__setattr__(self, "_equations", Equations(model, closed=ends == CLOSED))
+
+    def __repr__(self) -> str:
+        mesh = self.model.mesh
+        cavities = f"cavities: {listed(mesh.cavities)}, {self.ends} ends" if mesh.cavities else "no cavity"
+        return f"Section({len(mesh.cells)} cells, regions: {listed(mesh.regions)}, {cavities})"
+
+    @property
+    def cavities(self) -> tuple[str, ...]:
+        """Names of the cavities."""
+        return tuple(self._equations.cavities)
+
+    def solve(
+        self,
+        pressure: float | Sequence[float] | Array | Rows = 0.0,
+        *,
+        held: Rows = MappingProxyType({}),
+        forces: Rows = MappingProxyType({}),
+        throw: bool = True,
+    ) -> SectionSolution:
+        """Follow the section from rest through rows of pressures, prescribed strains and forces.
+
+        Parameters
+        ----------
+        pressure : float, sequence of float, or mapping of str to these [Pa], gauge
+            In all cavities, or in each by its name (zero in those that are not named); one value for every row.
+        held : mapping of str to float or sequence of float
+            Prescribed strains: ``stretch`` [-], ``twist``, ``curvature_y``, ``curvature_z`` [1/m]. The others are free.
+        forces : mapping of str to float or sequence of float
+            ``axial_force`` [N] in the tangent of the line through the centroid of the solids, ``torque``,
+            ``moment_y``, ``moment_z`` [Nm], which turn with the section; zero where not given.
+        throw : bool
+            Whether a path that ends early is an error.
+
+        Returns
+        -------
+        SectionSolution
+
+        Raises
+        ------
+        SectionError
+            If no equilibrium is found beyond some point; its ``solution`` holds the rows before.
+        TurgorError
+            If a name is unknown, a strain has a force too, or the numbers of rows differ.
+        """
+        questions = self._questions(pressure, held, forces)
+        with use_threads(1):
+            path = follow(self._equations, questions)
+            outcome = (str(Status.CONVERGED), "")
+            if len(path.points) < len(questions):
+                outcome = (str(Status.STEP_TOO_SMALL), self._end(questions, path.reached))
+            found = solution_of(self._equations, path, outcome, Source(text="section analysis", detail=repr(self)))
+        if throw and outcome[1]:
+            raise SectionError(outcome[1], found)
+        return found
+
+    def _questions(self, pressure: float | Sequence[float] | Array | Rows, held: Rows, forces: Rows) -> list[Question]:
+        """Scaled questions, one for each row."""
+        equations, cavities = self._equations, self.cavities
+        given = dict(pressure) if isinstance(pressure, Mapping) else dict.fromkeys(cavities, pressure)
+        _check_names("cavity", given, cavities)
+        _check_names("strain of a section", held, STRAIN_NAMES)
+        _check_names("force on a section", forces, FORCE_NAMES)
+        for name, other in zip(STRAIN_NAMES, FORCE_NAMES, strict=True):
+            if name in held and other in forces:
+                raise TurgorError(f"{name} is held, and {other} is given; a section takes one of both.")
+        fixed = {STRAIN_NAMES[i] for i in equations.numbers.fixed}
+        blocked = [
+            n for n, f in zip(STRAIN_NAMES, FORCE_NAMES, strict=True) if n in fixed and (n in held or f in forces)
+        ]
+        if blocked:
+            raise TurgorError(
+                f"{blocked[0]} is zero in a section that a mirror plane cuts; model the whole one (symmetric = false)."
+            )
+        columns = _as_rows({"pressure": 0.0} if not given else {}, given, held, forces)
+        force, strain = scales(equations)
+        count = len(next(iter(columns.values())))
+        out = []
+        for row in range(count):
+            value = {name: float(values[row]) for name, values in columns.items()}
+            hold = [value[f"held {n}"] / s if n in held else np.nan for n, s in zip(STRAIN_NAMES, strain, strict=True)]
+            for i in equations.numbers.fixed:
+                hold[i] = 0.0
+            acting = [value.get(f"force {n}", 0.0) / s for n, s in zip(FORCE_NAMES, force, strict=True)]
+            pressures = [value.get(f"pressure {name}", 0.0) / equations.stress for name in cavities]
+            out.append(Question(pressures=np.array(pressures), held=np.array(hold), forces=np.array(acting)))
+        return out
+
+    def _end(self, questions: Sequence[Question], reached: float) -> str:
+        """Where a path ended, and what may help."""
+        row = int(reached)
+        before = questions[row - 1].pressures if row else np.zeros(len(self.cavities))
+        share = reached - row
+        pressures = (before + share * (questions[row].pressures - before)) * self._equations.stress
+        where = f"a pressure of {pressures.max() / kPa:.4g} kPa" if len(pressures) else f"row {row}"
+        return (
+            f"No equilibrium of the section was found beyond {where}, {share:.0%} of the way to row {row + 1} of "
+            f"{len(questions)}. The section may have reached a limit point (it balloons), or folds; ask for less, hold "
+            "a strain, or solve a whole actuator with VolumeControl."
+        )
+
+
+def _slice_of(shape: object, size: float | None) -> Mesh:
+    """The slice of whatever has a section."""
+    if isinstance(shape, Mesh):
+        if size is not None:
+            raise TurgorError("size is given, but a mesh brings its own cells; leave size out.")
+        return slice_of_mesh(shape, None)
+    if isinstance(shape, Sketch):
+        return slice_of_geometry(shape.geometry, size)
+    if isinstance(shape, PlaneCut):
+        return slice_of_cut(shape, size)
+    geometry = shape if isinstance(shape, Geometry) else getattr(shape, "build", lambda: None)()
+    if not isinstance(geometry, Geometry):
+        raise TurgorError(f"a section of {shape!r} is not possible; give an actuator, a Geometry, a Mesh or a Sketch.")
+    if geometry.file:  # a CAD part does not tell how it was swept
+        return slice_of_cut(plane_cut(geometry), size)
+    return slice_of_geometry(geometry, size)
+
+
+def _elsewhere(shape: object, name: str) -> bool:
+    """Whether a name belongs to a part of the actuator that its section does not have."""
+    built = shape.build() if hasattr(shape, "build") else shape
+    return name in (*getattr(built, "regions", ()), *getattr(built, "faces", ()))
+
+
+def _check_names(kind: str, given: Mapping[str, object], known: Sequence[str]) -> None:
+    for name in given:
+        if name not in known:
+            raise unknown(kind, name, known)
+
+
+def _as_rows(least: Rows, pressure: Rows, held: Rows, forces: Rows) -> dict[str, Array]:
+    """Columns of equal length."""
+    named = dict(least) | {f"pressure {n}": v for n, v in pressure.items()}
+    named |= {f"held {n}": v for n, v in held.items()} | {f"force {n}": v for n, v in forces.items()}
+    columns = {name: np.atleast_1d(np.asarray(values, dtype=np.float64)) for name, values in named.items()}
+    count = max(len(values) for values in columns.values())
+    for name, values in columns.items():
+        if values.ndim != 1 or len(values) not in (1, count) or not np.isfinite(values).all():
+            raise TurgorError(f"{name} has {values.size} values, others {count}; give one finite value for each row.")
+    return {name: np.broadcast_to(values, count) for name, values in columns.items()}

@@ -1,0 +1,20 @@
+"""Sections: what a long actuator does far from its ends, and outlines to sketch a cross-section."""
+
+from typing import TYPE_CHECKING
+
+from turgor._lazy import public
+
+if TYPE_CHECKING:
+    from turgor.geometry.shapes.sections import Outline as Outline
+    from turgor.geometry.shapes.sections import disc as disc
+    from turgor.geometry.shapes.sections import half_disc as half_disc
+    from turgor.geometry.shapes.sections import polygon as polygon
+    from turgor.geometry.shapes.sections import rectangle as rectangle
+    from turgor.section.cut import cut as cut
+    from turgor.section.section import Section as Section
+    from turgor.section.sketch import Sketch as Sketch
+    from turgor.section.solution import SectionError as SectionError
+    from turgor.section.solution import SectionSolution as SectionSolution
+    from turgor.section.stiffness import SectionStiffness as SectionStiffness
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

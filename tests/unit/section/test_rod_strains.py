@@ -1,0 +1,57 @@
+"""Rod strains: an actuator laid out as a helix has the curvature, twist and stretch that it was given.
+
+The mesh is coarse: half a percent of the largest strain.
+"""
+
+import numpy as np
+import pytest
+import results_cases as cases
+
+import turgor as tg
+from turgor.results.measures.rod_strains import rod_strains
+from turgor.section.kinematics import skew
+
+STRETCH = 1.1
+NAMES = ("curvature_y", "curvature_z", "twist", "stretch")
+
+
+def helix(curvature):
+    """Lay every section along a helix of the strains; the reference line passes through the middle of the body."""
+    middle = np.array([0.0, 0.0, cases.HEIGHT / 2])
+    kappa = np.array(curvature)
+    angle = np.linalg.norm(kappa)
+    K = skew(kappa)
+
+    def place(points):
+        turn = angle * points[:, 0]
+        a, b, c = (f[:, None, None] for f in (np.sin(turn) / angle, (1 - np.cos(turn)) / angle**2, turn - np.sin(turn)))
+        R = np.eye(3) + a * K + b * K @ K
+        V = points[:, 0, None, None] * np.eye(3) + b * K + c / angle**3 * K @ K
+        across = points * [0.0, 1.0, 1.0] - middle
+        return (R @ across[..., None])[..., 0] + STRETCH * V[:, :, 0] + middle
+
+    return place
+
+
+@pytest.mark.parametrize("curvature", [(5.0, 10.0, -4.0), (-8.0, 0.0, 0.0), (0.0, 25.0, 0.0)])
+def test_helix_is_found_again(curvature):
+    state = cases.state(cases.model(cases.body()), helix(curvature))
+    twist, about_y, about_z = curvature
+    measures = rod_strains(0.2, 0.8, "part")
+    assert [each.name for each in measures] == [f"part_{name}" for name in NAMES]
+    got = [each(state) for each in measures]
+    assert got == pytest.approx([about_y, about_z, twist, STRETCH], rel=5e-3, abs=0.06)
+
+
+def test_ready_made_measures_are_known_by_name():
+    found = tg.measures.middle_curvature_y
+    assert found.name == "middle_curvature_y"
+    assert "40%" in found.definition
+
+
+def test_stations_out_of_order_and_too_few_cells_are_refused():
+    with pytest.raises(tg.TurgorError, match="give two shares in order"):
+        rod_strains(0.6, 0.4, "part")
+    state = cases.state(cases.model(cases.body()), lambda X: X)
+    with pytest.raises(tg.TurgorError, match="too few cells along x"):
+        rod_strains(0.5, 0.501, "part")[0](state)
