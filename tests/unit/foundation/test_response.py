@@ -48,7 +48,8 @@ def test_header_carries_units_and_numbers_are_short(tmp_path):
 def test_round_trip(data, tmp_path_factory):
     """What is read differs from what was written by the last bit at most (a number times its unit is rounded)."""
     path = tmp_path_factory.mktemp("response") / "response.csv"
-    floats = st.floats(allow_subnormal=False, allow_nan=False, min_value=-1e300, max_value=1e300)
+    # Divided by its unit, no number may overflow or lose digits as a subnormal.
+    floats = st.floats(allow_nan=False, min_value=-1e300, max_value=1e300).filter(lambda x: x == 0 or abs(x) > 1e-290)
     count = data.draw(st.integers(1, 4))
     names = st.from_regex(r"[a-z]+(_[a-z]{5,8})?", fullmatch=True)
     chosen = data.draw(st.dictionaries(names, st.sampled_from(sorted(COLUMN_UNITS)), min_size=1, max_size=4))

@@ -54,7 +54,7 @@ def with_face_sizes(mesh: Mesh, face_sizes: Mapping[str, float]) -> Mesh:
     >>> from turgor.meshing.generate import mesh
     >>> coarse = mesh(FastPneuNet(chambers=2, length=20e-3).build(), size=4e-3, cells="hexahedra")
     >>> len(coarse.cells), len(with_face_sizes(coarse, {"tip": 2e-3}).cells)
-    (373, 677)
+    (373, 463)
     """
     while face_sizes:
         edges, name = _long_edges(mesh, face_sizes)
