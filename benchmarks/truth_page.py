@@ -61,9 +61,9 @@ not stored).
 
 The half-round bender has no such trend. Its angle is that of the tip's face, whose rim bulges; on uniform cells of 4, 3
 and 2 mm the second order gives 2.803°, 2.993° and 2.963°, and the third order, with one layer, 2.960° and 2.955° on
-cells of 4 and 3 mm (printed output). The references lie at 2.968° (hexahedra) and 2.978° (third order on bisected cells).
-Refined tetrahedra, at 3.001°, are 0.8 % above, although their estimate is 0.24 %. Do not judge a mesh by it to better
-than 1 %.
+cells of 4 and 3 mm (printed output). The references lie at 2.968° (hexahedra) and 2.978° (third order on bisected
+cells). Refined tetrahedra, at 3.001°, are 0.8 % above, although their estimate is 0.24 %. Do not judge a mesh by it to
+better than 1 %.
 
 Times are CPU seconds of one thread, with meshing and solving, without compilation. Other work ran on the machine:
 compare times within a row, and expect noise of more than 10 %. Fibers are smeared. Volumes are volumes of the cavity,
