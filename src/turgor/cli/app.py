@@ -12,6 +12,7 @@ import typer
 
 from turgor import __version__
 from turgor.cli.again import compare_command, measure_command, report_command
+from turgor.cli.analyses.guidelines import guidelines_app
 from turgor.cli.analyses.section import section_command
 from turgor.cli.answers.document import document
 from turgor.cli.check import check_command
@@ -89,6 +90,7 @@ app.command("mesh")(mesh_command)
 app.command("modes")(modes_command)
 app.command("convergence")(convergence_command)
 app.command("section")(section_command)
+app.add_typer(guidelines_app, name="guidelines")
 
 
 def _sentence(text: str) -> str:

@@ -23,7 +23,9 @@ QUIET_SECONDS = 1.5
 
 
 def _processors() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    """Processors of this process, or as many as numba was told to use, where that is fewer."""
+    there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(there, int(numba.config.NUMBA_NUM_THREADS))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,7 +37,8 @@ class EngineOptions:
     linear_solver : str
         ``"auto"`` takes MKL Pardiso where it is installed and rslab elsewhere; either can be named.
     threads : int
-        Threads of the kernels and the linear solver; all processors by default.
+        Threads of the kernels and the linear solver; all processors by default, or ``NUMBA_NUM_THREADS`` of the
+        environment where that is less.
     notify : callable or None
         ``notify(text)``, called when something takes long, such as the first compilation on a machine.
     iteration : str

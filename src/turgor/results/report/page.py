@@ -7,8 +7,6 @@ from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
 
-from jinja2 import Environment, StrictUndefined
-
 from turgor.engine.percentiles import PERCENTILE
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
@@ -24,6 +22,7 @@ from turgor.results.report import describe, describe_procedure
 from turgor.results.report.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
 from turgor.results.report.error_text import last_with_error
 from turgor.results.report.response_table import response_table
+from turgor.results.report.templated import rendered
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, Timing
 
@@ -89,8 +88,7 @@ def write_report(path: str | Path, report: Report) -> None:
         What it tells.
     """
     source = files("turgor.results.report").joinpath("templates/report.html").read_text(encoding="utf-8")
-    template = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True).from_string(source)
-    Path(path).write_text(template.render(_context(report)), encoding="utf-8")
+    Path(path).write_text(rendered(source, _context(report)), encoding="utf-8")
 
 
 def _context(report: Report) -> dict[str, object]:

@@ -1,0 +1,1 @@
+"""Section 7.4: actuators with many chambers, PneuNets among them."""

@@ -1,0 +1,1 @@
+"""Section 7.3: bidirectional and omnidirectional actuators."""

@@ -1,0 +1,1 @@
+"""Section 7.1: actuators with a single chamber."""

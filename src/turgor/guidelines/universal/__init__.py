@@ -1,0 +1,1 @@
+"""Section 7.0: what holds for every soft fluidic actuator."""

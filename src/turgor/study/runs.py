@@ -1,0 +1,142 @@
+"""Runs of a study: what each computes, and what was computed, as files that a later call reads again."""
+
+import hashlib
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from turgor.errors import TurgorError
+from turgor.response import Response
+from turgor.results.files.response_csv import read_response
+from turgor.source import Source
+from turgor.store.whole import whole
+
+#: Letters of the hash in a file's name.
+KEY_LETTERS = 10
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Computed:
+    """What one run found.
+
+    Parameters
+    ----------
+    response : Response
+        The measured columns.
+    picture : bytes
+        Picture as PNG; empty where none was drawn.
+    seconds : float [s]
+        CPU time of the run; set by `run_all`.
+    """
+
+    response: Response
+    picture: bytes = b""
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Run:
+    """One computation of a study: a function, and the values that it is called with.
+
+    Parameters
+    ----------
+    name : str
+        Short name, unique in the study, such as ``"8 chambers"``.
+    function : callable
+        Function of a module, which another process can import. It returns a `Computed`.
+    values : mapping of str to number, str, bool, None or a list of these
+        Its keyword arguments.
+
+    Raises
+    ------
+    TurgorError
+        If the function is not one of a module, or a value cannot be written as JSON.
+
+    Examples
+    --------
+    >>> from turgor.study.runs import Computed, Run
+    >>> Run(name="two", function=Computed, values={"seconds": 2.0}).key
+    '9d8d0e4a0b'
+    """
+
+    name: str
+    function: Callable[..., Computed]
+    values: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+
+    def __post_init__(self) -> None:
+        if "<" in self.function.__qualname__:
+            raise TurgorError(
+                f"run '{self.name}' calls {self.function.__qualname__}, which no other process can import; "
+                "define the function at the top of a module."
+            )
+        try:
+            json.dumps(dict(self.values))
+        except TypeError as error:
+            raise TurgorError(f"run '{self.name}' has a value that cannot be kept: {error}.") from None
+
+    @property
+    def key(self) -> str:
+        """Hash of the function's name and the values: equal runs have equal keys, whatever they are called."""
+        asked = [self.function.__module__, self.function.__qualname__, dict(self.values)]
+        return hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()[:KEY_LETTERS]
+
+
+def kept(run: Run, folder: Path) -> Computed | None:
+    """Read what a run found, if it has ended before.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path
+        Where `keep` wrote it.
+
+    Returns
+    -------
+    Computed or None
+    """
+    notes, table, picture = _files(run, folder)
+    if not (notes.is_file() and table.is_file()):
+        return None
+    told = json.loads(notes.read_text(encoding="utf-8"))
+    read = read_response(table)
+    response = Response(columns=read.columns, source=Source(text=told["source"]), message=told["message"])
+    return Computed(
+        response=response,
+        picture=picture.read_bytes() if picture.is_file() else b"",
+        seconds=float(told["cpu_seconds"]),
+    )
+
+
+def keep(run: Run, found: Computed, folder: Path) -> None:
+    """Write what a run found: its table, its picture, and at last its notes, without which it has not ended.
+
+    Parameters
+    ----------
+    run : Run
+    found : Computed
+    folder : Path
+        Made if there is none.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    notes, table, picture = _files(run, folder)
+    found.response.to_csv(table)
+    if found.picture:
+        with whole(picture) as part:
+            part.write_bytes(found.picture)
+    told = {
+        "name": run.name,
+        "function": f"{run.function.__module__}.{run.function.__qualname__}",
+        "values": dict(run.values),
+        "source": str(found.response.source),
+        "message": found.response.message,
+        "cpu_seconds": round(found.seconds, 3),
+    }
+    with whole(notes) as part:
+        part.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
+
+
+def _files(run: Run, folder: Path) -> tuple[Path, Path, Path]:
+    return folder / f"{run.key}.json", folder / f"{run.key}.csv", folder / f"{run.key}.png"
