@@ -1,23 +1,30 @@
 """Pictures for the figures of guidelines."""
 
+from dataclasses import replace
+
 import turgor as tg
-from turgor.results.pictures.state_picture import state_figure
-from turgor.results.plots.figures import png_of
+from turgor.results.pictures.state_picture import bare_picture
 
-#: Resolution of the pictures [dots per inch]: some five stand beside each other in a figure.
-DPI = 60
+#: Width of the pictures [pixels]: up to five stand beside each other in a figure.
+WIDTH = 480
 
 
-def picture_of(solution: tg.Solution) -> bytes:
+def picture_of(solution: tg.Solution, limit: float | None = None) -> bytes:
     """Picture of the last state, colored by von Mises stress, as PNG.
 
     Parameters
     ----------
     solution : Solution
+    limit : float or None [Pa]
+        Stress of the last color; by default what 99 % of the volume stay below. Pictures that are compared need one
+        limit.
 
     Returns
     -------
     bytes
         Empty where the path has no state.
     """
-    return png_of(state_figure(solution.states[-1]), dpi=DPI) if len(solution.states) else b""
+    if not len(solution.states):
+        return b""
+    view = tg.pictures.shared_view([solution.states[-1]], width=WIDTH)
+    return bare_picture(solution.states[-1], view if limit is None else replace(view, limit=limit))
