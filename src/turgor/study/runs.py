@@ -59,7 +59,7 @@ class Run:
     --------
     >>> from turgor.study.runs import Computed, Run
     >>> Run(name="two", function=Computed, values={"seconds": 2.0}).key
-    '9d8d0e4a0b'
+    'c21755ea1c'
     """
 
     name: str
