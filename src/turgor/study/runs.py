@@ -29,7 +29,7 @@ class Computed:
     picture : bytes
         Picture as PNG; empty where none was drawn.
     seconds : float [s]
-        CPU time of the run; set by `run_all`.
+        CPU time; `run_all` sets it, unless the function has timed a part of itself.
     """
 
     response: Response
