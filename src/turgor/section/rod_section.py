@@ -41,8 +41,9 @@ def rod_section(
     Returns
     -------
     RodSection
-        A strain that a mirror plane of the section keeps at rest gets an estimate: the other bending stiffness, or a
-        third of their sum against twist. A rod that leaves the plane needs the solution of the whole section.
+        A strain that a mirror plane of the section keeps at rest gets an estimate: the stiffness against stretch times
+        the squared radius of gyration of the solids against bending, a third of the sum of both against twist. A rod
+        that leaves the plane needs the solution of the whole section.
 
     Raises
     ------
@@ -69,7 +70,8 @@ def rod_section(
         [response["stretch"] - 1, response["twist"], response["curvature_y"], response["curvature_z"]]
     )
     strain -= strain[0]
-    stiffness = np.array([_whole(solution.stiffness(row).matrix, shear) for row in range(len(pressure))])
+    gyration = _gyration(solution)
+    stiffness = np.array([_whole(solution.stiffness(row).matrix, gyration, shear) for row in range(len(pressure))])
     table = PressureTable(pressure=pressure, strain=strain, stiffness=stiffness)
     return RodSection(
         stiffness=stiffness[0],
@@ -107,12 +109,21 @@ def _no_other_loads(solution: SectionSolution) -> None:
             )
 
 
-def _whole(matrix: Array, shear: float | tuple[float, float] | None) -> Array:
+def _gyration(solution: SectionSolution) -> Array:
+    """Squared radii of gyration of the solids about y and z (2,) [m²], each cell at its middle."""
+    equations = solution._equations
+    plane = equations.plane
+    middles = plane.points[plane.quads].mean(axis=1) * plane.length
+    areas = equations.rubber.vectors.weights.sum(axis=1)
+    return np.asarray(areas @ middles[:, :0:-1] ** 2 / areas.sum())
+
+
+def _whole(matrix: Array, gyration: Array, shear: float | tuple[float, float] | None) -> Array:
     """Stiffness for six strains (6, 6), with estimates where mirror planes hold a strain."""
     matrix = matrix.copy()
-    y, z = matrix[2, 2] or matrix[3, 3], matrix[3, 3] or matrix[2, 2]
-    for i, estimate in ((1, (y + z) / 3), (2, y), (3, z)):
-        matrix[i, i] = matrix[i, i] or estimate
+    for i, radius in zip((2, 3), gyration, strict=True):
+        matrix[i, i] = matrix[i, i] or matrix[0, 0] * radius
+    matrix[1, 1] = matrix[1, 1] or (matrix[2, 2] + matrix[3, 3]) / 3
     full = np.zeros((6, 6))
     full[np.ix_(UNIFORM, UNIFORM)] = (matrix + matrix.T) / 2
     across = np.broadcast_to(matrix[0, 0] / 3 if shear is None else shear, 2)

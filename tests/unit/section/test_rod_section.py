@@ -58,3 +58,14 @@ def test_strains_that_a_mirror_plane_holds_are_estimated(solution):
     assert (np.linalg.eigvalsh(stiffness) > 0).all()
     assert (stiffness[1, 1], stiffness[2, 2]) == (7.0, 8.0)
     assert stiffness[3, 3] == pytest.approx((stiffness[4, 4] + stiffness[5, 5]) / 3)
+
+
+def test_a_quarter_of_a_tube_has_nearly_the_stiffness_of_a_tube():
+    """E I and G J of a round tube of incompressible rubber at rest; what is estimated is near."""
+    tube = tg.Section(tg.actuators.ExtendingCylinder(), {"body": RUBBER})
+    stiffness = np.asarray(tg.sections.rod_section(tube.solve(np.array([0, 5]) * kPa)).stiffness)
+    inner, outer = 6.35 * mm, 8.35 * mm
+    moment = np.pi / 4 * (outer**4 - inner**4)
+    expected = [3 * 0.24e6 * moment] * 2
+    assert stiffness.diagonal()[4:] == pytest.approx(expected, rel=0.05)
+    assert stiffness[3, 3] == pytest.approx(0.24e6 * 2 * moment, rel=0.05)
