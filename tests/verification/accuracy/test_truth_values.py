@@ -35,6 +35,7 @@ AGREED = (
     "wound_bender",
     "twisting_tube",
     "closed_tube",
+    "tube_between_plates",
     "omnidirectional_circles",
     "omnidirectional_sectors",
     "bellows",
