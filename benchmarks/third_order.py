@@ -6,8 +6,7 @@ called with NGSolve's symbols) and the definitions of the measures. Units are mm
 
 The mean stress is continuous within a region and jumps between regions, hence at membranes and wound faces as well.
 Path: elements of second order take the load in steps; the cells that carry most of the error are bisected at its end
-(`third_order_refine.py`); the third order starts from there and needs few iterations. On two layers of thin cells it
-takes the path itself.
+(`third_order_refine.py`); the third order starts from there and needs few iterations.
 NGSolve is for development only: its wheel carries UMFPACK (GPL). Its factorization calls the split matrix singular
 anyway; `sparsecholesky` factorizes it.
 
@@ -34,8 +33,6 @@ ROUNDED = (1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6)
 #: Of these, how many are left out where the start is good.
 SKIPPED = 2
 ITERATIONS = 14
-#: Layers from which on the path is followed with the order asked for, and its first load step.
-DIRECT, FIRST_DIRECT = 2, 1.0
 AXES = {"x": 0, "y": 1, "z": 2}
 
 
@@ -54,13 +51,13 @@ class Problem:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """Measures at the full load, by name, in the unit of the measure, what they cost, and the change from order 2."""
+    """Measures at the full load, by name, in the unit of the measure, and what they cost."""
 
     values: dict[str, float]
     cells: int
     unknowns: int
     seconds: float
-    change: float | None
+    change: float
 
 
 def curved_mesh(case: Any, size: float, order: int, grading: float = 0.5) -> ng.Mesh:
@@ -217,26 +214,21 @@ def measures(task: Problem, solution: ng.GridFunction) -> dict[str, float]:
 
 
 def solve(case: Any, size: float, order: int = 3) -> Found:
-    """Measures of a case at a size [mm]: second order on the path and on bisected cells, then the order asked for.
-
-    With two layers of thin cells, Newton's method does not converge from the second order's end: the path is followed
-    with the order asked for.
-    """
+    """Measures of a case at a size [mm]: second order on the path and on bisected cells, then the order asked for."""
     start = time.process_time()
-    direct = case.layers >= DIRECT
-    task = problem(case, curved_mesh(case, size, order), order if direct else 2)
-    solution = follow(task, FIRST_DIRECT) if direct else follow(task)
-    for share in () if direct else case.bisections:
+    task = problem(case, curved_mesh(case, size, order), 2)
+    solution = follow(task)
+    for share in case.bisections:
         mesh = bisected(case, task.mesh, solution, share, order)
         task = problem(case, mesh, 2)
         solution = raised(task, solution)
     before = measures(task, solution)
-    if order > task.order:
+    if order > 2:
         task = problem(case, task.mesh, order)
         solution = raised(task, solution)
     values = measures(task, solution)
     main = case.measures[0].name
-    change = None if direct else values[main] / before[main] - 1
+    change = values[main] / before[main] - 1
     return Found(values, task.mesh.ne, sum(task.space.FreeDofs()), time.process_time() - start, change)
 
 
@@ -254,8 +246,7 @@ def main() -> None:
     for each in case.measures:
         print(f"{each.name} {values[each.name]:.6g} {each.unit}")
     size_of = f"{found.cells} cells, {found.unknowns} unknowns"
-    change = "" if found.change is None else f"; order 2 to 3: {found.change:+.3%}"
-    print(f"{size_of}, {found.seconds:.0f} CPU s{change}")
+    print(f"{size_of}, {found.seconds:.0f} CPU s; order 2 to 3: {found.change:+.3%}")
 
 
 if __name__ == "__main__":
