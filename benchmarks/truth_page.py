@@ -31,14 +31,17 @@ beside every sharp edge and up to four times as long from one cell to the next. 
 refined by `refine_to` toward an estimate of 0.1 % or up to 120,000 unknowns. Some values were copied from printed
 output: `origin` in `truth_runs.json` says so.
 
-The code in NGSolve has no contact. Where walls touch, tetrahedra and hexahedra are the two discretizations. The tube
-between plates has an obstacle instead of self-contact: without the plates (hexahedra of 5 mm) its volume is 7.67 mL
-and its tip moves by 2.300 mm, with them 6.963 mL and 2.597 mm. Hexahedra of 1.7 and 1.25 mm press on one plate with
-5.090 N and 5.097 N (of a quarter model, times two), tetrahedra of 1.4 and 1.0 mm with 5.092 N and 5.091 N; the tip
-differs by 0.32 % between the kinds. The PneuNet that is pressed until its walls touch is less certain: its reference
-is the mean of two kinds that differ by 1.75 %. Hexahedra of 3, 1.85 and 1.5 mm give 43.54°, 43.633° and 43.906°,
-tetrahedra of 2 and 1.4 mm 42.65° and 42.88°. Do not judge a mesh by it to better than 2 %. (Forces, and angles at 1.5
-mm, are printed output.)
+The code in NGSolve has no contact. Where walls touch, tetrahedra and hexahedra are the two discretizations; refined
+tetrahedra are then refined on the path without contact, and the path with contact is followed once. The tube between
+plates has an obstacle instead of self-contact: without the plates (hexahedra of 5 mm) its volume is 7.67 mL and its tip
+moves by 2.300 mm, with them 6.963 mL and 2.597 mm. Hexahedra of 1.7 and 1.25 mm press on one plate with 5.090 N and
+5.097 N (of a quarter model, times two), tetrahedra of 1.4 and 1.0 mm with 5.092 N and 5.091 N. The tip of uniform
+tetrahedra of 1 mm is 0.32 % below that of hexahedra; refined ones, whose small cells lie at sharp inner edges, agree
+with hexahedra within 0.01 %. The PneuNet that is pressed until its walls touch is less certain: its reference is the
+mean of two kinds that differ by 1.75 %. Hexahedra of 3, 1.85 and 1.5 mm give 43.54°, 43.633° and 43.906°, tetrahedra of
+2 and 1.4 mm 42.65° and 42.88°. Both kinds are uniform, and before the walls touch such meshes are 0.4 % and 2.1 % below
+the reference; refined ones were not solved with contact. Do not judge a mesh by it to better than 2 %. (Forces, and
+angles at 1.5 mm, are printed output.)
 
 **Sharp edges decide the error.** Inside a cavity they make stresses without bound, and there the error falls only about
 in proportion to the size of the cells, whatever the order of the elements. Two series of uniform meshes share this slow
@@ -54,16 +57,21 @@ cells of 2.5 mm give 0.11881, 0.12055 and 0.12145 mm, which leads to 0.1229 mm. 
 Layers of thin cells along the edges (`layers` of a case, each layer an eighth as thick as the next one) come nearer to
 that limit with fewer unknowns, because cells stay long along the edge. On that chamber, third order on cells of 2.5 mm
 gives 0.12241 mm with one layer and 0.12271 mm with two, on cells of 1.7 mm with one layer 0.12255 mm: the second layer
-adds 0.25 %, the smaller cells 0.11 %. On the PneuNet of three chambers, cells of 3.5 mm with one layer give 6.568° with
-121,369 unknowns, as bisection does with 201,929; more layers were not solved there. The wound bender has its reference
-from one layer. Bisected cells, 37,787 unknowns, gave 7.152° and 3.2165 mm, 0.2 % and 0.1 % above it (printed output,
-not stored).
+adds 0.25 %, the smaller cells 0.11 %. The slow PneuNet agrees within 0.3 % with graded hexahedra on cells of 4 mm with
+one layer, with a quarter of the unknowns of bisected cells, which were 0.37 % off. On the fast one on a stiff base,
+cells of 3.5 mm with one layer give 6.568° with 121,369 unknowns, as bisection does with 201,929. With two layers,
+214,890 unknowns, Newton's method found no state: its first correction is far too long, whether it starts at rest or
+from the second order. The wound bender has its reference from one layer, which left out the corner of its section.
+Bisected cells, 37,787 unknowns, gave 7.152° and 3.2165 mm, 0.2 % and 0.1 % above it (printed output, not stored).
 
-The half-round bender has no such trend. Its angle is that of the tip's face, whose rim bulges; on uniform cells of 4, 3
-and 2 mm the second order gives 2.803°, 2.993° and 2.963°, and the third order, with one layer, 2.960° and 2.955° on
-cells of 4 and 3 mm (printed output). The references lie at 2.968° (hexahedra) and 2.978° (third order on bisected cells).
-Refined tetrahedra, at 3.001°, are 0.8 % above, although their estimate is 0.24 %. Do not judge a mesh by it to better
-than 1 %.
+The half-round bender needs layers along the rims of the held face and of the border between its rubbers too. With one
+layer along these and along the re-entrant edges, third order gives 2.9650° and 1.24414 mm on cells of 3.5 mm, 2.9623°
+and 1.24417 mm on cells of 2.6 mm, which is the reference. Without these layers it was less certain: 2.955° and 1.238 mm
+without the rims and the corner of the section, 2.978° and 1.241 mm on bisected cells with three times the unknowns
+(printed output). Angle and volume of graded hexahedra agree within 0.3 %; their tip is 0.48 % lower, because their
+cells are short along the length only, not at the corners of the section. Tetrahedra that were refined for the angle
+give the tip within 0.3 %, yet an angle 1.3 % above, although their estimate is 0.24 %: the angle is that of the tip's
+face, whose rim bulges.
 
 Times are CPU seconds of one thread, with meshing and solving, without compilation. Other work ran on the machine:
 compare times within a row, and expect noise of more than 10 %. Fibers are smeared. Volumes are volumes of the cavity,
