@@ -68,7 +68,7 @@ The half-round bender needs layers along the rims of the held face and of the bo
 layer along these and along the re-entrant edges, third order gives 2.9650° and 1.24414 mm on cells of 3.5 mm, 2.9623°
 and 1.24417 mm on cells of 2.6 mm, which is the reference. Without these layers it was less certain: 2.955° and 1.238 mm
 without the rims and the corner of the section, 2.978° and 1.241 mm on bisected cells with three times the unknowns
-(printed output). Angle and volume of graded hexahedra agree within 0.3 %; their tip is 0.48 % lower, because their
+(printed output). Angle and volume of graded hexahedra agree within 0.3 %; their tip is 0.49 % lower, because their
 cells are short along the length only, not at the corners of the section. Tetrahedra that were refined for the angle
 give the tip within 0.3 %, yet an angle 1.3 % above, although their estimate is 0.24 %: the angle is that of the tip's
 face, whose rim bulges.
