@@ -41,7 +41,17 @@ def compared(cases: Sequence[Case], values: Store, runs: Store) -> str:
                 lines.append((title, kind, step, *numbers(case, before[step], now.get(step), list(now.values()))))
                 title = ""
     head = ("case", "cells", "size", "error before", "CPU s", "error now", "CPU s", "same mesh")
-    return f"{TEXT}\n\n{table((*head, 'at its error', 'times less'), lines)}"
+    return f"{TEXT}\n\n{table((*head, 'at its error', 'times less'), lines)}\n\n{verdict(lines)}"
+
+
+def verdict(lines: Sequence[Sequence[str]]) -> str:
+    """How many rows of the table are misses, read from their last columns."""
+    same = [line[-3] for line in lines if line[-3] != "–"]
+    slower, dearer = (sum(text.startswith("**") for text in texts) for texts in (same, [line[-1] for line in lines]))
+    return (
+        f"On the same mesh, {slower} of {len(same)} rows are slower by more than 10 %. "
+        f"At equal error, {dearer} of {len(lines)} rows miss what is asked."
+    )
 
 
 def numbers(case: Case, before: tuple[float, float], now: tuple[float, float] | None, all_now: Costs) -> list[str]:
