@@ -67,7 +67,7 @@ def curved_mesh(case: Any, size: float, order: int, grading: float = 0.5) -> ng.
         if face.name in case.face_sizes:
             face.maxh = min(size, case.face_sizes[face.name])
     if case.layers:
-        mark_edges(shape)
+        mark_edges(case, shape)
     mesh = ng.Mesh(shape.GenerateMesh(maxh=size, grading=grading, curvaturesafety=2.0, ngs_mesh=False))
     if case.layers:
         mesh.RefineHP(case.layers)

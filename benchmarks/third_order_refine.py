@@ -9,7 +9,7 @@ Bisected cells are short along an edge as well, where nothing varies. Cells that
 edges, each layer an eighth as thick as the next one, stay long there: prisms, pyramids and hexahedra of NGSolve.
 """
 
-import math
+from collections.abc import Iterable
 from typing import Any
 
 import netgen.occ as occ
@@ -18,20 +18,39 @@ import numpy as np
 
 import turgor as tg
 
-#: Radius [mm] of the ball that shows how much of the space around an edge is solid.
+#: Half the length [mm] of the box that shows how much of the space around an edge is solid. Balls were cut wrongly at
+#: edges where an arc meets a plane.
 NEAR = 0.05
 #: Share of it from which on an edge is re-entrant; a plane face has a half, a re-entrant right angle three quarters.
 REENTRANT = 0.55
 
 
-def mark_edges(shape: Any) -> None:
-    """Mark the re-entrant edges of a CAD shape, for layers of cells along them."""
-    ball = 4 / 3 * math.pi * NEAR**3
+def mark_edges(case: Any, shape: Any) -> None:
+    """Mark the edges of a CAD shape where stresses have no bound, for layers of cells along them.
+
+    These are re-entrant edges and, if the case asks for it, the rims of held faces and of borders between regions.
+    """
+    on_planes = edges_of(face for face in shape.faces if (face.name or "").startswith("symmetry_"))
+    held = edges_of(face for face in shape.faces if face.name in {support.face for support in case.supports})
+    first, *others = [edges_of([solid]) for solid in shape.solids]
+    borders = {place for other in others for place in first & other}
+    rims = (held | borders) - on_planes if case.layered_rims else set()
+    reach = occ.Vec(NEAR, NEAR, NEAR)
     for edge in shape.edges:
         middle = edge.Value(sum(edge.parameter_interval) / 2)
-        share = (occ.Sphere(middle, NEAR) * shape).mass / ball
-        if REENTRANT < share < 0.99:  # inside the body, where regions meet, it is 1
+        share = (occ.Box(middle - reach, middle + reach) * shape).mass / (2 * NEAR) ** 3
+        if REENTRANT < share < 0.99 or (share < 0.99 and place_of(edge) in rims):  # inside the body it is 1
             edge.hpref = 1
+
+
+def edges_of(parts: Iterable[Any]) -> set[tuple[float, ...]]:
+    """Where the edges of faces or solids lie."""
+    return {place_of(edge) for part in parts for edge in part.edges}
+
+
+def place_of(edge: Any) -> tuple[float, ...]:
+    """Center and length of an edge [mm], which tell it from the others."""
+    return tuple(round(value, 4) + 0.0 for value in (edge.center.x, edge.center.y, edge.center.z, edge.mass))
 
 
 def stiffness(material: tg.Material) -> float:

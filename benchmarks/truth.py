@@ -72,7 +72,7 @@ def witnesses(case: Case) -> tuple[tuple[str, str], tuple[str, str]]:
     """Two discretizations that must agree: kind of cells and step of each."""
     third, refined = ("third order", "fine"), ("tetrahedra", "refined")
     if case.touches and case.first == "hexahedra":
-        return ("hexahedra", "quarter"), ("tetrahedra", "quarter")
+        return ("hexahedra", "quarter"), refined
     if case.touches:
         return refined, ("hexahedra", "refined")
     hexahedra = ("hexahedra", GRADED if case.graded else "half")

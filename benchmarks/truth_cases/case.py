@@ -47,6 +47,8 @@ class Case:
         Shares of the cells of the independent code that are bisected, round by round.
     layers : int
         Layers of thin cells of the independent code along re-entrant edges, each an eighth as thick as the next one.
+    layered_rims : bool
+        Whether the rims of held faces and of borders between regions get such layers too.
     graded : (float, float) or None [mm]
         Where sharp edges decide the error: size of hexahedra, and length of those beside the edges, for the reference.
     first : str
@@ -68,6 +70,7 @@ class Case:
     face_sizes: Mapping[str, float] = field(default_factory=dict)
     bisections: tuple[float, ...] = (0.1, 0.02)
     layers: int = 0
+    layered_rims: bool = False
     graded: tuple[float, float] | None = None
     first: str = "third order"
 
