@@ -5,7 +5,7 @@ from math import cos, tan
 from typing import Any
 
 from turgor.geometry.parts.plates import plan
-from turgor.geometry.parts.pneunet import across, check_base, check_inlet, copies, inlet, inlet_volume
+from turgor.geometry.parts.pneunet import across, check_base, check_floor, check_inlet, copies, inlet, inlet_volume
 from turgor.geometry.rules import SMALLEST_LENGTH, check_length, in_mm
 from turgor.geometry.shapes.solids import Range, box, union
 from turgor.units import m, mm
@@ -109,8 +109,8 @@ class ChamberRow:
     @property
     def thinnest(self) -> float:
         """Thickness of the thinnest wall [m]."""
-        outer = [self.side_wall, self.top_wall, self.end_wall, self.floor]
-        outer += [self.base] if self.base else []
+        outer = [self.side_wall, self.top_wall, self.end_wall]
+        outer += [thickness for thickness in (self.floor, self.base) if thickness]
         return min(outer) if self.chambers == 1 else min(*outer, self.wall, self.channel_wall)
 
     @property
@@ -227,7 +227,7 @@ def _check_up(row: ChamberRow) -> None:
     least, why = SMALLEST_LENGTH, f"so that a cavity remains within the height of {in_mm(row.height)}"
     if row.base is not None:
         check_base(row.base, high=row.height - 3 * least, why=why)
-    check_length("floor", row.floor, high=row.height - (row.base or 0.0) - 2 * least, why=why)
+    check_floor(row.floor, row.base, high=row.height - (row.base or 0.0) - 2 * least, why=why)
     check_length("top_wall", row.top_wall, high=row.height - row.floor_top - least, why=why)
     if row.chambers > 1:
         why = f"less than the cavity, which is {in_mm(row.inner_height)} high"
