@@ -28,9 +28,6 @@ from turgor.units import m, mm
 
 MOST_CHAMBERS = 100
 
-#: Region of the cavities while they are joined with the solids.
-AIR = "air"
-
 _OPEN = Finding(
     code="G12",
     severity=Severity.NOTE,
@@ -213,8 +210,7 @@ def finished(
             solid.mat(region)
             solids.append(solid)
     is_open = any(in_plane(face, 2, layer) for inside in cavities.values() for face in inside.faces)
-    pieces = [*solids, *_end_of_clamp(actuator, blocks)]
-    shape = _joined(pieces, cavities) if is_open else Glue(pieces)
+    shape = Glue([*solids, *_end_of_clamp(actuator, blocks)])
     check_volume("solid", volume(shape), actuator.solid_volume)
     _name_faces(actuator, shape, layer)
     return Geometry(
@@ -227,21 +223,6 @@ def finished(
         findings=(_OPEN,) if is_open else (),
         _shape=shape,
     )
-
-
-def _joined(solids: Sequence[Any], cavities: Mapping[str, Any]) -> Any:
-    """Join solids; where cavities only touch a solid, as open chambers touch their base, its face there is theirs.
-
-    The cavities are joined as well, which marks such faces, and are left out of the result.
-    """
-    for inside in cavities.values():
-        inside.mat(AIR)
-    whole = Glue([*solids, *cavities.values()])
-    for air in (solid for solid in whole.solids if solid.name == AIR):
-        names = {face.name for face in air.faces if face.name in cavities}
-        for face in air.faces:
-            face.name = min(names)
-    return Glue([solid for solid in whole.solids if solid.name != AIR])
 
 
 def _end_of_clamp(actuator: PneuNet, blocks: Sequence[tuple[str, Any]]) -> list[Any]:
@@ -262,6 +243,7 @@ def _name_faces(actuator: PneuNet, shape: Any, layer: float) -> None:
     end = actuator.clamp_length
     name_plane(shape, 0, 0.0, "fixed")
     name_plane(shape, 0, end + actuator.length, "tip")
+    # a base that only touches the cavity of open chambers got its name there when the cavity was cut out of it
     name_plane(shape, 2, layer, "strain_limiting_layer", keep=actuator.cavity_volumes)
     if actuator.symmetric:
         name_plane(shape, 1, 0.0, "symmetry_y")
