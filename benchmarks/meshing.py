@@ -19,15 +19,28 @@ from case import ROOT
 from tables import table
 from turgor.cad import WithNormal
 from turgor.geometry.cad.read import read_here
+from turgor.geometry.cad.symmetry.wanted import WantedSymmetry
 from turgor.geometry.geometry import Geometry
 from turgor.job.job import ACTUATORS
 from turgor.meshing.enveloped.kept import FOLDER
 from turgor.meshing.generate import mesh
 from turgor.meshing.quality.cell_quality import quality
-from turgor.units import mm
+from turgor.units import deg, mm
 
 sys.path.insert(0, str(ROOT / "tests"))
+import wedge_cases
 from prints import PRINTS
+
+ACTUATOR = tg.actuators
+#: Dimensions at which families are hard to mesh.
+SPECIAL = {
+    "helical_pneunet, 8 chambers at 45°": ACTUATOR.HelicalPneuNet(chambers=8, chamber_angle=45 * deg),
+    "helical_pneunet, 5 chambers at 60°": ACTUATOR.HelicalPneuNet(chambers=5, chamber_angle=60 * deg),
+    "fast_pneunet, open at the bottom": ACTUATOR.FastPneuNet(floor=0.0),
+    "omnidirectional_actuator, webs of 0.5 mm": ACTUATOR.OmnidirectionalActuator(
+        chamber_shape="ring_sector", web=0.5 * mm
+    ),
+}
 
 #: CPU seconds that a family may take, a print, and the axisymmetric bellows from its dimensions to its last state.
 FAMILY, PRINT, SOLVED = 10.0, 60.0, 3.0
@@ -35,8 +48,14 @@ FAMILY, PRINT, SOLVED = 10.0, 60.0, 3.0
 ENDS = {"fixed": WithNormal("-x"), "tip": WithNormal("+x")}
 QUARTER = {"symmetry_y": WithNormal("-y"), "symmetry_z": WithNormal("-z")}
 LOBED = ROOT / "tests" / "unit" / "data" / "cad" / "bellows.step"
-FILM = ROOT / "examples" / "film.toml"
 AXISYMMETRIC = ROOT / "examples" / "axisymmetric_bellows.toml"
+JOBS = {
+    "film": "film.toml",
+    "stiff film": "stiff_film.toml",
+    "rig: lifted weight": "lifted_weight.toml",
+    "axisymmetric bellows": "axisymmetric_bellows.toml",
+    "STEP with an inlet, two bodies": "cad_file.toml",
+}
 HEAD = ("part", "given as", "build s", "mesh s", "cells", "unknowns", "worst shape", "mean", "worst Jacobian")
 
 
@@ -62,6 +81,18 @@ def read_print(name: str) -> Geometry:
         return read_here(PRINTS[name]().write(Path(folder) / f"{name}.stl"), faces=ENDS)
 
 
+def read_example(job: str) -> Geometry:
+    """Read a job of the examples, which builds its part."""
+    return tg.jobs.read_job(ROOT / "examples" / job).geometry()
+
+
+def read_wedge() -> Geometry:
+    """Write a bellows of six lobes around its axis as STEP, and read a sector."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = wedge_cases.written(wedge_cases.lobed(), Path(folder) / "lobed.step")
+        return read_here(path, faces=wedge_cases.ENDS, symmetry=WantedSymmetry("wedge"))
+
+
 def parts() -> dict[str, Part]:
     """All parts by their names."""
     found = {
@@ -74,10 +105,13 @@ def parts() -> dict[str, Part]:
         "lobed bellows, axisymmetric": {"size": 2 * mm, "cells": "axisymmetric"},
     }.items():
         found[name] = Part("STEP, quarter", lambda: read_here(LOBED, faces=ENDS | QUARTER), FAMILY, settings)
-    for name, job in {"film": FILM, "axisymmetric bellows": AXISYMMETRIC}.items():
-        read = tg.jobs.read_job(job)
-        settings = {"cells": read.mesh.cells} if read.mesh.cells else {}
-        found[name] = Part("job of the examples", read.actuator.build, FAMILY, settings)
+    for name, job in JOBS.items():
+        stated = tg.jobs.read_job(ROOT / "examples" / job).mesh
+        settings = {key: value for key in ("size", "cells") if (value := getattr(stated, key))}
+        found[name] = Part("job of the examples", lambda job=job: read_example(job), FAMILY, settings)
+    found["lobed bellows, wedge of a sixth"] = Part("STEP", read_wedge, FAMILY, {"size": 2 * mm})
+    for name, kind in SPECIAL.items():
+        found[name] = Part("family", kind.build, FAMILY, {})
     for name, kind in ACTUATORS.items():
         found[name] = Part("family", kind().build, FAMILY, {"cells": "tetrahedra"})
     return found

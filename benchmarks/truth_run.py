@@ -19,7 +19,7 @@ from truth_cases.case import ESTIMATED, GRADED, NO_CONTACT, STEPS, Case
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.sizing.default_size import default_size
-from turgor.meshing.sizing.sizes import size_range
+from turgor.meshing.sizing.sizes import wall_size
 from turgor.meshing.sweeping.section import Fineness
 from turgor.meshing.sweeping.swept import swept_mesh
 from turgor.units import mm
@@ -39,7 +39,7 @@ def wanted_size(case: Case, geometry: Geometry, kind: str, step: str) -> float |
         return float(step) * mm
     default = default_size(geometry, kind)
     size = STEPS[step] * default
-    largest = size_range(geometry)[1]
+    largest = wall_size(geometry)
     if step == "double" and size > largest:
         return largest if largest > 1.2 * default else None
     return size
@@ -54,7 +54,7 @@ def meshed(case: Case, geometry: Geometry, size: float, kind: str, step: str) ->
 
 def warm(case: Case, geometry: Geometry, kind: str, formulation: str) -> None:
     """Load every compiled loop that the case needs: its first load step on the coarsest mesh."""
-    mesh = tg.mesh(geometry, size=size_range(geometry)[1], cells=kind)
+    mesh = tg.mesh(geometry, size=wall_size(geometry), cells=kind)
     solve(case, mesh, formulation, stop=lambda state: "warm" if state.load_factor > 0 else "", throw=False)
 
 

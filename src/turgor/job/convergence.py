@@ -11,7 +11,7 @@ from turgor.errors import TurgorError
 from turgor.job.job import Job
 from turgor.job.prepare import prepare
 from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.sizing.sizes import size_range
+from turgor.meshing.sizing.sizes import size_range, wall_size
 from turgor.results.convergence.study import Convergence
 from turgor.results.measures.measures import Measure, find_measure, measure
 from turgor.solvers.solution import Solution, SolveError
@@ -133,8 +133,8 @@ def _limits(job: Job) -> tuple[float, float]:
             f"the actuator is the mesh file '{job.actuator.file}', which has one size; mesh the part at three "
             "sizes and give a function of the size."
         )
-    low, high = size_range(job.geometry())
-    return low, max(high, job.mesh_size)  # wall_cells = 2 allows a size above the walls
+    geometry = job.geometry()
+    return size_range(geometry)[0], max(wall_size(geometry), job.mesh_size)  # above it only if the job is
 
 
 def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress | None) -> Solution:

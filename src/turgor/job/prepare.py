@@ -5,6 +5,7 @@ from collections.abc import Callable
 from turgor.finding import Finding, by_weight
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
+from turgor.job.round_parts import meridian_would_do
 from turgor.meshing.quality.checks import check_mesh
 from turgor.model.model import Model
 from turgor.results.measures.measures import check_measures, find_measure
@@ -63,7 +64,8 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
         from turgor.results.measures.markers import check_markers  # here: it loads the engine
 
         check_markers(made, job.output.markers)
-    return asked, by_weight((*geometry.findings, *check_mesh(made), *early_findings(asked, job.procedure)))
+    found = (*check_mesh(made), *meridian_would_do(model, geometry), *early_findings(asked, job.procedure))
+    return asked, by_weight((*geometry.findings, *found))
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:

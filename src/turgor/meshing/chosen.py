@@ -7,7 +7,7 @@ from turgor.geometry.geometry import Geometry
 from turgor.meshing.quality.cell_quality import refuse_inverted
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.default_size import default_size
-from turgor.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
+from turgor.meshing.sizing.sizes import check_face_sizes, check_features, check_settings, size_range, wall_size
 from turgor.meshing.sweeping.section import Fineness
 from turgor.meshing.sweeping.swept import check_cells, is_lattice, swept_mesh
 
@@ -70,8 +70,8 @@ def _fillable(geometry: Geometry) -> bool:
 
     In few sections of odd dimensions some turn over, and some sections need too many.
     """
-    if geometry._sweep is None:
-        return False
+    if geometry._sweep is None or wall_size(geometry) < size_range(geometry)[0]:
+        return False  # hexahedra suit every wall, also one that is too thin for that
     fine = Fineness(size=default_size(geometry, "hexahedra"))
     try:
         made = swept_mesh(geometry, fine)

@@ -24,23 +24,17 @@ from turgor.meshing.revolved.axisymmetric import axisymmetric_mesh
 from turgor.meshing.revolved.meridian import is_revolved
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.default_size import default_size
+from turgor.meshing.sizing.fitted import fitted_to_walls
 from turgor.meshing.sizing.local_sizes import local_sizes
-from turgor.meshing.sizing.sizes import (
-    CELLS_PER_RADIUS,
-    LARGEST_SIZE_PER_WALL,
-    size_range,
-)
+from turgor.meshing.sizing.sizes import CELLS_PER_RADIUS, is_tube, size_range, wall_size
 from turgor.meshing.sizing.small_features import edges_left, features_left, has_tiny_edges, small_features
-from turgor.meshing.sizing.thin_walls import find_thin_walls, thin_walls_left
+from turgor.meshing.sizing.thin_walls import find_thin_walls, section_finer, thin_walls_left
 from turgor.meshing.sizing.walls import refine_walls
 from turgor.meshing.sweeping.section import Fineness
 from turgor.meshing.sweeping.swept import swept_mesh
 from turgor.meshing.wedge import with_wedge
 
 __all__ = ["default_size", "mesh", "size_range"]
-
-#: How often a mesh is made again with smaller sizes at thin walls.
-ROUNDS = 3
 
 #: A finished mesh fills the geometry; quadratic cells may miss this share of it at curved faces.
 LOST_VOLUME = 0.01
@@ -71,19 +65,20 @@ def mesh(
     geometry : Geometry
         What to mesh.
     size : float [m], optional
-        Largest edge length aimed at; cells get smaller near short edges. At most four times the thinnest wall, unless
-        ``wall_cells`` is 2; `default_size` if it is not given: about twice the thinnest wall, for hexahedra
-        three times.
+        Largest edge length aimed at; cells get smaller near short edges, and along walls that are thinner than a
+        quarter of it (G09). `default_size` if it is not given: about twice the thinnest wall, for hexahedra three
+        times.
     grading : float [-]
         How fast cells may grow away from small ones: 0.1 slowly (more cells), 1 at once.
     face_sizes : mapping of str to float [m]
         Smaller sizes for some faces, by name; hexahedra are cut in whole sheets through the part until the edges on
-        the face are as short. Tetrahedra on curved faces get at least two cells along an arc as long as its radius.
-        Corners of cavities about which thin walls bend (`turgor.geometry.thin_corners`) get a third of ``size``, and
-        curved walls that end there 0.7 of it, unless the cavity is named here.
+        the face are as short. A face named here keeps its size where its wall is thin. Tetrahedra on curved faces get
+        at least two cells along an arc as long as its radius. Corners of cavities about which thin walls bend
+        (`turgor.geometry.thin_corners`) get a third of ``size``, and curved walls that end there 0.7 of it, unless the
+        cavity is named here.
     wall_cells : int
-        Cells at least through every wall, 1 to 4: 1 leaves them as they come; 2 gives smaller sizes to walls that are
-        thinner than a quarter of ``size``, and cuts cells in two that still reach through a wall; more cut them again.
+        Cells at least through every wall, 1 to 4: 1 leaves them as they come; 2 cuts cells in two that reach through
+        a wall; more cut them again.
     cells : str, optional
         ``"tetrahedra"`` of ten nodes, for any geometry; ``"hexahedra"`` of 27 nodes, for families that are a section
         moved along a line or turned about an axis; ``"axisymmetric"``, for a quarter of a body of revolution whose
@@ -99,8 +94,8 @@ def mesh(
     Raises
     ------
     TurgorError
-        If the size is no positive length, too coarse for the walls or so small that nothing could solve the mesh,
-        if a face is unknown, or if the generator fails or makes cells that cannot be mended.
+        If the size is no positive length, larger than the part or so small that nothing could solve the mesh, if a
+        face is unknown, or if the generator fails or makes cells that cannot be mended.
 
     Examples
     --------
@@ -110,7 +105,7 @@ def mesh(
     ['cavity', 'fixed', 'outside', 'strain_limiting_layer', 'symmetry_y', 'tip']
     >>> mesh(finger, size=0)
     Traceback (most recent call last):
-    turgor.errors.TurgorError: mesh size is 0 mm; allowed is 0.291 mm to 4 mm (four times the thinnest wall, 1 mm).
+    turgor.errors.TurgorError: mesh size is 0 mm; allowed is 0.291 mm to 20 mm (the whole part).
     """
     settings = MeshSettings(
         size=size,
@@ -152,7 +147,7 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
             result = in_child(meshing(geometry.name), _meshed_by_facets, geometry, chosen)
         except TurgorError:
             raise error from None
-        return replace(result, findings=(*result.findings, meshed_by_facets(error, result, geometry)))
+        return _noting(result, meshed_by_facets(error, result, geometry))
 
 
 def _meshed_by_facets(geometry: Geometry, chosen: MeshSettings) -> Mesh:
@@ -163,7 +158,7 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
     assert chosen.size is not None  # chosen where it was not given
     size, grading = chosen.size, float(chosen.grading)
     if chosen.cells in ("hexahedra", "axisymmetric"):
-        wide = min(size, max(size_range(geometry)[1], size_range(geometry)[0]))  # walls of a section bend
+        wide = min(size, max(wall_size(geometry), size_range(geometry)[0]))  # walls of a section bend
         fine = Fineness(
             size=wide, along=size, wall_cells=chosen.wall_cells, curvature=CELLS_PER_RADIUS, grading=grading
         )
@@ -171,9 +166,11 @@ def _meshed(geometry: Geometry, chosen: MeshSettings) -> Mesh:
         result = with_face_sizes(made(geometry, fine), chosen.face_sizes)
         _check_result(result, geometry)
         refuse_inverted(result)
+        if wide < size and chosen.wall_cells == 1 and not (chosen.cells == "hexahedra" and is_tube(geometry)):
+            result = _noting(result, section_finer(size, wide, geometry.smallest_wall))
         return result
     if isinstance(geometry._shape, SurfaceShape):
-        return refine_walls(_sound(geometry, partial(enveloped_cells, geometry, chosen)), chosen.wall_cells)
+        return refine_walls(_enveloped(geometry, chosen, size), chosen.wall_cells)
     result = _following(geometry, chosen, size)
     if chosen.ignore_features_below and has_tiny_edges(geometry, chosen.ignore_features_below):
         result = _with_fewer_cells(result, geometry, chosen)
@@ -192,7 +189,7 @@ def _with_fewer_cells(result: Mesh, geometry: Geometry, chosen: MeshSettings) ->
         return result
     filled = float(cell_volumes(coarse).sum()) / geometry.solid_volume
     found = edges_left(chosen.ignore_features_below or 0.0, 1 - coarse.unknown_count / result.unknown_count, filled)
-    return replace(coarse, findings=(*coarse.findings, found))
+    return _noting(coarse, found)
 
 
 def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
@@ -208,7 +205,7 @@ def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
     with sizes_on_faces(geometry, local.faces):
         for sizes in attempts:
             try:
-                result = _fitting_walls(geometry, sizes)
+                result = fitted_to_walls(geometry, chosen, sizes, lambda each: _generated(geometry, each))
             except TurgorError as error:
                 first = first or error
                 continue
@@ -216,27 +213,27 @@ def _following(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
                 filled = float(cell_volumes(result).sum()) / geometry.solid_volume
                 stated = chosen.ignore_features_below is not None
                 found = features_left(sizes.features, stated, filled, is_revolved(geometry))
-                result = replace(result, findings=(*result.findings, found))
-            return result if first is None else replace(result, findings=(*result.findings, _meshed_finer(first)))
+                result = _noting(result, found)
+            return result if first is None else _noting(result, _meshed_finer(first))
     assert first is not None
     raise first from None
 
 
-def _fitting_walls(geometry: Geometry, sizes: GeneratorSizes) -> Mesh:
-    """A valid mesh whose cells suit their walls: made again with smaller sizes at walls that are too thin."""
-    result = _sound(geometry, partial(generated_cells, geometry, sizes))
-    if sizes.size <= LARGEST_SIZE_PER_WALL * geometry.smallest_wall * (1 + 1e-9):
-        return result  # the size suits every wall
-    for _ in range(ROUNDS):
-        walls = find_thin_walls(result, sizes.size)
-        if not len(walls.points):
-            return result
-        sizes = replace(sizes, places=(*sizes.places, walls))
-        result = _sound(geometry, partial(generated_cells, geometry, sizes))
-    walls = find_thin_walls(result, sizes.size)
-    if len(walls.points):
-        result = replace(result, findings=(*result.findings, thin_walls_left(walls)))
-    return result
+def _generated(geometry: Geometry, sizes: GeneratorSizes) -> Mesh:
+    return _sound(geometry, partial(generated_cells, geometry, sizes))
+
+
+def _enveloped(geometry: Geometry, chosen: MeshSettings, size: float) -> Mesh:
+    """A mesh of a part that is given by facets; its cells do not follow the walls, so long ones are noted."""
+    result = _sound(geometry, partial(enveloped_cells, geometry, chosen))
+    if size <= wall_size(geometry) * (1 + 1e-9):
+        return result
+    walls = find_thin_walls(result, size)
+    return _noting(result, thin_walls_left(walls)) if len(walls.points) else result
+
+
+def _noting(result: Mesh, found: Finding) -> Mesh:
+    return replace(result, findings=(*result.findings, found))
 
 
 def _sound(geometry: Geometry, generate: Callable[[], Raw]) -> Mesh:

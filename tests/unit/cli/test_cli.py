@@ -65,7 +65,7 @@ MISTAKES = [
      "body.library: unknown library material 'elastosil-m4600'; did you mean 'elastosil-m4601'? Known: "),
     ('"4 mm"', '"0 mm"', "finger.toml:8: mesh.size: 0 mm; allowed is 0.2"),
     ('"4 mm"', '"-4 mm"', "finger.toml:8: mesh.size: -4 mm; allowed is 0.2"),
-    ('"4 mm"', '"5 mm"', "finger.toml:8: mesh.size: 5 mm, too coarse for the wall of 1 mm; allowed is 0.2"),
+    ('"4 mm"', '"99 mm"', "finger.toml:8: mesh.size: 99 mm, larger than the part; allowed is 0.2"),
 ]  # fmt: skip
 
 

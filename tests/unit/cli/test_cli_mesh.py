@@ -101,7 +101,7 @@ def test_mesh_writes_and_draws(folder: Path, capsys: pytest.CaptureFixture[str])
     ("arguments", "sentence"),
     [
         (["mesh", "one.toml", "--size", "9 kg"], "--size: '9 kg' is a mass, but a length is needed."),
-        (["mesh", "one.toml", "--size", "9 mm"], "mesh size is 9 mm, too coarse for the wall of 1.5 mm; allowed is"),
+        (["mesh", "one.toml", "--size", "99 mm"], "mesh size is 99 mm, larger than the part; allowed is"),
         (["mesh", "one.toml", "--output", "one.stl"], "--output is 'one.stl'; the name must end in .vtu."),
         (["mesh", "one.toml", "--picture", "one.jpg"], "--picture is 'one.jpg'; the name must end in .png."),
         (["mesh", "on.toml"], "there is no job file 'on.toml'; did you mean 'one'"),

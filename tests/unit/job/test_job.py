@@ -175,7 +175,7 @@ CHANGES = [
     ('type = "fast_pneunet"', "", "small.toml:1: actuator.type: 'type' is missing; allowed: bellows_of_revolution, "),
     ('size = "3 mm"', 'size = "0 mm"', "small.toml:8: mesh.size: 0 mm; allowed is 0."),
     ('size = "3 mm"', 'size = "-3 mm"', "small.toml:8: mesh.size: -3 mm; allowed is 0."),
-    ('size = "3 mm"', 'size = "8 mm"', "small.toml:8: mesh.size: 8 mm, too coarse for the wall of 1 mm; allowed is 0."),
+    ('size = "3 mm"', 'size = "99 mm"', "small.toml:8: mesh.size: 99 mm, larger than the part; allowed is 0."),
     ('size = "3 mm"', 'wall_cells = 5', "small.toml:8: mesh.wall_cells: 5; allowed is 1, which leaves the walls as "),
     ('size = "3 mm"', 'cells = "hexa"', "small.toml:8: mesh.cells: unknown kind of cells 'hexa'"),
     ('size = "3 mm"', 'cells = "hexahedra"\nface_sizes = { cavity = "4 mm" }', "small.toml:9: mesh.face_sizes: mesh "

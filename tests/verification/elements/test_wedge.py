@@ -164,6 +164,17 @@ def test_a_sector_that_reaches_its_axis_moves_as_the_whole(tube):
     assert tg.measures.twist_angle.function(fields[0]) == pytest.approx(0.4, rel=1e-9)
 
 
+def test_a_marker_in_any_sector_moves_as_on_the_whole(tube):
+    supports = [tg.Fixed("fixed"), tg.supports.Displacement("tip", turned)]
+    fields, _ = both(tube, supports, [tg.Pressure("cavity", 5 * kPa)])
+    for angle in (10 * deg, 100 * deg, 200 * deg, 330 * deg):  # on the side, and 1 mm above the tip
+        for x, radius in ((11.3 * mm, 8 * mm), (25 * mm, 5 * mm)):
+            dot = (x, radius * np.cos(angle), radius * np.sin(angle))
+            there, whole = ([each.function(at) for each in tg.measures.marker("dot", dot)] for at in fields)
+            assert there == pytest.approx(whole, abs=2e-5 * mm)
+            assert np.linalg.norm(np.array(there) - dot) > 1 * mm
+
+
 def turned(points, share):
     """Displacement of points in a turn by 0.4 rad about x."""
     cosine, sine = np.cos(0.4 * share), np.sin(0.4 * share)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from turgor.engine.contact.closest import foot_point, overhang, place, shapes
+from turgor.geometry.wedge import Wedge
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import outer_triangles
 
@@ -19,6 +20,9 @@ SAMPLES = 5
 
 #: So many of the nearest samples are looked at more closely.
 CANDIDATES = 12
+
+#: Of sectors that are as near, up to this [m], the modeled one is taken, or else the next one.
+NEARER = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,6 +41,10 @@ class Attached:
         −1 for each direction in which the modeled part was mirrored to reach the point, else 1.
     mirrors : (3,) array [m]
         Positions of these mirror planes.
+    wedge : Wedge, optional
+        Of which the modeled part is a sector.
+    sector : int
+        By how many sectors the modeled part was turned to reach the point.
     """
 
     nodes: NDArray[np.int64]
@@ -44,11 +52,15 @@ class Attached:
     arm: Array
     mirrored: Array
     mirrors: Array
+    wedge: Wedge | None = None
+    sector: int = 0
 
     def position(self, points: Array) -> Array:
         """Position (3,) [m] when the nodes of the mesh are at some points (n, 3) [m]."""
         foot, frame = _frame(_corners(points, self.nodes), self.at)
         modeled = foot + self.arm @ frame
+        if self.wedge is not None:
+            return self.wedge.images(modeled, self.sector)
         return np.asarray(self.mirrors + self.mirrored * (modeled - self.mirrors))
 
     @property
@@ -70,7 +82,7 @@ def attach(mesh: Mesh, point: Point, planes: Sequence[tuple[int, float]]) -> Att
     ----------
     mesh : Mesh
     point : (3,) floats [m]
-        On either side of the mirror planes.
+        On either side of the mirror planes, or in any sector of a wedge.
     planes : sequence of (axis, position [m])
         Mirror planes.
 
@@ -84,28 +96,46 @@ def attach(mesh: Mesh, point: Point, planes: Sequence[tuple[int, float]]) -> Att
         if (modeled[axis] - position) * inside < 0:
             modeled[axis] = 2 * position - modeled[axis]
             mirrored[axis], mirrors[axis] = -1.0, position
+    if mesh.wedge is not None:
+        return _in_sector(mesh, mesh.wedge, modeled)
     sides = outer_triangles(mesh)
-    side, place_on = _nearest(mesh.points, sides, modeled)
+    _, side, place_on = _nearest(mesh.points, sides, modeled)
     foot, frame = _frame(_corners(mesh.points, sides[side]), place_on)
     return Attached(sides[side], place_on, frame @ (modeled - foot), mirrored, mirrors)
 
 
-def _nearest(points: Array, sides: NDArray[np.int64], point: Array) -> tuple[int, Array]:
-    """Side and place on it that are nearest to a point."""
+def _in_sector(mesh: Mesh, wedge: Wedge, point: Array) -> Attached:
+    """The nearest place of all sectors, as that of the modeled one and the turn that leads to it."""
+    sides = outer_triangles(mesh)
+    for name in mesh.cut_faces:
+        sides = sides[~np.isin(sides, mesh.face_nodes(name)).all(axis=1)]  # they lie inside the whole
+    back = [wedge.images(point, -sector) for sector in range(wedge.fold)]
+    found = [_nearest(mesh.points, sides, each) for each in back]
+    least = min(away for away, _, _ in found)
+    sector = next(i for i, (away, _, _) in enumerate(found) if away <= least + NEARER)
+    _, side, place_on = found[sector]
+    foot, frame = _frame(_corners(mesh.points, sides[side]), place_on)
+    return Attached(
+        sides[side], place_on, frame @ (back[sector] - foot), np.ones(3), np.zeros(3), wedge=wedge, sector=sector
+    )
+
+
+def _nearest(points: Array, sides: NDArray[np.int64], point: Array) -> tuple[float, int, Array]:
+    """Distance of a point from the nearest side, that side, and the place on it."""
     corners = _corners(points, sides)
     places = _places(corners.shape[1])
     weights = np.array([_shape_functions(corners.shape[1], at) for at in places])
     samples = np.einsum("pk,fki->fpi", weights, corners)
     flat = samples.reshape(-1, 3)
     found = np.atleast_1d(cKDTree(flat).query(point, k=min(CANDIDATES, len(flat)))[1])
-    best = (np.inf, 0, places[0])
+    best = (float(np.inf), 0, places[0])
     for number in found:
         side, sample = divmod(int(number), len(places))
         for at in (places[sample], _foot(corners[side], point, places[sample])):
             if at is not None:
                 away = float(np.linalg.norm(_frame(corners[side], at)[0] - point))
                 best = min(best, (away, side, at), key=lambda each: each[0])
-    return best[1], best[2]
+    return best
 
 
 def _corners(points: Array, nodes: NDArray[np.int64]) -> Array:

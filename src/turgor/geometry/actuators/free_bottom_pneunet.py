@@ -100,6 +100,7 @@ ends between floor and top of the chambers.
         check_envelope(self)
         why = "because the base closes the chambers"
         check_length("base", self.base, high=self.height - 3 * SMALLEST_LENGTH, why=why)
+        check_length("floor", self.floor, high=self.height)  # strips of it join the chambers
         check_row(row_of(self))
         if self.chambers > 1:
             self._check_free_part()

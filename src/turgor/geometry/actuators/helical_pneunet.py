@@ -8,7 +8,7 @@ from turgor.errors import TurgorError
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.chamber_row import ChamberRow, check_row, row_of
 from turgor.geometry.parts.pneunet import check_envelope, finished, with_base
-from turgor.geometry.rules import SMALLEST_LENGTH, check_angle
+from turgor.geometry.rules import SMALLEST_LENGTH, check_angle, check_length, in_mm
 from turgor.geometry.shapes.solids import cut
 from turgor.geometry.sweeps.rows import row_blocks, row_sweep
 from turgor.units import deg, mm
@@ -37,7 +37,10 @@ class HelicalPneuNet:
     chamber_angle : float [rad]
         Angle by which the inner walls and gaps are turned from the y-z plane about z; positive where they reach
         further towards the tip at larger y. Small enough that the first and last chamber keep an inside: at
-        the default length, 45 degrees take 8 chambers at most, 60 degrees 5.
+        the default length, 45 degrees take 8 chambers at most, 60 degrees 5, and more with ``end_extension``.
+    end_extension : float [m]
+        Length by which the first and the last chamber are longer than the others, along the middle. At the
+        default length 11 chambers take 45 degrees with 4 mm and 60 degrees with 12 mm.
     wall : float [m]
         Thickness of the walls that face each other across a gap.
     gap : float [m]
@@ -45,7 +48,8 @@ class HelicalPneuNet:
     side_wall, top_wall, end_wall : float [m]
         Thickness of the outer walls: along the sides, on top, at the two ends.
     floor : float [m]
-        Thickness of the silicone between cavity and strain-limiting layer.
+        Thickness of the silicone between cavity and strain-limiting layer; 0 leaves the chambers open at the bottom,
+        and the base closes them: the face ``strain_limiting_layer`` is then left out under the chambers.
     base : float [m]
         Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     channel_width, channel_height : float [m]
@@ -71,8 +75,8 @@ class HelicalPneuNet:
     11625
     >>> HelicalPneuNet(chamber_angle=45 * deg)
     Traceback (most recent call last):
-    turgor.errors.TurgorError: chamber_angle is 45 deg; allowed is -35.243 deg to 35.243 deg, so that the first \
-and the last chamber keep an inside; fewer chambers or a larger length allow more.
+    turgor.errors.TurgorError: chamber_angle is 45 deg; allowed is -35.243 deg to 35.243 deg, so that the \
+chambers keep an inside; a larger end_extension or length, or fewer chambers allow more.
     """
 
     chambers: int = 11
@@ -90,6 +94,7 @@ and the last chamber keep an inside; fewer chambers or a larger length allow mor
     channel_width: float = 3 * mm
     channel_height: float = 2 * mm
     channel_wall: float = 1 * mm
+    end_extension: float = 0.0
     clamp_length: float = 0.0
     inlet_diameter: float = 0.0
     symmetric: bool = False
@@ -98,9 +103,12 @@ and the last chamber keep an inside; fewer chambers or a larger length allow mor
         check_envelope(self)
         if self.symmetric:
             raise TurgorError("symmetric is True; a helical PneuNet has no mirror plane, allowed is False.")
+        why = f"so that {self.chambers} chambers fit in {in_mm(self.length)}"
+        high = (self.length - 3 * SMALLEST_LENGTH * self.chambers) / 2
+        check_length("end_extension", self.end_extension, low=0.0, high=high, why=why)
         check_row(row_of(self))
         most = self._most_angle()
-        why = "so that the first and the last chamber keep an inside; fewer chambers or a larger length allow more"
+        why = "so that the chambers keep an inside; a larger end_extension or length, or fewer chambers allow more"
         check_angle("chamber_angle", self.chamber_angle, low=-most, high=most, why=why)
 
     def _most_angle(self) -> float:
@@ -116,8 +124,9 @@ and the last chamber keep an inside; fewer chambers or a larger length allow mor
     def _room(self, angle: float) -> float:
         """The least that remains of a chamber's inside or of an end block along x at a chamber angle [m]."""
         row = row_of(self, slant=angle)
-        inside = row.block - row.wall_along - row.inner_width / 2 * tan(angle) - self.end_wall
-        outside = row.block - row.width / 2 * tan(angle)
+        end = row.block + row.end_extension
+        inside = end - row.wall_along - row.inner_width / 2 * tan(angle) - self.end_wall
+        outside = end - row.width / 2 * tan(angle)
         return min(inside, outside, row.block - 2 * row.wall_along) - SMALLEST_LENGTH
 
     @property

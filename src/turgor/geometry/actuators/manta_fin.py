@@ -41,7 +41,8 @@ class MantaFin:
     top_wall, end_wall : float [m]
         Thickness of the outer walls on top and at the two ends.
     floor : float [m]
-        Thickness of the silicone between cavity and strain-limiting layer.
+        Thickness of the silicone between cavity and strain-limiting layer; 0 leaves the chambers open at the bottom,
+        and the base closes them: the face ``strain_limiting_layer`` is then left out under the chambers.
     base : float [m]
         Thickness of the silicone below the strain-limiting layer; 0 leaves it out, and the layer is the bottom itself.
     channel_width, channel_height : float [m]

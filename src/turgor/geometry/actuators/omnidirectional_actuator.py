@@ -15,9 +15,6 @@ from turgor.geometry.shapes.solids import cut, face_names, region_names, union, 
 from turgor.geometry.sweep import Part, Sweep, end_names, layers_of
 from turgor.units import m, mm
 
-#: Thinnest wall that is accepted between chambers and around the bore.
-THINNEST_WALL = 0.1 * mm
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OmnidirectionalActuator:
@@ -73,8 +70,8 @@ class OmnidirectionalActuator:
     ('cavity_1', 'cavity_2', 'fixed', 'outside', 'symmetry_y', 'tip')
     >>> OmnidirectionalActuator(chamber_size=12e-3)
     Traceback (most recent call last):
-    turgor.errors.TurgorError: chamber_size is 12 mm; allowed is 0.1 mm to 9.692 mm, so that 3 chambers keep walls \
-of 0.1 mm between them.
+    turgor.errors.TurgorError: chamber_size is 12 mm; allowed is 0.01 mm to 9.74 mm, so that 3 chambers keep walls \
+of 0.01 mm between them.
     """
 
     chambers: int = 3
@@ -94,7 +91,7 @@ of 0.1 mm between them.
         check_count("chambers", self.chambers, low=2, high=8)
         check_fields(self)
         check_choice("chamber_shape", self.chamber_shape, SHAPES)
-        least = THINNEST_WALL
+        least = SMALLEST_LENGTH
         check_length("length", self.length, low=1 * mm, high=2 * m)
         check_length("outer_radius", self.outer_radius, low=1 * mm, high=1 * m)
         why = f"so that a cavity remains within the length of {in_mm(self.length)}"
@@ -102,7 +99,9 @@ of 0.1 mm between them.
         if self.clamp_length:
             check_length("clamp_length", self.clamp_length, low=least, high=1 * m, why="0 leaves it out")
         if self.bore_radius:
-            check_length("bore_radius", self.bore_radius, low=least, high=self.outer_radius / 2, why="0 leaves it out")
+            check_length(
+                "bore_radius", self.bore_radius, low=least, high=self.outer_radius - 4 * least, why="0 leaves it out"
+            )
         high = self.outer_radius - self.bore_radius - 3 * least
         check_length("wall", self.wall, low=least, high=high, why="so that chambers fit inside it")
         if self.chamber_shape == "ring_sector":
@@ -113,7 +112,7 @@ of 0.1 mm between them.
         self._check_size()
 
     def _check_size(self) -> None:
-        least = THINNEST_WALL
+        least = SMALLEST_LENGTH
         high = largest_size(self._section, self.bore_radius, least)
         around = " and around the bore" if self.bore_radius else ""
         why = f"so that {self.chambers} chambers keep walls of {in_mm(least)} between them{around}"

@@ -16,6 +16,7 @@ from turgor.geometry.cad.part import Part, as_vector, load_part
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.surface.shape import SurfaceShape
+from turgor.geometry.cad.symmetry.facet_cut import facet_symmetry
 from turgor.geometry.cad.symmetry.find import find_symmetry
 from turgor.geometry.cad.walls import smallest_wall
 from turgor.geometry.child import in_child
@@ -146,7 +147,7 @@ def inspect_here(
         faces=_faces(part, naming),
         cavities=_cavities(naming),
         findings=(*part.file.findings, *naming.findings),
-        symmetry="" if isinstance(part.shape, SurfaceShape) else str(find_symmetry(part, naming.names)),
+        symmetry=str((facet_symmetry if isinstance(part.shape, SurfaceShape) else find_symmetry)(part, naming.names)),
     )
 
 

@@ -5,7 +5,7 @@ from math import hypot, inf
 from typing import Any
 
 from turgor.geometry.parts.plates import Point, area, plan
-from turgor.geometry.parts.pneunet import check_base, check_inlet, copies, inlet, inlet_volume
+from turgor.geometry.parts.pneunet import check_base, check_floor, check_inlet, copies, inlet, inlet_volume
 from turgor.geometry.rules import SMALLEST_LENGTH, check_length, in_mm
 from turgor.geometry.shapes.solids import Range, union
 from turgor.units import m, mm
@@ -77,7 +77,7 @@ class ChamberBlock:
         """Thickness of the thinnest wall [m]."""
         slopes = [(self.tip_width - self.root_width) / 2 + sign * self.sweep for sign in (1, -1)]
         side = self.side_wall * min(self.length / hypot(self.length, slope) for slope in slopes)
-        outer = (side, self.top_wall, self.end_wall, self.floor, self.base or inf)
+        outer = (side, self.top_wall, self.end_wall, self.floor or inf, self.base or inf)
         return min(outer) if self.chambers == 1 else min(*outer, self.wall)
 
     @property
@@ -182,7 +182,7 @@ def _check_across(block: ChamberBlock) -> None:
 def _check_up(block: ChamberBlock) -> None:
     least, why = SMALLEST_LENGTH, f"so that a cavity remains within the height of {in_mm(block.height)}"
     check_base(block.base, high=block.height - 3 * least, why=why)
-    check_length("floor", block.floor, high=block.height - block.base - 2 * least, why=why)
+    check_floor(block.floor, block.base, high=block.height - block.base - 2 * least, why=why)
     check_length("top_wall", block.top_wall, high=block.height - block.floor_top - least, why=why)
     if block.joints:
         why = f"less than the cavity, which is {in_mm(block.inner_height)} high"

@@ -5,7 +5,7 @@ from math import cos, tan
 from typing import Any
 
 from turgor.geometry.parts.plates import plan
-from turgor.geometry.parts.pneunet import across, check_base, check_inlet, copies, inlet, inlet_volume
+from turgor.geometry.parts.pneunet import across, check_base, check_floor, check_inlet, copies, inlet, inlet_volume
 from turgor.geometry.rules import SMALLEST_LENGTH, check_length, in_mm
 from turgor.geometry.shapes.solids import Range, box, union
 from turgor.units import m, mm
@@ -27,6 +27,8 @@ class ChamberRow:
         Angle of the inner walls against the y-z plane.
     channel_rise : float [m]
         Height of the channel above the floor of the chambers.
+    end_extension : float [m]
+        Length by which the first and the last chamber are longer than the others.
 
     Examples
     --------
@@ -55,6 +57,7 @@ class ChamberRow:
     symmetric: bool
     slant: float = field(default=0.0, metadata={"dimension": "angle"})
     channel_rise: float = 0.0
+    end_extension: float = 0.0
 
     @property
     def joints(self) -> int:
@@ -73,8 +76,8 @@ class ChamberRow:
 
     @property
     def block(self) -> float:
-        """Length of one chamber with its walls along the middle [m]."""
-        return (self.length - self.joints * self.gap_along) / self.chambers
+        """Length of one chamber with its walls along the middle [m]; the first and the last may be longer."""
+        return (self.length - 2 * self.end_extension - self.joints * self.gap_along) / self.chambers
 
     @property
     def pitch(self) -> float:
@@ -109,14 +112,15 @@ class ChamberRow:
     @property
     def thinnest(self) -> float:
         """Thickness of the thinnest wall [m]."""
-        outer = [self.side_wall, self.top_wall, self.end_wall, self.floor]
-        outer += [self.base] if self.base else []
+        outer = [self.side_wall, self.top_wall, self.end_wall]
+        outer += [thickness for thickness in (self.floor, self.base) if thickness]
         return min(outer) if self.chambers == 1 else min(*outer, self.wall, self.channel_wall)
 
     @property
     def cavity_volume(self) -> float:
         """Volume of the cavity with its inlet, of the modeled part [m³]."""
-        inside = self.chambers * self.block - 2 * self.end_wall - 2 * self.joints * self.wall_along
+        along = self.chambers * self.block + 2 * self.end_extension
+        inside = along - 2 * self.end_wall - 2 * self.joints * self.wall_along
         channel = self.joints * (2 * self.wall_along + self.gap_along) * self.channel_width * self.channel_height
         duct = inlet_volume(self, self.clamp_length + self.end_wall)
         return (inside * self.inner_width * self.inner_height + channel) / copies(self) + duct
@@ -130,15 +134,14 @@ class ChamberRow:
     @property
     def block_volume(self) -> float:
         """Volume of the clamped block and of the chambers above their floor, still filled, of the modeled part [m³]."""
-        above = (self.clamp_length + self.chambers * self.block) * (self.height - self.floor_top)
-        return above * self.width / copies(self)
+        along = self.clamp_length + self.chambers * self.block + 2 * self.end_extension
+        return along * (self.height - self.floor_top) * self.width / copies(self)
 
     def cavity(self) -> Any:
         """The insides of the chambers, the channels between them and the inlet, in one piece."""
         up = (self.floor_top, self.height - self.top_wall)
         insides = []
-        for i in range(self.chambers):
-            start, end = self.clamp_length + i * self.pitch, self.clamp_length + i * self.pitch + self.block
+        for i, (start, end) in enumerate(self.chamber_ranges()):
             first, last = i == 0, i == self.joints
             low = start + (self.end_wall if first else self.wall_along)
             high = end - (self.end_wall if last else self.wall_along)
@@ -160,9 +163,17 @@ class ChamberRow:
             air.append(whole - self._piece(along, width, (self.floor_top, top)))
         return air
 
+    def chamber_ranges(self) -> list[Range]:
+        """Range of each chamber with its walls along x, in the middle [m]."""
+        begin = self.clamp_length + self.end_extension
+        ends = [(begin + i * self.pitch, begin + i * self.pitch + self.block) for i in range(self.chambers)]
+        ends[0] = (self.clamp_length, ends[0][1])
+        ends[-1] = (ends[-1][0], ends[-1][1] + self.end_extension)
+        return ends
+
     def gap_ranges(self) -> list[Range]:
         """Range of each gap along x, in the middle [m]."""
-        starts = [self.clamp_length + i * self.pitch + self.block for i in range(self.joints)]
+        starts = [end for _, end in self.chamber_ranges()[:-1]]
         return [(start, start + self.gap_along) for start in starts]
 
     def slab(self, up: Range) -> Any:
@@ -184,6 +195,7 @@ class ChamberRow:
 def row_of(actuator: Any, *, slant: float = 0.0, channel_rise: float = 0.0) -> ChamberRow:
     """Return the row of chambers of a family that has its dimensions as fields; the base may be missing."""
     own: dict[str, Any] = {"slant": slant, "channel_rise": channel_rise}
+    own["end_extension"] = getattr(actuator, "end_extension", 0.0)
     given: dict[str, Any] = {item.name: getattr(actuator, item.name, None) for item in fields(ChamberRow)}
     return ChamberRow(**(given | own))
 
@@ -227,7 +239,7 @@ def _check_up(row: ChamberRow) -> None:
     least, why = SMALLEST_LENGTH, f"so that a cavity remains within the height of {in_mm(row.height)}"
     if row.base is not None:
         check_base(row.base, high=row.height - 3 * least, why=why)
-    check_length("floor", row.floor, high=row.height - (row.base or 0.0) - 2 * least, why=why)
+    check_floor(row.floor, row.base, high=row.height - (row.base or 0.0) - 2 * least, why=why)
     check_length("top_wall", row.top_wall, high=row.height - row.floor_top - least, why=why)
     if row.chambers > 1:
         why = f"less than the cavity, which is {in_mm(row.inner_height)} high"

@@ -6,6 +6,8 @@ from typing import Any, Protocol
 
 from netgen.occ import Cylinder, Glue, Pnt, X
 
+from turgor.errors import TurgorError
+from turgor.finding import Finding, Severity
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.geometry import Geometry, check_volume
 from turgor.geometry.parts.plates import wire
@@ -16,6 +18,7 @@ from turgor.geometry.shapes.solids import (
     box,
     cut,
     face_names,
+    in_plane,
     name_plane,
     name_rest,
     region_names,
@@ -24,6 +27,15 @@ from turgor.geometry.shapes.solids import (
 from turgor.units import m, mm
 
 MOST_CHAMBERS = 100
+
+_OPEN = Finding(
+    code="G12",
+    severity=Severity.NOTE,
+    message="The chambers are open at the bottom, where the base closes them; the face 'strain_limiting_layer' ends at "
+    "their walls.",
+    advice="A sheet on that face does not reach over the chambers: give the base the material of the sheet and its "
+    "thickness, or a floor of 0.01 mm or more.",
+)
 
 
 class Part(Protocol):
@@ -104,6 +116,27 @@ def check_base(base: float, *, high: float, why: str) -> None:
         check_length("base", base, high=high, why=why)
 
 
+def check_floor(floor: float, base: float | None, *, high: float, why: str) -> None:
+    """Raise an error for a floor out of range [m]; 0 leaves the chambers open at the bottom, and a base closes them.
+
+    Examples
+    --------
+    >>> check_floor(0.0, 1e-3, high=1e-3, why="")
+    >>> check_floor(0.0, 0.0, high=1e-3, why="")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: floor is 0 mm and base is 0 mm: nothing closes the chambers at the bottom. Give a \
+base, which may be as thin as a film and of another material, or a floor.
+    """
+    if floor == 0 and base:
+        return
+    if floor == 0 and base is not None:
+        raise TurgorError(
+            "floor is 0 mm and base is 0 mm: nothing closes the chambers at the bottom. Give a base, which may be as "
+            "thin as a film and of another material, or a floor."
+        )
+    check_length("floor", floor, high=high, why=why)
+
+
 def with_base(body: Any, base: float, slab: Callable[[Range], Any]) -> list[tuple[str, Any]]:
     """Return the body, and below it the base, made by ``slab`` from its range along z [m], with their regions."""
     return [("body", body), *([("base", slab((0.0, base)))] if base else [])]
@@ -176,6 +209,7 @@ def finished(
         for solid in cut(block, list(cavities.values())).solids:
             solid.mat(region)
             solids.append(solid)
+    is_open = any(in_plane(face, 2, layer) for inside in cavities.values() for face in inside.faces)
     shape = Glue([*solids, *_end_of_clamp(actuator, blocks)])
     check_volume("solid", volume(shape), actuator.solid_volume)
     _name_faces(actuator, shape, layer)
@@ -186,6 +220,7 @@ def finished(
         solid_volume=actuator.solid_volume,
         regions=region_names(shape),
         faces=face_names(shape),
+        findings=(_OPEN,) if is_open else (),
         _shape=shape,
     )
 
@@ -208,7 +243,8 @@ def _name_faces(actuator: PneuNet, shape: Any, layer: float) -> None:
     end = actuator.clamp_length
     name_plane(shape, 0, 0.0, "fixed")
     name_plane(shape, 0, end + actuator.length, "tip")
-    name_plane(shape, 2, layer, "strain_limiting_layer")
+    # a base that only touches the cavity of open chambers got its name there when the cavity was cut out of it
+    name_plane(shape, 2, layer, "strain_limiting_layer", keep=actuator.cavity_volumes)
     if actuator.symmetric:
         name_plane(shape, 1, 0.0, "symmetry_y")
     for face in shape.faces:

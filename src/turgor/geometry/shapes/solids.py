@@ -1,6 +1,6 @@
 """Boxes, booleans, names and volumes of the CAD kernel netgen.occ, for the actuators."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import reduce
 from operator import add, sub
 from typing import Any
@@ -38,12 +38,17 @@ def glue(regions: Mapping[str, Any]) -> Any:
     return Glue(list(regions.values()))
 
 
-def name_plane(shape: Any, axis: int, position: float, name: str) -> None:
-    """Name all faces that lie in the plane where coordinate ``axis`` is ``position`` [m]."""
+def name_plane(shape: Any, axis: int, position: float, name: str, keep: Collection[str] = ()) -> None:
+    """Name all faces that lie in the plane where coordinate ``axis`` is ``position`` [m], but those named ``keep``."""
     for face in shape.faces:
-        low, high = face.bounding_box
-        if max(abs(corner[axis] - position / METERS_PER_CAD_UNIT) for corner in (low, high)) <= PLANE_TOLERANCE:
+        if face.name not in keep and in_plane(face, axis, position):
             face.name = name
+
+
+def in_plane(face: Any, axis: int, position: float) -> bool:
+    """Whether a face lies in the plane where coordinate ``axis`` is ``position`` [m]."""
+    away = (abs(corner[axis] - position / METERS_PER_CAD_UNIT) for corner in face.bounding_box)
+    return bool(max(away) <= PLANE_TOLERANCE)
 
 
 def name_rest(shape: Any, name: str) -> None:

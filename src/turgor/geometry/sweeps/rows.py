@@ -61,8 +61,7 @@ def row_blocks(row: "ChamberRow") -> list[Block]:
 def row_air(row: "ChamberRow") -> list[Block]:
     """List the chambers and the channels between them."""
     blocks = []
-    for i in range(row.chambers):
-        start, end = row.clamp_length + i * row.pitch, row.clamp_length + i * row.pitch + row.block
+    for i, (start, end) in enumerate(row.chamber_ranges()):
         first, last = i == 0, i == row.joints
         inside = (start + (row.end_wall if first else row.wall_along), end - (row.end_wall if last else row.wall_along))
         up = (row.floor_top, row.height - row.top_wall)

@@ -4,7 +4,7 @@ from math import floor, log10
 
 from turgor.errors import TurgorError
 from turgor.geometry.geometry import Geometry
-from turgor.meshing.sizing.sizes import extent_of, size_for, size_range
+from turgor.meshing.sizing.sizes import extent_of, size_for, size_range, wall_size
 from turgor.meshing.sweeping.section import Fineness
 from turgor.meshing.sweeping.swept import swept_mesh
 from turgor.units import mm
@@ -24,7 +24,8 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     """Mesh size for a geometry where none is given [m]: twice the thinnest wall, for hexahedra three times; two digits.
 
     It is larger where this would make more than about 150,000 unknowns, up to four times the wall, and never more
-    than an eighth of the part.
+    than an eighth of the part. Where four times the wall would make more unknowns than can be solved for, it is larger
+    still, and only thin walls get smaller cells.
 
     Parameters
     ----------
@@ -43,11 +44,13 @@ def default_size(geometry: Geometry, cells: str = "tetrahedra") -> float:
     >>> default_size(finger), default_size(finger, "hexahedra")
     (0.002, 0.003)
     """
-    low, high = size_range(geometry)
+    low, high = size_range(geometry)[0], wall_size(geometry)
+    if high < low and cells != "axisymmetric":
+        high = size_for(geometry, DEFAULT_UNKNOWNS)
     high = min(high, extent_of(geometry) / DEFAULT_CELLS_PER_EXTENT)
     per_wall = DEFAULT_SIZE_PER_WALL.get(cells, DEFAULT_SIZE_PER_WALL["tetrahedra"])  # unknown cells are refused later
     size = per_wall * geometry.smallest_wall
-    if cells == "hexahedra" and geometry._sweep is not None:
+    if cells == "hexahedra" and geometry._sweep is not None and wall_size(geometry) >= low:
         size = _fewer(geometry, min(size, high))
     elif cells != "axisymmetric":  # few unknowns whatever the size
         size = max(size, size_for(geometry, DEFAULT_UNKNOWNS))

@@ -12,7 +12,7 @@ from turgor.geometry.sweep import Along
 from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
 
-#: Cells up to this many times longer than the thinnest wall is thick are accepted: one quadratic cell through a wall,
+#: Cells up to this many times longer than the thinnest wall is thick suit all walls: one quadratic cell through a wall,
 #: four times as long as thick, still bends well; longer cells miss the bulging of walls.
 LARGEST_SIZE_PER_WALL = 4.0
 
@@ -43,9 +43,15 @@ MOST_WALL_CELLS = 4
 def size_range(geometry: Geometry) -> tuple[float, float]:
     """Smallest and largest mesh size that `mesh` accepts for a geometry [m].
 
-    The smallest makes about 3 million unknowns; the largest is four times the thinnest wall, or the part itself.
+    The smallest makes about 3 million unknowns; the largest is the part itself. Above `wall_size`, thin walls get
+    smaller cells than the rest.
     """
-    return size_for(geometry, MOST_UNKNOWNS), min(LARGEST_SIZE_PER_WALL * geometry.smallest_wall, extent_of(geometry))
+    return size_for(geometry, MOST_UNKNOWNS), extent_of(geometry)
+
+
+def wall_size(geometry: Geometry) -> float:
+    """Largest mesh size that suits every wall of a geometry [m]: four times the thinnest wall, or the part itself."""
+    return min(LARGEST_SIZE_PER_WALL * geometry.smallest_wall, extent_of(geometry))
 
 
 def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
@@ -64,8 +70,7 @@ def check_settings(geometry: Geometry, settings: MeshSettings) -> None:
     """
     grading: object = settings.grading
     _check_wall_cells(settings.wall_cells)
-    long = settings.wall_cells > 1 or (settings.cells == "hexahedra" and _is_tube(geometry))
-    _check_size(geometry, settings.size, extent_of(geometry) if long else size_range(geometry)[1])
+    _check_size(geometry, settings.size)
     if isinstance(grading, bool) or not isinstance(grading, Real) or not 0.1 <= float(grading) <= 1:
         raise TurgorError(f"mesh grading is {grading!r}; allowed is 0.1 to 1.")
 
@@ -173,34 +178,25 @@ def size_for(geometry: Geometry, unknowns: float) -> float:
     return float((UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / unknowns) ** (1 / 3))
 
 
-def _check_size(geometry: Geometry, size: object, high: float) -> None:
+def _check_size(geometry: Geometry, size: object) -> None:
     if isinstance(size, bool) or not isinstance(size, Real) or not isfinite(size):
         raise TurgorError(f"mesh size is {size!r}; a finite length in meters is needed, such as 3*mm.")
-    length, low, wall = float(size), size_range(geometry)[0], geometry.smallest_wall
+    length, (low, high) = float(size), size_range(geometry)
     if low <= length <= high * (1 + 1e-9):
         return
-    if high < low:
-        millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / high**3 / 1e6
-        raise TurgorError(
-            f"the thinnest wall of '{geometry.name}', {wall / mm:.4g} mm, is too thin for a part of its size: cells "
-            f"four times as long would make about {millions:.3g} million unknowns; make the wall thicker, or cut away "
-            "what is sharp."
-        )
-    limit = f"(four times the thinnest wall, {wall / mm:.4g} mm)" if high < extent_of(geometry) else "(the whole part)"
     # rounded inwards, so that both numbers shown are themselves allowed
-    allowed = f"allowed is {ceil(low / mm * 1000) / 1000} mm to {floor(high / mm * 1000 + 1e-6) / 1000:g} mm {limit}"
+    shown = f"{ceil(low / mm * 1000) / 1000} mm to {floor(high / mm * 1000 + 1e-6) / 1000:g} mm (the whole part)"
     given = f"mesh size is {length / mm:.6g} mm"
     if length <= 0:
-        raise TurgorError(f"{given}; {allowed}.")
+        raise TurgorError(f"{given}; allowed is {shown}.")
     if length < low:
         millions = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / length**3 / 1e6
-        raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; {allowed}.")
-    what = "larger than the part" if length > extent_of(geometry) else f"too coarse for the wall of {wall / mm:.4g} mm"
+        raise TurgorError(f"{given}, which makes about {millions:.3g} million unknowns; allowed is {shown}.")
     hint = "; is the unit right?" if low <= length * mm <= high else "."
-    raise TurgorError(f"{given}, {what}; {allowed}{hint}")
+    raise TurgorError(f"{given}, larger than the part; allowed is {shown}{hint}")
 
 
-def _is_tube(geometry: Geometry) -> bool:
+def is_tube(geometry: Geometry) -> bool:
     """Whether the same section fills most of a straight path, so that its walls hardly bend along their length."""
     sweep = geometry._sweep
     if sweep is None or not isinstance(sweep.path, Along):

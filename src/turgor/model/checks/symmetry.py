@@ -85,7 +85,7 @@ def check_wedge(mesh: Mesh, loads: Sequence[Load], reinforcements: Sequence[Fibe
                 f"them over the face (smeared), or {whole}"
             )
     for obstacle in contact.obstacles:
-        if not _alike(obstacle, wedge):
+        if not same_when_turned(obstacle, wedge):
             raise TurgorError(
                 f"obstacle '{obstacle.name}': it is not the same after a turn by {360 / wedge.fold:.4g}° about the "
                 f"axis {wedge.axis} of the wedge, as planes across it are, and balls and round bars on it that "
@@ -102,8 +102,8 @@ def check_not_cut(mesh: Mesh, what: str, face: str) -> None:
         )
 
 
-def _alike(obstacle: Obstacle, wedge: Wedge) -> bool:
-    """Whether an obstacle and its motion are the same after a turn."""
+def same_when_turned(obstacle: Obstacle, wedge: Wedge) -> bool:
+    """Whether an obstacle and its motion are the same after any turn about the axis of a wedge."""
     across = list(wedge.across)
     if any(abs(vector[i]) > SAME for _, vector in obstacle.path for i in across):
         return False

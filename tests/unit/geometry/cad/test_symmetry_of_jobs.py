@@ -5,6 +5,7 @@ from netgen.occ import Cylinder, Pnt, X
 
 import wedge_cases
 from turgor.errors import TurgorError
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 
 JOB = """
@@ -90,3 +91,25 @@ def test_loads_that_break_a_wedge_are_refused(folder, more, said):
     path.write_text(JOB.format(more=more).replace('"automatic"', '"wedge 6"'), encoding="utf-8")
     with pytest.raises(TurgorError, match=said):
         read_job(path)
+
+
+FIXED = '[supports]\nfixed = "xy"'
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ("", True),
+        (FIXED, False),
+        ('[mesh]\ncells = "axisymmetric"', False),
+    ],
+)
+def test_an_axisymmetric_mesh_is_recommended_where_all_is_the_same_around(folder, more, told):
+    path = folder / "job.toml"
+    path.write_text(JOB.format(more=more), encoding="utf-8")
+    _, findings = prepare(read_job(path))
+    found = [each for each in findings if each.code == "G13"]
+    assert bool(found) == told
+    if told:
+        assert 'cells = "axisymmetric"' in found[0].advice
+        assert "body of revolution about x" in found[0].message

@@ -57,7 +57,7 @@ def test_it_meshes_coarsely():
     [
         (
             {"chamber_angle": 45 * deg},
-            "chamber_angle is 45 deg; allowed is -35.243 deg to 35.243 deg, so that the first",
+            "chamber_angle is 45 deg; allowed is -35.243 deg to 35.243 deg, so that the chambers",
         ),
         ({"chamber_angle": -45 * deg}, "chamber_angle is -45 deg; allowed is -35.243 deg to 35.243 deg"),
         ({"chambers": 1, "chamber_angle": 80 * deg}, "chamber_angle is 80 deg; allowed is -75 deg to 75 deg"),
@@ -76,7 +76,7 @@ def test_steep_chambers_mesh_where_there_are_few(chambers, angle):
     part = HelicalPneuNet(chambers=chambers, chamber_angle=angle * deg).build()
     made = mesh(part, size=4 * mm, cells="hexahedra")
     assert cell_volumes(made).sum() == pytest.approx(part.solid_volume)
-    with pytest.raises(TurgorError, match="fewer chambers or a larger length allow more"):
+    with pytest.raises(TurgorError, match="a larger end_extension or length, or fewer chambers allow more"):
         HelicalPneuNet(chambers=chambers + 1, chamber_angle=angle * deg)
 
 
@@ -85,3 +85,24 @@ def test_the_largest_angle_is_built():
     along = 1 / cos(35.243 * deg)
     cavity = (110 - 30 * along - 4) * 16 * 10 + 30 * along * 3 * 2
     assert geometry.cavity_volumes["cavity"] == pytest.approx(cavity * mm**3)
+
+
+@pytest.mark.parametrize(("angle", "extension"), [(45, 4), (60, 12)])
+def test_longer_ends_take_eleven_chambers_at_large_angles(angle, extension) -> None:
+    sizes = {"chamber_angle": angle * deg, "end_extension": extension * mm}
+    actuator = HelicalPneuNet(**sizes)
+    geometry = actuator.build()  # checks both volumes against the dimensions
+    bounds = geometry._shape.bounding_box
+    assert (bounds[1][0] - bounds[0][0]) == pytest.approx(110)
+    ranges = actuator._row.chamber_ranges()
+    lengths = [(end - start) / mm for start, end in ranges]
+    assert lengths[0] == pytest.approx(lengths[5] + extension)
+    assert lengths[-1] == pytest.approx(lengths[5] + extension)
+    with pytest.raises(TurgorError, match="a larger end_extension"):
+        HelicalPneuNet(chamber_angle=angle * deg, end_extension=(extension - 2) * mm)
+
+
+def test_hexahedra_fill_longer_ends() -> None:
+    part = HelicalPneuNet(chambers=3, length=50 * mm, chamber_angle=45 * deg, end_extension=6 * mm).build()
+    made = mesh(part, size=4 * mm, cells="hexahedra")
+    assert cell_volumes(made).sum() == pytest.approx(part.solid_volume)

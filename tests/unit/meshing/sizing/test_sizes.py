@@ -10,7 +10,7 @@ from turgor.geometry import EccentricBender, FastPneuNet, HelicalPneuNet
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.sizing.default_size import DEFAULT_UNKNOWNS, default_size
-from turgor.meshing.sizing.sizes import UNKNOWNS_PER_SIZE_CUBED, size_range
+from turgor.meshing.sizing.sizes import MOST_UNKNOWNS, UNKNOWNS_PER_SIZE_CUBED, wall_size
 from turgor.units import mm
 
 SMALL = FastPneuNet(chambers=2, length=20 * mm)
@@ -34,8 +34,16 @@ def test_the_default_is_coarser_where_it_would_make_too_many_unknowns_and_finer_
     assert unknowns == pytest.approx(DEFAULT_UNKNOWNS, rel=0.2)
     assert default_size(thin) > 1 * mm
     thinner = replace(geometry, smallest_wall=0.2 * mm)
-    assert default_size(thinner) == pytest.approx(size_range(thinner)[1])  # four times the wall, whatever it costs
+    assert default_size(thinner) == pytest.approx(wall_size(thinner))  # four times the wall, whatever it costs
     assert default_size(replace(geometry, smallest_wall=40 * mm)) == 13 * mm  # an eighth of 110 mm
+
+
+def test_where_four_times_the_wall_cannot_be_solved_only_thin_walls_get_such_cells() -> None:
+    geometry = FastPneuNet().build()
+    thinnest = replace(geometry, smallest_wall=0.05 * mm)
+    assert UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / wall_size(thinnest) ** 3 > MOST_UNKNOWNS
+    unknowns = UNKNOWNS_PER_SIZE_CUBED * geometry.solid_volume / default_size(thinnest) ** 3
+    assert unknowns == pytest.approx(DEFAULT_UNKNOWNS, rel=0.2)
 
 
 def test_no_size_means_the_default_size() -> None:
@@ -80,7 +88,7 @@ def test_a_face_can_have_a_smaller_size_and_the_shape_forgets_it() -> None:
 @pytest.mark.parametrize(
     ("settings", "sentence"),
     [
-        ({"size": -1 * mm}, "mesh size is -1 mm; allowed is 0.291 mm to 4 mm"),
+        ({"size": -1 * mm}, "mesh size is -1 mm; allowed is 0.291 mm to 20 mm"),
         ({"size": 30 * mm}, "mesh size is 30 mm, larger than the part; allowed is"),
         ({"size": "2 mm"}, "mesh size is '2 mm'; a finite length in meters is needed"),
         ({"grading": 2}, "mesh grading is 2; allowed is 0.1 to 1"),

@@ -1,16 +1,18 @@
 """Thin walls among thick ones get smaller cells where they are, and nowhere else."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from meshing_cases import thin_roof, thin_tube
 
 from turgor.errors import TurgorError
-from turgor.meshing import generate
+from turgor.finding import Severity
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.quality.checks import check_mesh
-from turgor.meshing.sizing import thin_walls
-from turgor.meshing.sizing.thin_walls import find_thin_walls
+from turgor.meshing.sizing import fitted, thin_walls
+from turgor.meshing.sizing.thin_walls import ThinWalls, find_thin_walls, refuse_thin_walls
 from turgor.meshing.surface import outer_triangles
 from turgor.units import mm
 
@@ -40,7 +42,7 @@ def test_cells_suit_the_thin_roof_and_stay_large_elsewhere(suited: Mesh) -> None
 
 
 def test_the_thickness_is_measured_through_the_solid(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(generate, "ROUNDS", 0)
+    monkeypatch.setattr(fitted, "ROUNDS", 0)
     plain = mesh(thin_roof(), size=SIZE, wall_cells=2)
     walls = find_thin_walls(plain, SIZE)
     assert walls.thickness == pytest.approx(np.full(len(walls.points), 0.5 * mm))
@@ -61,8 +63,31 @@ def test_the_thickness_of_a_curved_wall_is_along_its_normal(monkeypatch: pytest.
     assert found.thickness == pytest.approx(np.full(len(found.points), 0.5 * mm), rel=0.2)
 
 
-def test_without_wall_cells_the_size_must_suit_the_thinnest_wall() -> None:
-    with pytest.raises(TurgorError, match=r"mesh size is 5 mm, too coarse for the wall of 0\.5 mm"):
-        mesh(thin_roof(), size=SIZE)
+def test_without_wall_cells_a_note_says_that_thin_walls_have_shorter_cells() -> None:
+    made = mesh(thin_roof(), size=SIZE)
+    (found,) = [each for each in made.findings if each.code == "G09"]
+    assert found.severity is Severity.NOTE
+    assert "size of 5 mm is more than four times the thinnest wall, 0.5 mm: walls thinner than 1.25 mm" in found.message
+    assert edges_near(made, (22, 28), 20).max() < 3.01 * mm
+    assert edges_near(made, (22, 58), 0).max() > 4 * mm
+
+
+def test_a_face_with_a_size_keeps_it_where_its_wall_is_thin() -> None:
+    made = mesh(thin_roof(), size=SIZE, face_sizes={"cavity": SIZE})
+    (found,) = [each for each in made.findings if each.code == "G09"]
+    assert found.severity is Severity.WARNING
+    assert edges_near(made, (22, 28), 20).max() > 3.01 * mm
+    firm = mesh(thin_roof(), size=SIZE, face_sizes={"cavity": SIZE}, wall_cells=2)  # asks for every wall
+    assert edges_near(firm, (22, 28), 20).max() < 3.01 * mm
+
+
+def test_walls_too_thin_for_their_area_are_refused_before_they_fill_the_memory() -> None:
+    walls = ThinWalls(points=np.array([[1.0, 2, 3]]) * mm, thickness=np.array([1e-6]), areas=np.array([1e-6]))
+    refuse_thin_walls(walls, "roof")  # one million unknowns
+    with pytest.raises(TurgorError, match=r"'roof' has walls .* about 111 million .* at \(1, 2, 3\) mm"):
+        refuse_thin_walls(replace(walls, thickness=np.array([1e-7])), "roof")
+
+
+def test_no_size_is_larger_than_the_part() -> None:
     with pytest.raises(TurgorError, match="mesh size is 100 mm, larger than the part"):
         mesh(thin_roof(), size=100 * mm, wall_cells=2)

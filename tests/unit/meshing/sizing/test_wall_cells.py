@@ -7,7 +7,6 @@ from netgen.occ import Box, Pnt
 
 import turgor as tg
 from turgor.actuators import ExtendingCylinder, FastPneuNet
-from turgor.errors import TurgorError
 from turgor.meshing.mesh import TETRAHEDRON_EDGES
 from turgor.meshing.quality.cell_quality import cell_volumes
 from turgor.units import MPa, kPa, mm
@@ -53,6 +52,13 @@ def test_cells_may_be_longer_along_a_tube_than_four_walls():
     assert long == pytest.approx(short, rel=5e-3)
 
 
-def test_walls_of_a_section_that_is_moved_across_bend_and_keep_their_limit():
-    with pytest.raises(TurgorError, match=r"too coarse for the wall of 1 mm; allowed is .* to 4 mm"):
-        tg.mesh(FastPneuNet(chambers=2, length=20 * mm).build(), size=6 * mm, cells="hexahedra")
+def test_the_section_keeps_four_walls_where_a_larger_size_is_stated():
+    finger = FastPneuNet(chambers=2, length=20 * mm, clamp_length=16 * mm).build()
+    stated, four = (tg.mesh(finger, size=size * mm, cells="hexahedra") for size in (8, 4))
+    (found,) = stated.findings
+    assert found.code == "G09"
+    assert "cells in the section stay below 4 mm" in found.message
+    assert not four.findings
+    assert len(stated.cells) < len(four.cells)
+    heights = [np.unique((made.points[:, 2] / mm).round(3)) for made in (stated, four)]
+    assert heights[0] == pytest.approx(heights[1])  # as many cells through the height

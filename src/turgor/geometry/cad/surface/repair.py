@@ -125,7 +125,7 @@ def _united(points: Array, triangles: Ints, name: str) -> tuple[Array, Ints]:
         nodes, places = np.unique(own, return_inverse=True)
         own = places.reshape(-1, 3)
         hollow = _volume(points[nodes], own) < 0
-        made = _manifold(points[nodes], own[:, ::-1] if hollow else own, name)
+        made = manifold(points[nodes], own[:, ::-1] if hollow else own, name)
         (voids if hollow else solids).append(made)
     body = Manifold.batch_boolean(solids, OpType.Add)
     if voids:
@@ -136,7 +136,8 @@ def _united(points: Array, triangles: Ints, name: str) -> tuple[Array, Ints]:
     return points, triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
 
 
-def _manifold(points: Array, triangles: Ints, name: str) -> Manifold:
+def manifold(points: Array, triangles: Ints, name: str) -> Manifold:
+    """Return a closed surface as a body for booleans."""
     made = Manifold(Mesh64(np.ascontiguousarray(points), np.ascontiguousarray(triangles.astype(np.uint64))))
     if made.is_empty():
         reason = str(made.status()).rsplit(".", 1)[-1]

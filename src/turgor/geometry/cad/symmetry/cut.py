@@ -11,6 +11,7 @@ from turgor.finding import Finding, Severity
 from turgor.geometry.cad.facets import find_facets
 from turgor.geometry.cad.part import Part, with_shape
 from turgor.geometry.cad.surface.shape import SurfaceShape
+from turgor.geometry.cad.symmetry.facet_cut import facet_half, facet_symmetry
 from turgor.geometry.cad.symmetry.find import MirrorPlane, PartSymmetry, find_symmetry
 from turgor.geometry.cad.symmetry.modeled import Modeled
 from turgor.geometry.cad.symmetry.wanted import WantedSymmetry
@@ -46,12 +47,13 @@ def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Mo
     """
     if not wanted.automatic and not wanted.normals and not wanted.wedge:
         return Modeled(part=part, names=tuple(names))
-    if isinstance(part.shape, SurfaceShape):
+    facets = isinstance(part.shape, SurfaceShape)
+    if facets and wanted.wedge:
         raise TurgorError(
-            f"symmetry: '{part.path}' is given by facets, and such a part is not cut; model the whole of it, or cut it "
-            "where it was made and name the cut symmetry_y."
+            f"symmetry: '{part.path}' is given by facets, and is cut at mirror planes only, not to a wedge: "
+            'use "automatic" or "y", or export STEP.'
         )
-    found = find_symmetry(part, names)
+    found = facet_symmetry(part, names) if facets else find_symmetry(part, names)
     if wanted.wedge:
         return cut_to_wedge(part, names, asked_wedge(part, names, found, wanted.fold))
     used, left = _chosen(part, found, wanted)
@@ -59,7 +61,7 @@ def modeled_part(part: Part, names: Sequence[str], wanted: WantedSymmetry) -> Mo
     if smaller is not None:
         return cut_to_wedge(part, names, smaller)
     for plane in used:
-        part, names = _half(part, names, plane)
+        part, names = facet_half(part, names, plane) if facets else _half(part, names, plane)
     return Modeled(part=part, names=tuple(names), findings=(_told(used, left),))
 
 

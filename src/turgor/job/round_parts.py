@@ -1,0 +1,65 @@
+"""A body of revolution that is meshed in three dimensions although its meridian would do."""
+
+from turgor.errors import TurgorError
+from turgor.finding import Finding, Severity
+from turgor.geometry.geometry import Geometry
+from turgor.geometry.wedge import Wedge
+from turgor.meshing.revolved.meridian import meridian_of
+from turgor.model.checks.symmetry import same_when_turned
+from turgor.model.fibers import DISCRETE
+from turgor.model.loads import LineForce, PointForce
+from turgor.model.model import Model
+from turgor.model.supports import Displacement, Fixed
+
+#: Any number of sectors serves to ask whether an obstacle stays the same when it is turned.
+_SECTORS = 6
+
+
+def meridian_would_do(model: Model, geometry: Geometry) -> tuple[Finding, ...]:
+    """Recommend an axisymmetric mesh where a CAD part, its loads and its supports are the same all around an axis.
+
+    It is recommended and not taken, because a part that bends or buckles to the side needs its cells all around.
+
+    Parameters
+    ----------
+    model : Model
+    geometry : Geometry
+        What its mesh was made of.
+
+    Returns
+    -------
+    tuple of Finding
+        G13, or nothing.
+    """
+    if not geometry.file or model.mesh.revolved or model.mesh.wedge is not None:
+        return ()
+    try:
+        meridian = meridian_of(geometry)
+    except TurgorError:
+        return ()
+    x, y, z = (float(value) for value in meridian.center)
+    axis = "xyz"[meridian.axis]
+    if not _same_around(model, Wedge(axis=axis, fold=_SECTORS, center=(x, y, z))):
+        return ()
+    return (
+        Finding(
+            code="G13",
+            severity=Severity.NOTE,
+            message=f"The part is a body of revolution about {axis}, and so are its loads and supports; its mesh has "
+            f"{model.mesh.unknown_count:,} unknowns.",
+            advice='cells = "axisymmetric" in [mesh] models its meridian alone, with far fewer unknowns. It cannot '
+            "bend or buckle to the side.",
+        ),
+    )
+
+
+def _same_around(model: Model, wedge: Wedge) -> bool:
+    """Whether all that acts on a quarter is the same around its axis; its mirror planes refuse forces across it."""
+    held = [each for each in model.supports if isinstance(each, Fixed | Displacement)]
+    across = ["xyz"[i] for i in wedge.across]
+    return (
+        not any(isinstance(load, PointForce | LineForce) for load in model.loads)
+        and all(sum(letter in each.directions for letter in across) != 1 for each in held)
+        and all(fibers.form != DISCRETE for fibers in model.reinforcements)
+        and all(same_when_turned(obstacle, wedge) for obstacle in model.contact.obstacles)
+    )
