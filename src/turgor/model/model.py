@@ -223,6 +223,11 @@ class Model(Saved, Shown):
         return {name: m for name, m in self.materials.items() if isinstance(m, Membrane)}
 
     @property
+    def sheets_wrinkle(self) -> bool:
+        """Whether a sheet bears less compression than tension."""
+        return any(sheet.wrinkles for sheet in self.membranes.values())
+
+    @property
     def points(self) -> dict[str, ReferencePoint]:
         """The reference points by their names."""
         return points_of(self.supports)
