@@ -155,7 +155,8 @@ class Model(Saved, Shown):
             elif isinstance(material.law, Hooke):
                 raise TurgorError(
                     f"materials.{name}: the law Hooke of '{material.name}' is for membranes; "
-                    "a region needs a hyperelastic law such as NeoHooke or Yeoh."
+                    "a region needs a hyperelastic law such as NeoHooke or Yeoh; a film of its own takes "
+                    "`turgor.model.layers.as_solid` of the material."
                 )
         missing = [name for name in self.mesh.regions if name not in self.materials]
         if missing:

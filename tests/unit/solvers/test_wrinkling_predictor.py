@@ -17,7 +17,7 @@ from turgor.units import GPa, mm
 
 
 def start(compression: float, unknowns_power: int):
-    """Start at 5 from points at 0 to 4 whose unknowns and stresses grow with a power; unknowns and sheet's stress of one."""
+    """Unknown and stress of a sheet at the start of a step to 5, from points at 0 to 4 where both grow with a power."""
     silk = tg.Membrane(
         tg.Material(name="silk", law=tg.laws.Hooke(E=4 * GPa, nu=0.3)), 0.5 * mm, compression=compression
     )

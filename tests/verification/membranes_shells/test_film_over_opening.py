@@ -1,7 +1,7 @@
 """A film that closes an opening, as an own flat part: a thin layer of soft rubber with the film on its outside.
 
 Circular film clamped at its rim under pressure p: Hencky's problem (Hencky 1915, Zeitschrift für Mathematik und Physik
-63, 311-317; Fichter 1997, NASA Technical Paper 3658, gives his series with all coefficients). Exact for moderate slopes:
+63, 311-317; Fichter 1997, NASA Technical Paper 3658, gives his series). Exact for moderate slopes:
 Föppl's equations with the force per width N(r) along the radius and the slope w' = −p r / (2 N),
 
     N'' + 3 N' / r = −E h w'² / (2 r²),   a N'(a) + (1 − ν) N(a) = 0,
@@ -72,7 +72,7 @@ def test_circular_film_under_pressure(record_verification):
 
 
 def chamber_on_a_film(folder, thickness: float):
-    """A quarter of a block with a chamber of 8 x 8 x 8 mm that is open below, and a flat body that closes it, as STEP."""
+    """A quarter of a block with a chamber of 8 mm that is open below, and a flat body that closes it, from STEP."""
     outer = 11.0
     block = Box(Pnt(0, 0, thickness), Pnt(outer, outer, 15)) - Box(Pnt(-1, -1, 0), Pnt(4, 4, 8 + thickness))
     path = folder / "chamber.step"
