@@ -155,7 +155,8 @@ class Model(Saved, Shown):
             elif isinstance(material.law, Hooke):
                 raise TurgorError(
                     f"materials.{name}: the law Hooke of '{material.name}' is for membranes; "
-                    "a region needs a hyperelastic law such as NeoHooke or Yeoh."
+                    "a region needs a hyperelastic law such as NeoHooke or Yeoh; a film of its own takes "
+                    "`turgor.model.layers.as_solid` of the material."
                 )
         missing = [name for name in self.mesh.regions if name not in self.materials]
         if missing:
@@ -221,6 +222,11 @@ class Model(Saved, Shown):
     def membranes(self) -> dict[str, Membrane]:
         """The membranes on faces."""
         return {name: m for name, m in self.materials.items() if isinstance(m, Membrane)}
+
+    @property
+    def sheets_wrinkle(self) -> bool:
+        """Whether a sheet bears less compression than tension."""
+        return any(sheet.wrinkles for sheet in self.membranes.values())
 
     @property
     def points(self) -> dict[str, ReferencePoint]:

@@ -189,9 +189,18 @@ def _suits(
     if geometry is None:
         return True
     if name in geometry.regions and thickness is not None:
-        problems.add((*key, "thickness"), f"'{name}' is a region, and only a sheet on a face has a thickness.")
+        problems.add(
+            (*key, "thickness"),
+            f"'{name}' is a region, and only a sheet on a face has a thickness. A film that is a body of its own takes "
+            'form = "solid" and the thickness that it is drawn with; or fill it with a rubber, and give the sheet to '
+            f"a face on its outside, one of {', '.join(geometry.faces)}.",
+        )
     elif name in geometry.regions and elastic:
-        problems.add(key, f"'{material.name}' is linear elastic, for sheets only; a region needs a rubber's law.")
+        problems.add(
+            key,
+            f"'{material.name}' is linear elastic, for sheets only; a region needs a rubber's law, "
+            'or form = "solid" where it is a film.',
+        )
     elif name not in geometry.regions and thickness is None:
         problems.add((*key, "thickness"), f"'thickness' is missing; '{name}' is a face, and its sheet needs one.")
     else:

@@ -24,7 +24,7 @@ from turgor.solvers.continuation.path_points import (
 )
 from turgor.solvers.continuation.predictor import BY_LOAD, predicted
 from turgor.solvers.continuation.step_acceptance import turns_aside, why_rejected
-from turgor.solvers.continuation.step_control import StepControl, sheets_wrinkle
+from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import rate_at, rate_in_step
 from turgor.solvers.continuation.thresholds import (
     LONG_FIRST_STEP,
@@ -83,7 +83,7 @@ def load_run(
     run = Run(
         task,
         constraint,
-        StepControl.of(procedure, turns, sheets_wrinkle(system.model)),
+        StepControl.of(procedure, turns, system.model.sheets_wrinkle),
         history=[] if history is None else history,
     )
     rest = system.evaluate(unknowns_of(system, problem.start), 0.0, history=problem.history)

@@ -1,7 +1,12 @@
-"""Predictor: extrapolate the last points of a path, with the highest order that a lower one does not improve."""
+"""Predictor: extrapolate the last points of a path, with the highest order that a lower one does not improve.
+
+Where sheets wrinkle, the order is at most that of a parabola, and stress and strain of the sheets follow a line: each
+point of a sheet has a kink in its path where it goes slack, and the residual, to which a stiff sheet adds much for
+small moves, does not tell a good order from a bad one.
+"""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +15,7 @@ from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between
-from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, SHORTENINGS
+from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, SHORTENINGS, WRINKLING_HISTORY
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
@@ -71,11 +76,13 @@ def predicted(
     Start
     """
     system, last = constraint.sought.system, history[-1]
+    if system.model.sheets_wrinkle:
+        history = history[-WRINKLING_HISTORY:]
     best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
     for count in range(len(history), 0, -1):
         if count == 1 and not how.stay and np.isfinite(smallest):
             break
-        trial = between(history[-count:], parameter)
+        trial = _between(system, history[-count:], parameter)
         unknowns, at = trial.unknowns, evaluate(constraint, tangent, (trial.unknowns, trial.scalars), parameter)
         if at is not None and how.shorten and system.contact.parts and count > 1:
             unknowns, at = _not_deeper(constraint, tangent, last, at)
@@ -87,6 +94,16 @@ def predicted(
         if smallest <= how.good:
             break
     return best
+
+
+def _between(system: System, points: Sequence[Point], parameter: float) -> Start:
+    """The polynomial through points, at a parameter; that of wrinkling sheets is a line through the last two."""
+    trial = between(points, parameter)
+    if trial.stresses is None or not system.model.sheets_wrinkle:
+        return trial
+    line = between(points[-2:], parameter).stresses
+    assert line is not None
+    return replace(trial, stresses=replace(trial.stresses, terms=line.terms))
 
 
 def _not_deeper(

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from turgor.model.model import Model
 from turgor.solvers.continuation.thresholds import (
     COMFORTABLE_ITERATIONS,
     LOAD_DIGITS,
@@ -13,11 +12,6 @@ from turgor.solvers.continuation.thresholds import (
     WRINKLING_ITERATIONS,
 )
 from turgor.solvers.procedures.step_options import StepOptions
-
-
-def sheets_wrinkle(model: Model) -> bool:
-    """Whether a sheet of a model bears less compression than tension."""
-    return any(sheet.wrinkles for sheet in model.membranes.values())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -81,6 +81,11 @@ REVERSAL_NEAR = 0.3
 #: States used at most: a quartic through the last five.
 HISTORY = 5
 
+#: The same where sheets wrinkle: a parabola through the last three. Four films (one chamber to 30 kPa, one with thick
+#: walls to 50, five to 15, paper to 60) took 210, 197 and 241 iterations with 2, 3 and 5 states, and 289 with stress
+#: and strain of the sheet extrapolated by the same order as the displacement instead of a line.
+WRINKLING_HISTORY = 3
+
 #: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
 GOOD_PREDICTION = 0.05
 

@@ -4,7 +4,8 @@ Load control and every other constraint share this file: under load control the 
 make it cheaper than the textbook. The geometric stiffness uses the stress linearized from the last iterate (mixed
 integration points, Magisano, Leonetti and Garcea 2017, doi 10.1016/j.cma.2016.10.023), which converges from farther
 away; a sheet that wrinkles is linearized about that stress altogether. And factors are used again while they still
-reduce the residual well (modified Newton), because a residual costs a twentieth of a factorization.
+reduce the residual well (modified Newton), because a residual costs a twentieth of a factorization; not where sheets
+wrinkle, whose stiffness changes with every update.
 """
 
 from collections.abc import Callable
@@ -246,7 +247,8 @@ def _take(run: _Newton, now: _Iterate, step: tuple[Array, Array], reported: tupl
 def _choose_factors(run: _Newton, now: _Iterate, last: Evaluation, update: Array) -> None:
     """Keep the factors while they contract the residual well, else linearize the stress for new ones."""
     previous, residual, length = now.residuals[-2], now.residuals[-1], now.lengths[-1]
-    contracting = residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
+    wrinkles = run.constraint.sought.system.model.sheets_wrinkle  # every update changes which points are slack
+    contracting = not wrinkles and residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
     now.fresh = run.border.tangent.plain or bool(now.jump.any()) or not (contracting and length == 1)
     if run.mixed and now.fresh:
         start = perf_counter()

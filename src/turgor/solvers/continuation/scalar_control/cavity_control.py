@@ -18,7 +18,7 @@ from turgor.solvers.constraints.constraint import Constraint, Target
 from turgor.solvers.continuation.path_follower import follow
 from turgor.solvers.continuation.path_points import Ending, Point, Run, begin
 from turgor.solvers.continuation.scalar_control.scalar_path import Goal, scalar_run
-from turgor.solvers.continuation.step_control import StepControl, sheets_wrinkle
+from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.thresholds import NO_VOLUME
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.path_outcomes import reached
@@ -106,7 +106,7 @@ def _follow(
 ) -> Outcome:
     """Follow the path of a target for the pressures of cavities."""
     constraint = Constraint.of(CavityPressures(problem.system), target, Clock(procedure.duration), problem.history)
-    stepping = StepControl.of(procedure, goal.kinks, sheets_wrinkle(problem.system.model))
+    stepping = StepControl.of(procedure, goal.kinks, problem.system.model.sheets_wrinkle)
     run = scalar_run(problem, procedure, constraint, stepping, goal)
     begin(run, 0.0, *now)
     return follow(run)
