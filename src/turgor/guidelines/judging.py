@@ -30,12 +30,13 @@ def verdict_of(holds: Iterable[bool]) -> Verdict:
     return Verdict.CONDITIONAL if any(each) else Verdict.NOT_REPRODUCED
 
 
-def line_of(x: Sequence[float], values: Sequence[Value], label: str = "") -> Line:
+def line_of(x: Sequence[float] | Sequence[str], values: Sequence[Value], label: str = "") -> Line:
     """Line of values with their mesh errors as bars.
 
     Parameters
     ----------
-    x : (n,) sequence of float
+    x : (n,) sequence of float or str
+        Names give bars.
     values : (n,) sequence of Value
     label : str
         Name in the legend.

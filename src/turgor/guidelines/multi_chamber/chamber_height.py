@@ -9,7 +9,7 @@ from turgor.study.runs import Run
 from turgor.units import kPa
 
 #: Pressures at which forces are compared: low, and high [kPa].
-PRESSURES = (5, 20)
+PRESSURES = (3, 12)
 
 #: Heights of the actuator [mm], 5 mm more than those of the chambers.
 HEIGHTS = {"quick": (15, 19, 23), "full": (13, 15, 17, 19, 23)}
@@ -66,8 +66,8 @@ GUIDELINE = Guideline(
         Study(
             title="Height of the chambers",
             setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
-            + "; other heights at the same walls; force of the tip on a plate that stands where it is at rest, at 5 and "
-            "20 kPa.",
+            + "; other heights at the same walls; force of the tip on a plate that stands where it is at rest, at 3 and "
+            "12 kPa.",
             expected="The force rises with the height.",
             runs=runs,
             judge=judge,

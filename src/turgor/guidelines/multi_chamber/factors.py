@@ -81,11 +81,10 @@ def panels(found: Found) -> tuple[Panel, ...]:
     for pressure in PRESSURES:
         effects = _effects(found, pressure)
         sizes = [Value(100 * size) for size in effects.values()]
-        lines.append(line_of(list(range(1, len(sizes) + 1)), sizes, f"{pressure} kPa"))
-    names = ", ".join(name for name in found if name != "reference")
+        lines.append(line_of(list(effects), sizes, f"{pressure} kPa"))
     return (
         Panel(x="pressure", y="bending_angle", responses=curves),
-        Panel(x=names, y="change of the angle [%]", lines=lines),
+        Panel(x="dimension", y="change of the angle [%]", lines=lines),
     )
 
 

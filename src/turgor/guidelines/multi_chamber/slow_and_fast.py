@@ -28,7 +28,7 @@ BOTH = {
     "top and sides 3 mm": {"top_wall": 3, "side_wall": 3, "height": 20, "width": 22},
 }
 FAST = {"fast walls 2.25 mm": {"wall": 2.25}, "fast walls 3 mm": {"wall": 3}}
-SLOW = {"slow wall 2 mm": {"wall": 2}, "slow top 1 mm": {"top_wall": 1, "height": 18}}
+SLOW = {"slow wall 2 mm": {"wall": 2}, "slow top 1.5 mm": {"top_wall": 1.5, "height": 18.5}}
 STIFF = {"base": "smooth-sil-950/neo-hooke-polygerinos-2020"}
 
 
@@ -149,10 +149,10 @@ def panels_varied(found: Found) -> tuple[Panel, ...]:
         both = [found[f"{name}: {kind}"].response for kind in ("slow", "fast")]
         values = [_ratio(*(at_angle(each, "pressure", a) for each in both)) for a in angles]
         lines.append(line_of(angles, values, name))
-    bars = [line_of([k, k], [Value(0.0), Value(ratio)], name) for k, (name, ratio) in enumerate(ratios.items())]
+    bars = line_of(list(ratios), [Value(ratio) for ratio in ratios.values()])
     return (
         Panel(x="bending angle [deg]", y="slow over fast pressure", lines=lines),
-        Panel(x="change", y=f"slow over fast pressure at {angle:.3g} deg", lines=bars),
+        Panel(x="change", y=f"slow over fast pressure at {angle:.3g} deg", lines=[bars]),
     )
 
 

@@ -9,10 +9,10 @@ from turgor.study.runs import Run
 from turgor.units import kPa
 
 #: Pressures of bending, of which the first is before walls touch, and of pushing [kPa].
-PRESSURES, PUSH = (4, 14), 20
+PRESSURES, PUSH = (4, 14), 12
 
 #: Thickness of the walls between chambers [mm].
-WALLS = {"quick": (1.0, 1.5, 2.25), "full": (0.75, 1.0, 1.5, 2.25, 3.0)}
+WALLS = {"quick": (1.5, 2.25, 3.0), "full": (0.75, 1.0, 1.5, 2.25, 3.0)}
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:
@@ -73,7 +73,7 @@ GUIDELINE = Guideline(
             title="Wall between chambers",
             setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
             + "; walls between chambers of other thickness take from the chambers. Angles at 4 and 14 kPa, force of the "
-            "tip on a plate at 20 kPa.",
+            "tip on a plate at 12 kPa.",
             expected="Angle and force fall with the thickness.",
             runs=runs,
             judge=judge,

@@ -21,15 +21,15 @@ from turgor.study.runs import Run
 ANGLE, PRESSURE = 5, 30
 
 #: Thickness of the walls between chambers [mm]; the outer ones follow from the same mass of silicone.
-WALLS = {"quick": (1.0, 1.5, 2.0), "full": (0.75, 1.0, 1.5, 2.0, 2.5)}
+WALLS = {"quick": (1.5, 2.0, 2.5), "full": (1.0, 1.5, 2.0, 2.5)}
 
 #: Heights [mm] that make the walls between chambers larger.
 HEIGHTS = {"quick": (15, 19), "full": (15, 17, 19, 22)}
 
 
 def outer_wall(wall: float, chambers: int) -> float:
-    """Thickness of sides and top [mm] that keeps the mass of the reference."""
-    mass = actuator_of(pneunet(chambers)).solid_volume
+    """Thickness of sides and top [mm] that keeps the mass of one whose walls all have 2 mm."""
+    mass = actuator_of(pneunet(chambers, {"wall": 2})).solid_volume
 
     def excess(outer: float) -> float:
         changed = {"wall": wall, "side_wall": outer, "top_wall": outer}
