@@ -9,7 +9,7 @@ from turgor.study.runs import Run
 from turgor.units import kPa
 
 #: Pressure of the comparison [kPa].
-PRESSURE = 4
+PRESSURE = 2
 
 #: Constants of Ecoflex 00-30 and 00-50, and those that were taken from Elastosil M4601.
 BORROWED = {
@@ -29,15 +29,15 @@ PUBLISHED = {
     "Steck, Ogden": "ecoflex-00-30/ogden-steck-2019",
 }
 
-#: Hoops and fabric are threads that go slack.
-SLACK = (0.0, 0.0)
+#: Hoops and fabric are threads that go slack, all but a little that keeps the solve short.
+SLACK = (0.02, 0.02)
 
 #: Relative differences that count as substantial.
 SUBSTANTIAL = 0.25
 
 
 def _runs(rubbers: dict[str, str], setting: Setting) -> tuple[Run, ...]:
-    size = 2.0 if setting == "quick" else 1.0
+    size = 3.0 if setting == "quick" else 1.0
     return tuple(
         Run(name=name, function=bender, values={"rubber": rubber, "pressure": PRESSURE, "size": size, "compression": list(SLACK)})
         for name, rubber in rubbers.items()
@@ -103,7 +103,7 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Constants of another rubber",
-            setup=BENDER + ", threads that go slack; Ecoflex by its own constants, and by those of Elastosil M4601, with which two publications "
+            setup=BENDER + ", threads that go slack but for 2 % of their stiffness; Ecoflex by its own constants, and by those of Elastosil M4601, with which two publications "
             "computed it.",
             expected=f"Angles at {PRESSURE} kPa more than {SUBSTANTIAL:.0%} apart.",
             runs=borrowed,
@@ -112,7 +112,7 @@ GUIDELINE = Guideline(
         ),
         Study(
             title="Six published sets of constants of Ecoflex 00-30",
-            setup=BENDER + ", threads that go slack; Ecoflex 00-30 by six records of the library.",
+            setup=BENDER + ", threads that go slack but for 2 % of their stiffness; Ecoflex 00-30 by six records of the library.",
             expected=f"Angles at {PRESSURE} kPa more than {SUBSTANTIAL:.0%} apart.",
             runs=published,
             judge=judge_published,

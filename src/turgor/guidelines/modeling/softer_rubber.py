@@ -23,20 +23,21 @@ RUBBERS = {
 ANGLE = 20
 
 
-#: Fabric of the flat side: rods, which keep it from bending once it bulges, or threads, which go slack.
-FABRICS = {"fabric of threads": 0.0, "fabric of rods": 1.0}
+#: Fabric of the flat side: the share of its stiffness in compression and of the pressures. Rods keep the base from
+#: bending once it bulges; threads go slack, all but a little that keeps the solve short, and bend further.
+FABRICS = {"fabric of threads": (0.02, 0.4), "fabric of rods": (1.0, 1.0)}
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:
     """The same bender of each rubber, with both kinds of fabric."""
-    size = 2.0 if setting == "quick" else 1.0
+    size = 3.0 if setting == "quick" else 1.0
     return tuple(
         Run(
             name=f"{name}, {fabric}",
             function=bender,
-            values={"rubber": rubber, "pressure": pressure, "size": size, "compression": [share, share]},
+            values={"rubber": rubber, "pressure": less * pressure, "size": size, "compression": [share, share]},
         )
-        for fabric, share in FABRICS.items()
+        for fabric, (share, less) in FABRICS.items()
         for name, (rubber, pressure) in RUBBERS.items()
     )
 
@@ -89,7 +90,7 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="One bender, six rubbers",
-            setup=BENDER + "; rubbers by their published Yeoh constants (Smooth-Sil 950: generalized Rivlin). The fabric once as rods, once as threads that go slack.",
+            setup=BENDER + "; rubbers by their published Yeoh constants (Smooth-Sil 950: generalized Rivlin). The fabric once as rods, once as threads that go slack but for 2 % of their stiffness.",
             expected="The pressure for 20 deg rises from Ecoflex 00-30 to Smooth-Sil 950, in the order of hardness.",
             runs=runs,
             judge=judge,
