@@ -16,7 +16,8 @@ from turgor.units import deg, kPa, mm
 LENGTH = 160
 
 BENDER = (
-    "Section of a semicircular bender: void of radius 8 mm, wall and base of 2 mm, Kevlar hoops every 3 mm around all of "
+    "Section of a semicircular bender: void of radius 8 mm, wall and base of 2 mm, Kevlar hoops every 3 mm around "
+    "all of "
     "it and a fabric of 650 N/mm on the flat side; bending angle of 160 mm"
 )
 TUBE = "Long tube, inner radius 6.35 mm, wall 2 mm, closed ends, by formula"
@@ -80,7 +81,9 @@ def tube(rubber: str, stretch: float, hoops: bool) -> Computed:
         found = tg.formulas.thick_tube(actuator, material, inner_stretch=stretches)
         return Computed(response=pressures_of(found["pressure"], found["inner_stretch"], found.source))
     wound = threads("outside", 90, 0.2, 1.0)
-    found = tg.formulas.wound_tube(actuator, material, wound, np.linspace(0, stretch_pressure(material, stretch), 41)[1:])
+    found = tg.formulas.wound_tube(
+        actuator, material, wound, np.linspace(0, stretch_pressure(material, stretch), 41)[1:]
+    )
     return Computed(response=pressures_of(found["pressure"], found["axial_stretch"], found.source))
 
 

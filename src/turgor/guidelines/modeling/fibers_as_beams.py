@@ -53,7 +53,8 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict,
         found=f"angle against that with rods everywhere: {told}; with rods {listed(angles)}",
-        conditions=f"For the hoops it matters {'at ' + ', '.join(where) if where else 'nowhere here'}, because they are in "
+        conditions=f"For the hoops it matters {'at ' + ', '.join(where) if where else 'nowhere here'}, because they "
+        f"are in "
         "tension elsewhere; the fabric along the base resists bending as rods and hardly as threads.",
     )
 
@@ -79,7 +80,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Rods or threads",
-            setup=BENDER + f"; neo-Hookean (0.12 MPa); fibers that resist compression or go slack, and hoops of half the "
+            setup=BENDER
+            + "; neo-Hookean (0.12 MPa); fibers that resist compression or go slack, and hoops of half the "
             "diameter. Smeared fibers do not bend: this study is about compression only.",
             expected=f"Threads bend further than rods, by more than {COUNTS:.1%}.",
             runs=runs,

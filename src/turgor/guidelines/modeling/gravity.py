@@ -82,12 +82,15 @@ def judge(found: Found) -> Judgement:
     """Distances beyond what counts, and for which arms."""
     apart = _apart(found)
     far = [name for name, size in apart.items() if size > COUNTS]
-    verdict = Verdict.NOT_REPRODUCED if not far else Verdict.CONFIRMED if len(far) == len(apart) else Verdict.CONDITIONAL
+    verdict = (
+        Verdict.NOT_REPRODUCED if not far else Verdict.CONFIRMED if len(far) == len(apart) else Verdict.CONDITIONAL
+    )
     return Judgement(
         verdict=verdict,
         found="distance between the tips with and without gravity over the length of the arm: "
         + ", ".join(f"{name} {size:.0%}" for name, size in apart.items()),
-        conditions=f"More than {COUNTS:.0%} for: {'; '.join(far)}. The sag grows with density times length cubed over modulus "
+        conditions=f"More than {COUNTS:.0%} for: {'; '.join(far)}. The sag grows with density times length cubed "
+        f"over modulus "
         "times diameter squared."
         if far
         else "",
@@ -112,15 +115,18 @@ def panels(found: Found) -> tuple[Panel, ...]:
 
 GUIDELINE = Guideline(
     key="8.1-8",
-    rule="Gravity has a large influence on soft manipulators of several segments: they do not reach the larger workspace that "
+    rule="Gravity has a large influence on soft manipulators of several segments: they do not reach the larger "
+    "workspace that "
     "a model without it predicts.",
     sources=("Peng et al. 2019",),
     families=("omnidirectional",),
     studies=(
         Study(
             title="Horizontal arm of two segments",
-            setup="Cosserat rods of 20 mm diameter with one chamber of 50 mm² 6 mm below the axis, which fibers keep from "
-            "bulging, held horizontally, 4 to 12 diameters long; Ecoflex 00-30 or Elastosil M4601, pressures in proportion to "
+            setup="Cosserat rods of 20 mm diameter with one chamber of 50 mm² 6 mm below the axis, which fibers "
+            "keep from "
+            "bulging, held horizontally, 4 to 12 diameters long; Ecoflex 00-30 or Elastosil M4601, pressures in "
+            "proportion to "
             "their moduli; weight of the silicone on or off.",
             expected=f"The tips are more than {COUNTS:.0%} of the length apart.",
             runs=runs,

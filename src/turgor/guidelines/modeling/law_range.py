@@ -94,16 +94,20 @@ def panels(found: Found) -> tuple[Panel, ...]:
 
 GUIDELINE = Guideline(
     key="5-1",
-    rule="Neo-Hooke and Mooney-Rivlin are accurate below strains of 50 % and 200 %; Yeoh and Ogden serve high strains too.",
+    rule="Neo-Hooke and Mooney-Rivlin are accurate below strains of 50 % and 200 %; Yeoh and Ogden serve high "
+    "strains too.",
     sources=("Moseley et al. 2016", "Martins et al. 2006", "Marckmann and Verron 2006"),
     families=(),
     studies=(
         Study(
             title="Fits of uniaxial tension up to a strain",
-            setup="Uniaxial tension of Ecoflex 00-30 as three published laws of three terms have it, up to strains of 25 to "
-            "400 %; each law fitted to each range by least squares of the relative error. The largest relative error of "
+            setup="Uniaxial tension of Ecoflex 00-30 as three published laws of three terms have it, up to strains "
+            "of 25 to "
+            "400 %; each law fitted to each range by least squares of the relative error. The largest relative "
+            "error of "
             "the stress beyond a tenth of the range.",
-            expected=f"Within {ACCURATE:.0%} up to 50 % (neo-Hooke), 200 % (Mooney-Rivlin), 400 % (Yeoh, Ogden with two "
+            expected=f"Within {ACCURATE:.0%} up to 50 % (neo-Hooke), 200 % (Mooney-Rivlin), 400 % (Yeoh, Ogden with "
+            f"two "
             "terms), and farther for the latter two.",
             runs=runs,
             judge=judge,

@@ -48,7 +48,9 @@ def _differences(found: Found) -> dict[str, float]:
     for name, stretch in (("free tube", FREE), ("wound tube", WOUND)):
         out[name] = change(*(pressure_at(found[f"{name}, {law}"].response, stretch) for law in (low, high)))
     for name, pressure in (("wound bender", 60), ("PneuNet", 14)):
-        angles = (at(found[f"{name}, {law}"].response, "bending_angle", "pressure", pressure * kPa) for law in (low, high))
+        angles = (
+            at(found[f"{name}, {law}"].response, "bending_angle", "pressure", pressure * kPa) for law in (low, high)
+        )
         out[name] = change(*angles)
     return out
 
@@ -62,14 +64,18 @@ def _moduli() -> float:
 def judge(found: Found) -> Judgement:
     """The free tube differs by more than what is tolerated, the others do not."""
     found_here = _differences(found)
-    holds = [abs(size) > TOLERATED if name == "free tube" else abs(size) < TOLERATED for name, size in found_here.items()]
+    holds = [
+        abs(size) > TOLERATED if name == "free tube" else abs(size) < TOLERATED for name, size in found_here.items()
+    ]
     return Judgement(
         verdict=verdict_of(holds),
         found=f"neo-Hooke against Yeoh: pressure of the free tube whose inner wall is stretched {FREE:g} times "
-        f"{found_here['free tube']:+.1%}, of the wound tube stretched {WOUND:g} times {found_here['wound tube']:+.1%}; angle "
+        f"{found_here['free tube']:+.1%}, of the wound tube stretched {WOUND:g} times "
+        f"{found_here['wound tube']:+.1%}; angle "
         f"of the wound bender at 60 kPa {found_here['wound bender']:+.1%}, of the PneuNet at 14 kPa "
         f"{found_here['PneuNet']:+.1%}",
-        conditions=f"The initial shear moduli of the two records are {_moduli():+.0%} apart; what is beyond that comes from "
+        conditions=f"The initial shear moduli of the two records are {_moduli():+.0%} apart; what is beyond that "
+        f"comes from "
         "the order of the law.",
     )
 
@@ -89,13 +95,15 @@ def panels(found: Found) -> tuple[Panel, ...]:
 
 GUIDELINE = Guideline(
     key="5-2",
-    rule="Fiber-reinforced and multi-chambered actuators balloon less, so that laws of low order serve for more rubbers.",
+    rule="Fiber-reinforced and multi-chambered actuators balloon less, so that laws of low order serve for more "
+    "rubbers.",
     sources=("Polygerinos et al. 2015", "Connolly et al. 2015"),
     families=("fiber_reinforced_bender", "extending_cylinder", "fast_pneunet"),
     studies=(
         Study(
             title="Neo-Hooke and Yeoh of the same rubber",
-            setup=TUBE + ", free and with hoops; a fiber-reinforced bender; a fast PneuNet of two chambers; all of Elastosil "
+            setup=TUBE
+            + ", free and with hoops; a fiber-reinforced bender; a fast PneuNet of two chambers; all of Elastosil "
             "M4601, neo-Hookean (0.12 MPa) or Yeoh (0.11 and 0.02 MPa).",
             expected=f"More than {TOLERATED:.0%} apart for the free tube, less for the others.",
             runs=runs,

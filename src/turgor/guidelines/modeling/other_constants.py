@@ -37,9 +37,13 @@ SUBSTANTIAL = 0.25
 
 
 def _runs(rubbers: dict[str, str], setting: Setting) -> tuple[Run, ...]:
-    size = 3.0 if setting == "quick" else 1.0
+    size = 2.0 if setting == "quick" else 1.0
     return tuple(
-        Run(name=name, function=bender, values={"rubber": rubber, "pressure": PRESSURE, "size": size, "compression": list(SLACK)})
+        Run(
+            name=name,
+            function=bender,
+            values={"rubber": rubber, "pressure": PRESSURE, "size": size, "compression": list(SLACK)},
+        )
         for name, rubber in rubbers.items()
     )
 
@@ -78,7 +82,8 @@ def judge_published(found: Found) -> Judgement:
     spread = angles[high].number / angles[low].number - 1
     return Judgement(
         verdict=Verdict.CONFIRMED if spread > SUBSTANTIAL else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: {listed(list(angles.values()))} at {PRESSURE} kPa; {high} bends {spread:.0%} further "
+        found=f"{', '.join(found)}: {listed(list(angles.values()))} at {PRESSURE} kPa; {high} bends {spread:.0%} "
+        f"further "
         f"than {low}",
         conditions="The records whose constants were borrowed or whose law is unstable from the start are left out.",
     )
@@ -90,20 +95,27 @@ def panels(found: Found) -> tuple[Panel, ...]:
     angles = _angles(found)
     return (
         Panel(x="pressure", y="bending_angle", responses=curves),
-        Panel(x="constants", y=f"bending angle at {PRESSURE} kPa [deg]", lines=[line_of(list(angles), list(angles.values()))]),
+        Panel(
+            x="constants",
+            y=f"bending angle at {PRESSURE} kPa [deg]",
+            lines=[line_of(list(angles), list(angles.values()))],
+        ),
     )
 
 
 GUIDELINE = Guideline(
     key="8.1-1",
-    rule="Constants of another rubber, and the large differences between published constants of one rubber, hinder realistic "
+    rule="Constants of another rubber, and the large differences between published constants of one rubber, hinder "
+    "realistic "
     "predictions.",
     sources=("Yan et al. 2016", "Xue et al. 2018", "Steck et al. 2019"),
     families=("fiber_reinforced_bender",),
     studies=(
         Study(
             title="Constants of another rubber",
-            setup=BENDER + ", threads that go slack but for 2 % of their stiffness; Ecoflex by its own constants, and by those of Elastosil M4601, with which two publications "
+            setup=BENDER
+            + ", threads that go slack but for 2 % of their stiffness; Ecoflex by its own constants, and by those "
+            "of Elastosil M4601, with which two publications "
             "computed it.",
             expected=f"Angles at {PRESSURE} kPa more than {SUBSTANTIAL:.0%} apart.",
             runs=borrowed,
@@ -112,7 +124,8 @@ GUIDELINE = Guideline(
         ),
         Study(
             title="Six published sets of constants of Ecoflex 00-30",
-            setup=BENDER + ", threads that go slack but for 2 % of their stiffness; Ecoflex 00-30 by six records of the library.",
+            setup=BENDER
+            + ", threads that go slack but for 2 % of their stiffness; Ecoflex 00-30 by six records of the library.",
             expected=f"Angles at {PRESSURE} kPa more than {SUBSTANTIAL:.0%} apart.",
             runs=published,
             judge=judge_published,

@@ -52,7 +52,12 @@ def judge(found: Found) -> Judgement:
     shifts = {(wall, stretch): _shift(found, wall, stretch) for wall in (2.0, 4.0) for stretch in STRETCHES}
     low, high = PUBLISHED
     up = all(value > 0 for row in shifts.values() for value in row.values())
-    near = [f"{skin:g} mm on {wall:g} mm" for (wall, s), row in shifts.items() for skin, v in row.items() if low < v < high and s == STRETCHES[0]]
+    near = [
+        f"{skin:g} mm on {wall:g} mm"
+        for (wall, s), row in shifts.items()
+        for skin, v in row.items()
+        if low < v < high and s == STRETCHES[0]
+    ]
     verdict = Verdict.CONDITIONAL if up and near else Verdict.NOT_REPRODUCED
     if up and all(low < value < high for row in shifts.values() for value in row.values()):
         verdict = Verdict.CONFIRMED
@@ -63,7 +68,8 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict,
         found=f"pressure that is needed more with a skin; {told}",
-        conditions=f"The shift follows the thickness of the skin against the wall; about 25 % needs {' or '.join(near)}."
+        conditions=f"The shift follows the thickness of the skin against the wall; about 25 % needs "
+        f"{' or '.join(near)}."
         if near
         else "",
     )
@@ -86,14 +92,16 @@ def panels(found: Found) -> tuple[Panel, ...]:
 
 GUIDELINE = Guideline(
     key="8.1-6",
-    rule="The extra layer of silicone that fixes the fibers, left out in models, makes them overestimate the motion; a shift "
+    rule="The extra layer of silicone that fixes the fibers, left out in models, makes them overestimate the "
+    "motion; a shift "
     "of the pressure by 25 % matches a test.",
     sources=("Decroly et al. 2019",),
     families=("fiber_reinforced_cylinder",),
     studies=(
         Study(
             title="Skin over the hoops",
-            setup="Long tube with hoops, inner radius 6.35 mm, wall 2 or 4 mm, skin of 0 to 1 mm over the hoops, all of Ecoflex "
+            setup="Long tube with hoops, inner radius 6.35 mm, wall 2 or 4 mm, skin of 0 to 1 mm over the hoops, "
+            "all of Ecoflex "
             "00-30 (Yeoh, Kulkarni), closed ends, by formula. Pressures for stretches of 1.1 and 1.3.",
             expected="More pressure with a skin, by 15 to 35 %.",
             runs=runs,

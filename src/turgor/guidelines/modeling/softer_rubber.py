@@ -30,7 +30,7 @@ FABRICS = {"fabric of threads": (0.02, 0.4), "fabric of rods": (1.0, 1.0)}
 
 def runs(setting: Setting) -> tuple[Run, ...]:
     """The same bender of each rubber, with both kinds of fabric."""
-    size = 3.0 if setting == "quick" else 1.0
+    size = 2.0 if setting == "quick" else 1.0
     return tuple(
         Run(
             name=f"{name}, {fabric}",
@@ -90,7 +90,9 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="One bender, six rubbers",
-            setup=BENDER + "; rubbers by their published Yeoh constants (Smooth-Sil 950: generalized Rivlin). The fabric once as rods, once as threads that go slack but for 2 % of their stiffness.",
+            setup=BENDER
+            + "; rubbers by their published Yeoh constants (Smooth-Sil 950: generalized Rivlin). The fabric once as "
+            "rods, once as threads that go slack but for 2 % of their stiffness.",
             expected="The pressure for 20 deg rises from Ecoflex 00-30 to Smooth-Sil 950, in the order of hardness.",
             runs=runs,
             judge=judge,

@@ -85,7 +85,9 @@ def judge(found: Found) -> Judgement:
 def panels(found: Found) -> tuple[Panel, ...]:
     """Curves of each rubber, and the errors."""
     curves = [
-        Panel(x="stretch", y="pressure", responses=tuple((n, e.response) for n, e in found.items() if n.startswith(name)))
+        Panel(
+            x="stretch", y="pressure", responses=tuple((n, e.response) for n, e in found.items() if n.startswith(name))
+        )
         for name in TRUTHS
     ]
     lines = []
@@ -103,8 +105,10 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Laws from one kind of test or two",
-            setup="Tests of Ecoflex 00-30 made from two published Ogden laws, uniaxial up to a stretch of 4 and equibiaxial up "
-            "to 2.5; laws fitted to the first kind or to both; pressure of a long free tube (inner radius 6.35 mm, wall 2 "
+            setup="Tests of Ecoflex 00-30 made from two published Ogden laws, uniaxial up to a stretch of 4 and "
+            "equibiaxial up "
+            "to 2.5; laws fitted to the first kind or to both; pressure of a long free tube (inner radius 6.35 mm, "
+            "wall 2 "
             "mm) by formula, against that of the true law.",
             expected=f"More than {COUNTS:.0%} error from uniaxial tests alone, less with both.",
             runs=runs,

@@ -18,7 +18,9 @@ HEIGHTS = {"quick": (15, 19, 23), "full": (13, 15, 17, 19, 23)}
 def runs(setting: Setting) -> tuple[Run, ...]:
     """Pushing on a plate with chambers of each height; that of 19 mm is shared with other guidelines."""
     count, _ = count_and_size(setting)
-    changed = {height: pneunet(count, {} if height == WALLS["height"] else {"height": height}) for height in HEIGHTS[setting]}
+    changed = {
+        height: pneunet(count, {} if height == WALLS["height"] else {"height": height}) for height in HEIGHTS[setting]
+    }
     return tuple(
         run_of(f"{height:g} mm", push, setting, PRESSURES[-1], {"given": given}) for height, given in changed.items()
     )
@@ -26,7 +28,9 @@ def runs(setting: Setting) -> tuple[Run, ...]:
 
 def judge(found: Found) -> Judgement:
     """The force rises with the height, at both pressures."""
-    forces = {p: [at(each.response, "blocked_force", "pressure", p * kPa) for each in found.values()] for p in PRESSURES}
+    forces = {
+        p: [at(each.response, "blocked_force", "pressure", p * kPa) for each in found.values()] for p in PRESSURES
+    }
     holds = {p: rises(values) for p, values in forces.items()}
     missed = [f"{p} kPa" for p, held in holds.items() if not held]
     gains = ", ".join(f"{change(values[-1], values[0]):+.0%} at {p} kPa" for p, values in forces.items())
@@ -65,8 +69,10 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Height of the chambers",
-            setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
-            + "; other heights at the same walls; force of the tip on a plate that stands where it is at rest, at 3 and "
+            setup="Fast "
+            + SETUP.format(count="of two chambers (four at the full setting)")
+            + "; other heights at the same walls; force of the tip on a plate that stands where it is at rest, at 3 "
+            "and "
             "12 kPa.",
             expected="The force rises with the height.",
             runs=runs,

@@ -35,7 +35,13 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     """The reference, and each dimension changed."""
     count, _ = count_and_size(setting)
     changed = [
-        run_of(f"{what} x {factor:g}", bend, setting, PRESSURES[-1], {"given": pneunet(count, _changed(what, factor, count))})
+        run_of(
+            f"{what} x {factor:g}",
+            bend,
+            setting,
+            PRESSURES[-1],
+            {"given": pneunet(count, _changed(what, factor, count))},
+        )
         for factor in GROWTH[setting]
         for what in (*ORDER, LONGER)
     ]
@@ -58,7 +64,9 @@ def judge(found: Found) -> Judgement:
     largest = max(float(name.split(" x ")[1]) for name in found if " x " in name)
     holds, told, seen = [], [], []
     for pressure in PRESSURES:
-        effects = {name.split(" x ")[0]: size for name, size in _effects(found, pressure).items() if f"x {largest:g}" in name}
+        effects = {
+            name.split(" x ")[0]: size for name, size in _effects(found, pressure).items() if f"x {largest:g}" in name
+        }
         sizes = [abs(effects[name]) for name in ORDER]
         holds += [effects[name] < 0 for name in ORDER] + [sizes == sorted(sizes, reverse=True)]
         told.append(f"{pressure} kPa: " + ", ".join(f"{name} {size:+.1%}" for name, size in effects.items()))
@@ -97,8 +105,10 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Bottom, wall and gap half as large again",
-            setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
-            + "; floor and base, walls between chambers, or gap are larger; thicker walls once take from the chambers and "
+            setup="Fast "
+            + SETUP.format(count="of two chambers (four at the full setting)")
+            + "; floor and base, walls between chambers, or gap are larger; thicker walls once take from the "
+            "chambers and "
             "once make the actuator longer. Angles at 4 and 14 kPa.",
             expected="All three reduce the angle, in this order.",
             runs=runs,

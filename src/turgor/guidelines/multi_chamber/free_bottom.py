@@ -92,8 +92,10 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Free bottom or common floor",
-            setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
-            + "; without the floor between the chambers but for strips along the sides, the channel hanging free. Angles "
+            setup="Fast "
+            + SETUP.format(count="of two chambers (four at the full setting)")
+            + "; without the floor between the chambers but for strips along the sides, the channel hanging free. "
+            "Angles "
             "at 4 and 9 kPa, force of the tip on a plate at 12 kPa.",
             expected="Angle 10 to 35 % larger, force 20 to 60 % larger.",
             runs=runs,

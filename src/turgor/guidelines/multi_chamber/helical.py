@@ -1,5 +1,7 @@
 """Guideline 7.4-9: slanted chambers bend less, twist more and push harder; the length only adds loops."""
 
+from itertools import pairwise
+
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import PITCH, SETUP, bend, count_and_size, pneunet, push, run_of
@@ -25,7 +27,9 @@ def _given(angle: float, count: int) -> dict[str, float]:
 def runs(setting: Setting) -> tuple[Run, ...]:
     """Chambers of several angles, bent; the straight and the most slanted ones pushing too."""
     count, _ = count_and_size(setting)
-    bent = [run_of(f"{angle} deg", bend, setting, PRESSURE, {"given": _given(angle, count)}) for angle in ANGLES[setting]]
+    bent = [
+        run_of(f"{angle} deg", bend, setting, PRESSURE, {"given": _given(angle, count)}) for angle in ANGLES[setting]
+    ]
     ends = (ANGLES[setting][0], ANGLES[setting][-1])
     pushing = [run_of(f"{angle} deg, pushing", push, setting, PUSH, {"given": _given(angle, count)}) for angle in ends]
     return (*bent, *pushing)
@@ -48,12 +52,15 @@ def _read(found: Found, name: str) -> list[Value]:
 def judge(found: Found) -> Judgement:
     """Angle, twist and force against the angle of the chambers."""
     angle, twist = _read(found, "bending_angle"), _read(found, "twist_angle")
-    forces = [at(e.response, "blocked_force", "pressure", PUSH * kPa) for e in found.values() if "blocked_force" in e.response]
+    forces = [
+        at(e.response, "blocked_force", "pressure", PUSH * kPa) for e in found.values() if "blocked_force" in e.response
+    ]
     holds = {"less bending": falls(angle), "more twist": rises(twist), "more force": rises(forces)}
     missed = [name for name, held in holds.items() if not held]
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"chambers at {', '.join(name for name in found if 'pushing' not in name)}: bending {listed(angle)} and twist "
+        found=f"chambers at {', '.join(name for name in found if 'pushing' not in name)}: bending {listed(angle)} "
+        f"and twist "
         f"{listed(twist)} at {PRESSURE} kPa; force at {PUSH} kPa, first and last, {listed(forces)}",
         conditions=f"Not seen here: {', '.join(missed)}." if missed else "",
     )
@@ -64,10 +71,12 @@ def judge_longer(found: Found) -> Judgement:
     told, holds = [], []
     for name in ("bending_angle", "twist_angle"):
         values = [value.number for value in _read(found, name)]
-        added = [b - a for a, b in zip(values[:-1], values[1:], strict=True)]
+        added = [b - a for a, b in pairwise(values)]
         spread = max(added) / min(added) - 1
         holds.append(0 <= spread < SAME)
-        told.append(f"{name.replace('_', ' ')} {listed(_read(found, name))}, each chamber adds {spread:.1%} more or less")
+        told.append(
+            f"{name.replace('_', ' ')} {listed(_read(found, name))}, each chamber adds {spread:.1%} more or less"
+        )
     return Judgement(
         verdict=verdict_of(holds),
         found=f"{', '.join(found)} at {PRESSURE} kPa: {'; '.join(told)}",
@@ -94,15 +103,18 @@ def panels(found: Found) -> tuple[Panel, ...]:
 
 GUIDELINE = Guideline(
     key="7.4-9",
-    rule="Helical multi-chambered actuators push harder than bending ones; a larger chamber angle bends less and twists "
+    rule="Helical multi-chambered actuators push harder than bending ones; a larger chamber angle bends less and "
+    "twists "
     "more; the length does not change radius and pitch of the winding, only the number of loops.",
     sources=("Hu and Alici 2020",),
     families=("helical_pneunet",),
     studies=(
         Study(
             title="Angle of the chambers",
-            setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
-            + "; chambers turned about the vertical. Bending and twist of the tip at 6 kPa, force of the tip on a plate at "
+            setup="Fast "
+            + SETUP.format(count="of two chambers (four at the full setting)")
+            + "; chambers turned about the vertical. Bending and twist of the tip at 6 kPa, force of the tip on a "
+            "plate at "
             "12 kPa.",
             expected="Bending falls with the angle of the chambers, twist and force rise.",
             runs=runs,
@@ -111,7 +123,8 @@ GUIDELINE = Guideline(
         ),
         Study(
             title="Length",
-            setup=f"The same with chambers turned by 15 deg, one chamber every {PITCH} mm, more and more of them, at 6 kPa.",
+            setup=f"The same with chambers turned by 15 deg, one chamber every {PITCH} mm, more and more of them, "
+            f"at 6 kPa.",
             expected="Every further chamber adds the same angle and the same twist, within 10 %.",
             runs=longer,
             judge=judge_longer,

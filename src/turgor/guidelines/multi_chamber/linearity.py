@@ -39,7 +39,8 @@ def judge(found: Found) -> Judgement:
         verdict=verdict_of(
             [fast > void, slow > void, bulges[0].number < bulges[2].number, bulges[1].number < bulges[2].number]
         ),
-        found=f"R² of a straight line up to {angle:.3g} deg: {told}; sides bulge by {listed(bulges)} there, in this order",
+        found=f"R² of a straight line up to {angle:.3g} deg: {told}; sides bulge by {listed(bulges)} there, in this "
+        f"order",
         conditions=_conditions(straight, [each.number for each in bulges]),
     )
 
@@ -74,7 +75,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Chambers or a single void in the same envelope",
-            setup="Fast and slow " + SETUP.format(count="of two chambers (four at the full setting)")
+            setup="Fast and slow "
+            + SETUP.format(count="of two chambers (four at the full setting)")
             + ", and one void in the same envelope; R² of a straight line through angle over pressure up to the same "
             "angle, and the largest displacement of the sides there.",
             expected="R² is larger with chambers, and the sides bulge less.",

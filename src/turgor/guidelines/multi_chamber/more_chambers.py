@@ -62,7 +62,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Number of chambers on 35 mm",
-            setup="Fast " + SETUP.format(count="of 35 mm, or of 70 mm at the full setting")
+            setup="Fast "
+            + SETUP.format(count="of 35 mm, or of 70 mm at the full setting")
             + "; bending angle up to 9 kPa.",
             expected="The angle rises with the number of chambers, and so does R² of a straight line.",
             runs=runs,

@@ -44,7 +44,8 @@ ELASTOSIL = "elastosil-m4601/yeoh-mosadegh-2014"
 #: How the studies describe these PneuNets.
 SETUP = (
     "PneuNet {count}, 20 mm wide and 19 mm high, walls between chambers of 1.5 mm, gaps of 1 "
-    "mm, other walls of 2 mm, floor and base of 1.5 mm each, of Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), with paper of "
+    "mm, other walls of 2 mm, floor and base of 1.5 mm each, of Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), with "
+    "paper of "
     "0.1 mm between floor and base; one end held; walls touch"
 )
 

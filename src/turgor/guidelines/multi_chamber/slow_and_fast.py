@@ -5,7 +5,7 @@ import numpy as np
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, at_angle, bend, count_and_size, pneunet, push, run_of
-from turgor.guidelines.values import Value, last, listed
+from turgor.guidelines.values import Value, last
 from turgor.results.plots.study_figure import Panel
 from turgor.study.runs import Run
 
@@ -80,7 +80,8 @@ def judge(found: Found) -> Judgement:
     ratios = {
         "pressure": _ratio(at_angle(slow, "pressure", angle), at_angle(fast, "pressure", angle)),
         "volume": _ratio(
-            at_angle(slow, "cavity_volume", angle, less_rest=True), at_angle(fast, "cavity_volume", angle, less_rest=True)
+            at_angle(slow, "cavity_volume", angle, less_rest=True),
+            at_angle(fast, "cavity_volume", angle, less_rest=True),
         ),
         "force": _ratio(*(last(each, "blocked_force") for each in pushing)),
     }
@@ -158,15 +159,18 @@ def panels_varied(found: Found) -> tuple[Panel, ...]:
 
 GUIDELINE = Guideline(
     key="7.4-2",
-    rule="Slow PneuNets need about three times the pressure and eight times the volume of fast ones to bend fully; fast "
+    rule="Slow PneuNets need about three times the pressure and eight times the volume of fast ones to bend fully; "
+    "fast "
     "ones push 1.4 times harder.",
     sources=("Mosadegh et al. 2014",),
     families=("fast_pneunet", "slow_pneunet"),
     studies=(
         Study(
             title="Slow and fast in the same envelope",
-            setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
-            + "; the slow one has the gaps filled. Pressure and volume at 15 deg; force of the tip on a plate at 30 kPa.",
+            setup="Fast "
+            + SETUP.format(count="of two chambers (four at the full setting)")
+            + "; the slow one has the gaps filled. Pressure and volume at 15 deg; force of the tip on a plate at 30 "
+            "kPa.",
             expected=f"Pressure ratio 3, volume ratio 8, force ratio 1.4, each within a factor of {NEAR:g}.",
             runs=runs,
             judge=judge,
@@ -175,7 +179,8 @@ GUIDELINE = Guideline(
         Study(
             title="Which dimension decides",
             setup="The same two, with one dimension changed in both, or in one of them; outer dimensions follow.",
-            expected=f"A pressure ratio of 3, within a factor of {NEAR:g}, for some dimensions that may be those of the "
+            expected=f"A pressure ratio of 3, within a factor of {NEAR:g}, for some dimensions that may be those of "
+            f"the "
             "publication, which are not known.",
             runs=varied,
             judge=judge_varied,

@@ -71,8 +71,10 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Wall between chambers",
-            setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
-            + "; walls between chambers of other thickness take from the chambers. Angles at 4 and 14 kPa, force of the "
+            setup="Fast "
+            + SETUP.format(count="of two chambers (four at the full setting)")
+            + "; walls between chambers of other thickness take from the chambers. Angles at 4 and 14 kPa, force of "
+            "the "
             "tip on a plate at 12 kPa.",
             expected="Angle and force fall with the thickness.",
             runs=runs,

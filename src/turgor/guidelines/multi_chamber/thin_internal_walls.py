@@ -90,7 +90,8 @@ def _judged(found: Found, better: str, order: object) -> Judgement:
     missed = [name for name, held in holds.items() if not held]
     return Judgement(
         verdict=verdict_of(holds.values()),
-        found=f"{'; '.join(found)}: at {angle:.3g} deg {listed(values['pressure'])}, air {listed(values['cavity_volume'])}, "
+        found=f"{'; '.join(found)}: at {angle:.3g} deg {listed(values['pressure'])}, air "
+        f"{listed(values['cavity_volume'])}, "
         f"their product {listed(work)}, bulge of the sides {listed(values['bulge'])}",
         conditions=f"{better} does not reduce {' and '.join(missed)} by more than the mesh error." if missed else "",
     )
@@ -124,14 +125,16 @@ def panels(found: Found) -> tuple[Panel, ...]:
 
 GUIDELINE = Guideline(
     key="7.4-4",
-    rule="For rapid actuation and low radial expansion, internal walls should be thinner than the exterior ones and have "
+    rule="For rapid actuation and low radial expansion, internal walls should be thinner than the exterior ones and "
+    "have "
     "a larger surface.",
     sources=("Polygerinos et al. 2013", "Mosadegh et al. 2014"),
     families=("fast_pneunet",),
     studies=(
         Study(
             title="Internal against external walls at equal mass",
-            setup="Fast " + SETUP.format(count="of two chambers (four at the full setting)")
+            setup="Fast "
+            + SETUP.format(count="of two chambers (four at the full setting)")
             + "; walls between chambers of other thickness, sides and top such that the mass stays. At the same angle: "
             "pressure times air, which a pump has to bring and which decides how fast it fills, and the bulge of the "
             "sides.",

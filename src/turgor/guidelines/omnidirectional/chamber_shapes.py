@@ -56,7 +56,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Six shapes of equal area",
-            setup=SETUP + f"; all chambers have {AREA:g} mm² and end 2 mm below the surface. Ballooning is the widening of "
+            setup=SETUP
+            + f"; all chambers have {AREA:g} mm² and end 2 mm below the surface. Ballooning is the widening of "
             "the outside, the square root of the ratio of areas.",
             expected="Ring sectors have the largest angle, half circles the least ballooning.",
             runs=runs,

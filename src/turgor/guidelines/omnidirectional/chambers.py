@@ -22,8 +22,10 @@ REFERENCE: Mapping[str, Any] = MappingProxyType(
 STEP = 10
 
 SETUP = (
-    "Cylinder of radius 12.5 mm with three chambers, reference: round, 8 mm wide, 2 mm below the surface, without bore; "
-    "of Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), one chamber under pressure; the section of a long one, bending angle "
+    "Cylinder of radius 12.5 mm with three chambers, reference: round, 8 mm wide, 2 mm below the surface, without "
+    "bore; "
+    "of Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), one chamber under pressure; the section of a long one, bending "
+    "angle "
     "for 60 mm"
 )
 

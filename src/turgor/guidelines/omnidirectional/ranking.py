@@ -103,7 +103,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="One parameter at a time",
-            setup=SETUP + "; wall outside the chambers, length, diameter of the chambers and of the circle that they leave "
+            setup=SETUP
+            + "; wall outside the chambers, length, diameter of the chambers and of the circle that they leave "
             "free in the middle changed by a tenth each, the outer radius following.",
             expected="Signs -, +, +, - and sizes in this order.",
             runs=runs,

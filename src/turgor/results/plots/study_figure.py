@@ -28,8 +28,8 @@ class Line:
     Parameters
     ----------
     x, y : (n,) array_like
-        In the units of the panel's labels. Where ``x`` are names, horizontal bars are drawn, and the panel's ``x`` is not
-        shown.
+        In the units of the panel's labels. Where ``x`` are names, horizontal bars are drawn, and the panel's ``x`` is
+        not shown.
     label : str
         Name in the legend.
     error : (n,) array_like or None
