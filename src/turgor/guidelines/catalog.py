@@ -9,7 +9,15 @@ from turgor.errors import unknown
 from turgor.guidelines.guideline import Guideline
 
 #: Folders of this package that hold a module for each guideline.
-CHAPTERS = ("universal", "single_chamber", "fiber_reinforced", "omnidirectional", "multi_chamber", "modeling")
+CHAPTERS = (
+    "universal",
+    "single_chamber",
+    "fiber_reinforced",
+    "omnidirectional",
+    "multi_chamber",
+    "convergence",
+    "modeling",
+)
 
 
 def guidelines() -> dict[str, Guideline]:

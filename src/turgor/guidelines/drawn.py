@@ -4,9 +4,14 @@ from dataclasses import replace
 
 import turgor as tg
 from turgor.results.pictures.state_picture import bare_picture
+from turgor.results.plots.figures import PlotFigure, png_of
+from turgor.results.plots.section import plot_section
 
 #: Width of the pictures [pixels]: up to five stand beside each other in a figure.
 WIDTH = 480
+
+#: Size and resolution of the outlines of sections [inch, dots per inch].
+OUTLINE, DPI = 2.2, 100
 
 
 def picture_of(solution: tg.Solution, limit: float | None = None) -> bytes:
@@ -28,3 +33,24 @@ def picture_of(solution: tg.Solution, limit: float | None = None) -> bytes:
         return b""
     view = tg.pictures.shared_view([solution.states[-1]], width=WIDTH)
     return bare_picture(solution.states[-1], view if limit is None else replace(view, limit=limit))
+
+
+def outline_of(solution: tg.sections.SectionSolution) -> bytes:
+    """Outline of a section at rest, gray, and in its last state, as PNG.
+
+    Parameters
+    ----------
+    solution : SectionSolution
+
+    Returns
+    -------
+    bytes
+        Empty where the path has no state.
+    """
+    if not len(solution.response):
+        return b""
+    figure = PlotFigure(figsize=(OUTLINE, OUTLINE))
+    axes = plot_section(figure.subplots(), solution)
+    axes.set_axis_off()
+    axes.get_legend().remove()
+    return png_of(figure, dpi=DPI)

@@ -1,29 +1,26 @@
 """Guideline 7.4-5: more chambers on a fixed length bend further at lower pressure."""
 
-import turgor as tg
-from turgor.guidelines.drawn import picture_of
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
-from turgor.guidelines.multi_chamber.pneunets import WALLS, pneunet
+from turgor.guidelines.multi_chamber.pneunets import SETUP, bend, pneunet
 from turgor.guidelines.values import at, linearity, listed, rises
 from turgor.results.plots.study_figure import Line, Panel
-from turgor.study.runs import Computed, Run
-from turgor.units import kPa, mm
+from turgor.study.runs import Run
+from turgor.units import kPa
 
-#: Length that the chambers share, and the pressures up to which they bend and at which they are compared.
-LENGTH, PRESSURE = 59 * mm, 14 * kPa
-
-
-def bend(chambers: int, size: float) -> Computed:
-    """Bend a fast PneuNet of so many chambers with cells of a size [mm]."""
-    solution = tg.solve(pneunet(tg.FastPneuNet(**WALLS, chambers=chambers, length=LENGTH), size, PRESSURE), throw=False)
-    return Computed(response=tg.measure(solution, tg.bending_angle), picture=picture_of(solution, limit=200 * kPa))
+#: Length [mm] that the chambers share, and the pressure at which they are compared.
+LENGTH, PRESSURE = 35, 9 * kPa
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:
-    """Three numbers of chambers, or five."""
-    size, counts = (6.0, (2, 4, 6)) if setting == "quick" else (3.0, (2, 3, 4, 5, 6))
+    """Three numbers of chambers, or four on twice the length."""
+    size, counts, length = (6.0, (1, 2, 3), LENGTH) if setting == "quick" else (3.0, (2, 3, 4, 6), 2 * LENGTH)
     return tuple(
-        Run(name=f"{count} chambers", function=bend, values={"chambers": count, "size": size}) for count in counts
+        Run(
+            name=f"{count} chamber{'s' * (count > 1)}",
+            function=bend,
+            values={"given": pneunet(count, {"length": length}), "size": size, "pressure": PRESSURE / kPa},
+        )
+        for count in counts
     )
 
 
@@ -64,9 +61,10 @@ GUIDELINE = Guideline(
     families=("fast_pneunet",),
     studies=(
         Study(
-            title="Number of chambers on 59 mm",
-            setup="Fast PneuNet, 59 x 20 x 19 mm, walls of 1.5 mm, gaps of 1 mm, Elastosil M4601 (Yeoh, 0.11 and 0.02 "
-            "MPa), paper of 0.1 mm in the base; bending angle up to 14 kPa.",
+            title="Number of chambers on 35 mm",
+            setup="Fast "
+            + SETUP.format(count="of 35 mm, or of 70 mm at the full setting")
+            + "; bending angle up to 9 kPa.",
             expected="The angle rises with the number of chambers, and so does R² of a straight line.",
             runs=runs,
             judge=judge,

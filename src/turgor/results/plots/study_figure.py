@@ -28,7 +28,8 @@ class Line:
     Parameters
     ----------
     x, y : (n,) array_like
-        In the units of the panel's labels.
+        In the units of the panel's labels. Where ``x`` are names, horizontal bars are drawn, and the panel's ``x`` is
+        not shown.
     label : str
         Name in the legend.
     error : (n,) array_like or None
@@ -108,6 +109,10 @@ def _panel(axes: Any, panel: Panel) -> None:
     colors = [COLORS[k % len(COLORS)] for k in range(len(panel.responses) + len(panel.lines))]
     for color, (name, response) in zip(colors, panel.responses, strict=False):
         plot_response(axes, response, panel.x, panel.y, color=color, label=name)
+    named = [line for line in panel.lines if np.size(line.x) and isinstance(np.asarray(line.x).tolist()[0], str)]
+    if named:
+        _bars(axes, panel, named)
+        return
     for color, line in zip(colors[len(panel.responses) :], panel.lines, strict=True):
         axes.errorbar(line.x, line.y, yerr=line.error, fmt="-o", ms=4, lw=1.6, capsize=3, color=color, label=line.label)
     if not panel.responses:
@@ -115,4 +120,19 @@ def _panel(axes: Any, panel: Panel) -> None:
         axes.set_ylabel(panel.y, color=INK)
         style_axes(axes)
     if any(name for name, _ in panel.responses) or any(line.label for line in panel.lines):
+        axes.legend(frameon=False, labelcolor=INK, fontsize=8)
+
+
+def _bars(axes: Any, panel: Panel, lines: Sequence[Line]) -> None:
+    """Draw values with names as horizontal bars, those of one name beside each other."""
+    names = list(dict.fromkeys(name for line in lines for name in np.asarray(line.x).tolist()))
+    height = 0.8 / len(lines)
+    for k, line in enumerate(lines):
+        places = [names.index(name) + (k - (len(lines) - 1) / 2) * height for name in np.asarray(line.x).tolist()]
+        axes.barh(places, line.y, height, xerr=line.error, color=COLORS[k % len(COLORS)], label=line.label, capsize=2)
+    axes.set_yticks(range(len(names)), labels=names, fontsize=8)
+    axes.invert_yaxis()
+    axes.set_xlabel(panel.y, color=INK)
+    style_axes(axes)
+    if any(line.label for line in lines):
         axes.legend(frameon=False, labelcolor=INK, fontsize=8)

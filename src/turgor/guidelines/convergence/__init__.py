@@ -1,0 +1,1 @@
+"""Section 6.2: what helps a finite element model to converge."""
