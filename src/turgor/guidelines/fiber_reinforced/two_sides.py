@@ -72,49 +72,65 @@ def _rows(found: Found, name: str) -> dict[float, list[Value]]:
     return out
 
 
+def _best(found: Found, name: str) -> dict[float, tuple[float, bool]]:
+    """For each upper angle, the lower one of the largest value, and whether that is the greatest difference."""
+    out = {}
+    for upper, values in _rows(found, name).items():
+        lowers = _lowers(found, upper)
+        out[upper] = lowers[largest(values)], rises(values)
+    return out
+
+
+def _lowers(found: Found, upper: float) -> list[float]:
+    """Lower angles of an upper one, over rising differences."""
+    return sorted((pair(name)[1] for name in found if pair(name)[0] == upper), reverse=True)
+
+
 def judge_difference(found: Found) -> Judgement:
     """Whether curvature and moment rise with the difference of the angles while one of them stays."""
-    told, good, best = [], [], []
-    for upper, bends in _rows(found, "curvature_y").items():
-        lowers = sorted((pair(name)[1] for name in found if pair(name)[0] == upper), reverse=True)
-        moments = _rows(found, "blocked_moment")[upper]
-        good += [rises(bends), rises(moments)]
-        best.append(lowers[largest(bends)])
-        told.append(
-            f"upper {upper:g} deg with lower {', '.join(f'{each:g}' for each in lowers)} deg: curvature "
-            f"{', '.join(f'{each.number:.3g}' for each in bends)} 1/m, moment that holds it straight "
-            f"{', '.join(f'{1e3 * each.number:.3g}' for each in moments)} mNm"
-        )
+    bends, moments = (_best(found, name) for name in ("curvature_y", "blocked_moment"))
+    throughout = all(rising for each in (bends, moments) for _, rising in each.values())
+    at_first = all(lower < _lowers(found, upper)[0] for each in (bends, moments) for upper, (lower, _) in each.items())
+    told = [
+        f"upper {upper:g} deg with lower {', '.join(f'{each:g}' for each in _lowers(found, upper))} deg: curvature "
+        f"{', '.join(f'{each.number:.3g}' for each in values)} 1/m, moment that holds it straight "
+        f"{', '.join(f'{1e3 * each.number:.3g}' for each in _rows(found, 'blocked_moment')[upper])} mNm"
+        for upper, values in _rows(found, "curvature_y").items()
+    ]
     top = max(found, key=lambda name: last(found[name].response, "curvature_y").number)
-    verdict = Verdict.CONFIRMED if all(good) else Verdict.CONDITIONAL if any(good) else Verdict.NOT_REPRODUCED
+    verdict = Verdict.CONDITIONAL if at_first else Verdict.NOT_REPRODUCED
     return Judgement(
-        verdict=verdict,
-        found="; ".join(told) + f". All at {PRESSURE:g} kPa.",
-        conditions=f"The largest difference of all, {max(abs(np.subtract(*pair(name))) for name in found):g} deg, "
-        f"does not decide alone: {top} bends most. With the upper angle kept, bending is largest at a lower angle of "
-        f"{', '.join(f'{each:g}' for each in best)} deg: what counts is how much the upper half would lengthen and the "
-        "lower half shorten, and threads nearly along the axis let the lower half balloon.",
+        verdict=Verdict.CONFIRMED if throughout else verdict,
+        found=f"{'; '.join(told)}. All at {PRESSURE:g} kPa.",
+        conditions="More difference bends further only up to a point: "
+        + "; ".join(
+            f"with {upper:g} deg above, bending is largest at {lower:g} deg below, the moment at {moments[upper][0]:g} deg"
+            for upper, (lower, _) in bends.items()
+        )
+        + f". Of all pairs {top} bends most. Threads nearly along the axis let the lower half balloon, so that it "
+        "shortens no more.",
     )
 
 
 def judge_named(found: Found) -> Judgement:
     """Where 70 deg with 35 deg stands among all pairs, with both ways to count the angles."""
     ranked = sorted(found, key=lambda name: -last(found[name].response, "curvature_y").number)
-    from_axis, other = NAMED, tuple(sorted((90 - each for each in NAMED), reverse=True))
-    bends = {pair(name): last(found[name].response, "curvature_y") for name in found}
-    place = [pair(name) for name in ranked].index(from_axis) + 1
-    hoops = {lower: value for (upper, lower), value in bends.items() if upper == from_axis[0]}
-    top = max(hoops, key=lambda lower: hoops[lower].number)
-    first = place == 1
-    verdict = Verdict.CONFIRMED if first else Verdict.CONDITIONAL if top == from_axis[1] else Verdict.NOT_REPRODUCED
+    named = {pair(name): last(found[name].response, "curvature_y") for name in found}
+    place = [pair(name) for name in ranked].index(NAMED) + 1
+    other = tuple(sorted((90 - each for each in NAMED), reverse=True))
+    below, moment = (_best(found, name)[NAMED[0]][0] for name in ("curvature_y", "blocked_moment"))
+    partly = NAMED[1] in (below, moment)
+    verdict = Verdict.CONDITIONAL if partly else Verdict.NOT_REPRODUCED
     return Judgement(
-        verdict=verdict,
-        found=f"70/35 deg from the axis: curvature {bends[from_axis]} at {PRESSURE:g} kPa, place {place} of "
-        f"{len(ranked)} pairs; most: {ranked[0]} with {last(found[ranked[0]].response, 'curvature_y')}. Counted from the "
-        f"circumference the same pair is {other[0]:g}/{other[1]:g} deg from the axis"
-        + (f", {bends[other]}." if other in bends else ", which was not computed."),
-        conditions=f"Of the pairs with 70 deg, a lower angle of {top:g} deg bends most; of all pairs {ranked[0]}. "
-        "Angles count from the axis.",
+        verdict=Verdict.CONFIRMED if place == 1 else verdict,
+        found=f"70/35 deg from the axis: curvature {named[NAMED]} at {PRESSURE:g} kPa, place {place} of {len(ranked)} "
+        f"pairs; most: {ranked[0]} with {last(found[ranked[0]].response, 'curvature_y')}. Counted from the circumference "
+        f"the same pair is {other[0]:g}/{other[1]:g} deg from the axis"
+        + (f", {named[other]}." if other in named else ", which was not computed."),
+        conditions=f"With 70 deg above, {below:g} deg below bends most, and {moment:g} deg has the largest moment; hoops "
+        "above (90 deg) bend further than 70 deg with every lower angle that was tried."
+        if all(named[90.0, low].number > each.number for (up, low), each in named.items() if up == NAMED[0])
+        else f"With 70 deg above, {below:g} deg below bends most, and {moment:g} deg has the largest moment.",
     )
 
 

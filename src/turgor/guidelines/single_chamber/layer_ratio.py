@@ -43,7 +43,7 @@ def bend_thick(ratio: float, hooped: bool, size: float) -> Computed:
 def _bend(shape: object, materials: dict[str, tg.Material], hooped: bool, size: float) -> Computed:
     def solve(cell: float) -> tg.sections.SectionSolution:
         section = tg.Section(shape, materials, reinforcements=[threads()] if hooped else [], size=cell)
-        return section.solve(np.linspace(0, PRESSURE * kPa, 6), throw=False)
+        return section.solve(np.linspace(0, PRESSURE * kPa, 11), throw=False)
 
     return solved_twice(solve, size * mm)
 
@@ -79,8 +79,10 @@ def bends(found: Found, around: str, mean: bool = False) -> tuple[list[float], l
     chosen = {float(name.split()[-1]): each.response for name, each in found.items() if name.startswith(around)}
     if not mean:
         return list(chosen), [last(each, "curvature_y") for each in chosen.values()]
+    from scipy.interpolate import CubicSpline  # slow to load, and guidelines are listed without it
+
     scaled = {n: PRESSURE * kPa * 2 / (1 + n) for n in chosen}
-    numbers = [float(np.interp(scaled[n], each["pressure"], each["curvature_y"])) for n, each in chosen.items()]
+    numbers = [float(CubicSpline(each["pressure"], each["curvature_y"])(scaled[n])) for n, each in chosen.items()]
     return list(chosen), [Value(number, 0.0, "1/m") for number in numbers]
 
 
