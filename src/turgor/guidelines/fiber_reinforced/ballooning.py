@@ -17,11 +17,12 @@ def judge(found: Found) -> Judgement:
         found=f"{', '.join(found)}: injected volume {listed(volumes)} of that at rest; largest stretch of the rubber "
         f"{listed(stretch)}.",
         conditions=f"Without hoops the tube takes {volumes[0].number / volumes[-1].number:.1f} times the volume "
-        f"of that with {dense}, and its tip moves {extension(found, bare)} where the other one moves {extension(found, dense)}. "
-        "The bulges between hoops follow their distance over the wall: with hoops every 4 mm, two walls, the volume is "
+        f"of that with {dense}, and its tip moves {extension(found, bare)} where the other one moves "
+        f"{extension(found, dense)}. The bulges between hoops follow their distance over the wall: with hoops every "
+        f"4 mm, two walls, the volume is "
         f"{injected(found['hoops every 4 mm'].response).number / volumes[-1].number:.2f} times that of the densest, "
-        f"every 16 mm, eight walls, {injected(found['hoops every 16 mm'].response).number / volumes[-1].number:.2f} "
-        "times.",
+        f"every 16 mm, eight walls, "
+        f"{injected(found['hoops every 16 mm'].response).number / volumes[-1].number:.2f} times.",
     )
 
 

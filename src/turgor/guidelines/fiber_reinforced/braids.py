@@ -64,9 +64,9 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict,
         found=f"The length stays at {told} from the axis, 2 mm between threads.",
-        conditions=f"Angles count from the axis; from the circumference the neutral angle is {90 - NEUTRAL:.1f} deg. It "
-        f"belongs to threads that do not stretch: with so few that they do (256 mm apart) it is {loose} at the same "
-        "pressures.",
+        conditions=f"Angles count from the axis; from the circumference the neutral angle is {90 - NEUTRAL:.1f} "
+        f"deg. It belongs to threads that do not stretch: with so few that they do (256 mm apart) it is {loose} at "
+        "the same pressures.",
     )
 
 

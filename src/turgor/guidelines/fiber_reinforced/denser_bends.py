@@ -1,5 +1,7 @@
 """Guideline 7.2-5: denser wrapping bends further and makes the response less nonlinear."""
 
+from itertools import pairwise
+
 from turgor.guidelines.fiber_reinforced.wound import BENDER, bender, cells
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
 from turgor.guidelines.values import last, linearity, listed, rises
@@ -37,7 +39,7 @@ def judge(found: Found) -> Judgement:
     bends = [last(each.response, "curvature_y") for each in found.values()]
     straight = [linearity(each.response, "curvature_y", "pressure", PRESSURE * kPa) for each in found.values()]
     stretched = [last(each.response, "largest_stretch") for each in found.values()]
-    gains = [b.number / a.number - 1 for a, b in zip(bends, bends[1:], strict=False)]
+    gains = [b.number / a.number - 1 for a, b in pairwise(bends)]
     enough = next((names[k] for k, gain in enumerate(gains) if gain < WORTH), names[-1])
     further, straighter = rises(bends), straight == sorted(straight)
     verdict = Verdict.CONFIRMED if further and straighter else Verdict.CONDITIONAL
@@ -48,8 +50,8 @@ def judge(found: Found) -> Judgement:
         verdict=verdict,
         found=f"{', '.join(names)}: curvature {listed(bends)} at {PRESSURE:g} kPa; R² "
         f"{', '.join(f'{each:.4f}' for each in straight)}; largest stretch {listed(stretched)}.",
-        conditions=f"Beyond hoops {enough} a step of four in density adds less than {WORTH:.0%} to the curvature, since "
-        "Kevlar hardly stretches; threads are smeared here, and the wall between them cannot bulge. "
+        conditions=f"Beyond hoops {enough} a step of four in density adds less than {WORTH:.0%} to the curvature, "
+        "since Kevlar hardly stretches; threads are smeared here, and the wall between them cannot bulge. "
         + (
             "R² rises with the density."
             if straighter

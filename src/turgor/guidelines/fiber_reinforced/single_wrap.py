@@ -1,4 +1,4 @@
-"""Guideline 7.2-6: one helix extends most at 0°, expands most at 90° and twists most near 30° from the circumference."""
+"""Guideline 7.2-6: one helix extends most at 0°, expands most at 90°, twists most near 30° from the circumference."""
 
 import numpy as np
 
@@ -78,9 +78,10 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict,
         found=f"{'; '.join(told)}. Stretch with threads at {angles[-1]:g} deg: {listed(axial)}.",
-        conditions="Angles count from the circumference; from the axis the rule would be wrong in every part. The angle "
-        f"of most twist goes from {most[0]:.1f} to {most[-1]:.1f} deg ({90 - most[0]:.1f} to {90 - most[-1]:.1f} deg "
-        f"from the axis) while the pressure goes from {PRESSURES[0]:g} to {PRESSURES[-1]:g} kPa. Expansion is largest "
+        conditions="Angles count from the circumference; from the axis the rule would be wrong in every part. The "
+        f"angle of most twist goes from {most[0]:.1f} to {most[-1]:.1f} deg ({90 - most[0]:.1f} to "
+        f"{90 - most[-1]:.1f} deg from the axis) while the pressure goes from {PRESSURES[0]:g} to {PRESSURES[-1]:g} "
+        "kPa. Expansion is largest "
         + ("at 90 deg at all pressures." if all(wide) else f"at {', '.join(f'{each:g}' for each in widest)} deg."),
     )
 

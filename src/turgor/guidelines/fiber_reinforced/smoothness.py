@@ -31,8 +31,8 @@ def judge(found: Found) -> Judgement:
             "Every step to denser hoops helps."
             if ordered and spared
             else "Not every step to denser hoops helps: "
-            f"the straightest is that with {list(found)[straight.index(max(straight))]}, the rubber is spared most with "
-            f"{list(found)[stretched.index(min(stretched))]}."
+            f"the straightest is that with {list(found)[straight.index(max(straight))]}, the rubber is spared most "
+            f"with {list(found)[stretched.index(min(stretched))]}."
         ),
     )
 
@@ -45,7 +45,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Straightness and stretch of the rubber at five densities",
-            setup=f"{SETUP}; R² of extension against pressure up to 50 kPa, stretch of the rubber at 4 mm of extension.",
+            setup=f"{SETUP}; R² of extension against pressure up to 50 kPa, stretch of the rubber at 4 mm of "
+            "extension.",
             expected="R² rises and the stretch falls with every step to denser hoops.",
             runs=runs,
             judge=judge,

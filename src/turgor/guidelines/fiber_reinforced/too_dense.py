@@ -89,8 +89,8 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict,
         found=f"Distance between threads {', '.join(names)}: {listed(pressures)} for a stretch of {STRETCH:g}.",
-        conditions=f"{said} Threads that are free to part as the tube lengthens cost no pressure however dense they are; "
-        "it is what binds them that stretches with the tube.",
+        conditions=f"{said} Threads that are free to part as the tube lengthens cost no pressure however dense they "
+        "are; it is what binds them that stretches with the tube.",
     )
 
 
@@ -127,8 +127,8 @@ GUIDELINE = Guideline(
         ),
         Study(
             title="Threads bonded in a skin of rubber",
-            setup=f"{TUBE}, hoops in a skin of the same rubber, 0.1778 mm thick, that the threads stiffen across them as "
-            "springs in series do: by 1 / (1 - their share of its volume); pressure for a stretch of 1.2.",
+            setup=f"{TUBE}, hoops in a skin of the same rubber, 0.1778 mm thick, that the threads stiffen across "
+            "them as springs in series do: by 1 / (1 - their share of its volume); pressure for a stretch of 1.2.",
             expected=EXPECTED,
             runs=bonded_runs,
             judge=judge,

@@ -104,7 +104,8 @@ def judge_difference(found: Found) -> Judgement:
         found=f"{'; '.join(told)}. All at {PRESSURE:g} kPa.",
         conditions="More difference bends further only up to a point: "
         + "; ".join(
-            f"with {upper:g} deg above, bending is largest at {lower:g} deg below, the moment at {moments[upper][0]:g} deg"
+            f"with {upper:g} deg above, bending is largest at {lower:g} deg below, the moment at "
+            f"{moments[upper][0]:g} deg"
             for upper, (lower, _) in bends.items()
         )
         + f". Of all pairs {top} bends most. Threads nearly along the axis let the lower half balloon, so that it "
@@ -124,11 +125,11 @@ def judge_named(found: Found) -> Judgement:
     return Judgement(
         verdict=Verdict.CONFIRMED if place == 1 else verdict,
         found=f"70/35 deg from the axis: curvature {named[NAMED]} at {PRESSURE:g} kPa, place {place} of {len(ranked)} "
-        f"pairs; most: {ranked[0]} with {last(found[ranked[0]].response, 'curvature_y')}. Counted from the circumference "
-        f"the same pair is {other[0]:g}/{other[1]:g} deg from the axis"
+        f"pairs; most: {ranked[0]} with {last(found[ranked[0]].response, 'curvature_y')}. Counted from the "
+        f"circumference the same pair is {other[0]:g}/{other[1]:g} deg from the axis"
         + (f", {named[other]}." if other in named else ", which was not computed."),
-        conditions=f"With 70 deg above, {below:g} deg below bends most, and {moment:g} deg has the largest moment; hoops "
-        "above (90 deg) bend further than 70 deg with every lower angle that was tried."
+        conditions=f"With 70 deg above, {below:g} deg below bends most, and {moment:g} deg has the largest moment; "
+        "hoops above (90 deg) bend further than 70 deg with every lower angle that was tried."
         if all(named[90.0, low].number > each.number for (up, low), each in named.items() if up == NAMED[0])
         else f"With 70 deg above, {below:g} deg below bends most, and {moment:g} deg has the largest moment.",
     )

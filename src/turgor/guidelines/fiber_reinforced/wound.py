@@ -18,7 +18,8 @@ TUBE = (
 #: What the bender is.
 BENDER = (
     "Section of a long half-round bender (chamber radius 8 mm, wall and base 2 mm), Elastosil M4601 (neo-Hookean, C10 "
-    "= 0.12 MPa), fabric of 650 N/mm along and across on the flat side, hoops of Kevlar thread of 0.1778 mm around it all"
+    "= 0.12 MPa), fabric of 650 N/mm along and across on the flat side, hoops of Kevlar thread of 0.1778 mm around "
+    "it all"
 )
 
 

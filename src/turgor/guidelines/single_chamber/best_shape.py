@@ -112,8 +112,9 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Bending of five shapes on two bases",
-            setup=f"{SETUP}; in hoops of Kevlar thread every 2 mm or bare; on a fabric of 650 N/mm along the lowest 1 mm, "
-            "which may bulge, or with the lowest 1 mm as a plate (C10 = 50 MPa), which stays flat; curvature at 30 kPa.",
+            setup=f"{SETUP}; in hoops of Kevlar thread every 2 mm or bare; on a fabric of 650 N/mm along the lowest "
+            "1 mm, which may bulge, or with the lowest 1 mm as a plate (C10 = 50 MPa), which stays flat; curvature "
+            "at 30 kPa.",
             expected="The half round bends most.",
             runs=bending_runs,
             judge=judge_bending,

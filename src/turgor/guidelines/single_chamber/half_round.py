@@ -1,4 +1,4 @@
-"""Half-round benders of the studies on single chambers, as sections: bare or in hoops, with a fabric on the flat side."""
+"""Half-round benders of the studies on single chambers, as sections: bare or in hoops, with a fabric below."""
 
 import numpy as np
 

@@ -145,8 +145,8 @@ def _panels(found: Found, label: str, means: tuple[bool, ...]) -> tuple[Panel, .
 
 
 TUBE = (
-    "Section of a long round tube (inner radius 6.35 mm, outer 8.35 mm, closed ends), bare or in hoops of Kevlar thread "
-    "every 2 mm"
+    "Section of a long round tube (inner radius 6.35 mm, outer 8.35 mm, closed ends), bare or in hoops of Kevlar "
+    "thread every 2 mm"
 )
 
 GUIDELINE = Guideline(
@@ -157,8 +157,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Ratio of stiffness of two halves",
-            setup=f"{TUBE}; neo-Hookean halves, C10 = 0.12 MPa above and 1 to 20 times as much below; or with the mean of "
-            "both kept at 0.12 MPa; curvature at 20 kPa.",
+            setup=f"{TUBE}; neo-Hookean halves, C10 = 0.12 MPa above and 1 to 20 times as much below; or with the "
+            "mean of both kept at 0.12 MPa; curvature at 20 kPa.",
             expected="The curvature is largest at a ratio between 2 and 3.",
             runs=stiffness_runs,
             judge=judge_stiffness,
@@ -166,8 +166,8 @@ GUIDELINE = Guideline(
         ),
         Study(
             title="Ratio of thickness of two walls",
-            setup=f"{TUBE}, the chamber off the axis so that the wall below is 1 to 6 times as thick as the wall above, "
-            "both together 4 mm; Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa); curvature at 20 kPa.",
+            setup=f"{TUBE}, the chamber off the axis so that the wall below is 1 to 6 times as thick as the wall "
+            "above, both together 4 mm; Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa); curvature at 20 kPa.",
             expected="The curvature is largest at a ratio between 2 and 3.",
             runs=thickness_runs,
             judge=judge_thickness,

@@ -74,8 +74,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Straightness and stretch of the rubber for five shapes",
-            setup=f"{SETUP}; in hoops of Kevlar thread every 2 mm or bare; R² of the stretch up to 30 kPa, and the largest "
-            "stretch of the rubber where the actuator has a stretch of 1.01.",
+            setup=f"{SETUP}; in hoops of Kevlar thread every 2 mm or bare; R² of the stretch up to 30 kPa, and the "
+            "largest stretch of the rubber where the actuator has a stretch of 1.01.",
             expected="The round one has the largest R² and the smallest stretch of the rubber.",
             runs=extension_runs,
             judge=judge,

@@ -59,9 +59,9 @@ def judge_radius(found: Found) -> Judgement:
         found=f"Curvature at {SECTION_PRESSURE:g} kPa for radii of {', '.join(f'{each:g}' for each in RADII)} mm: "
         + "; ".join(told)
         + ".",
-        conditions=f"The curvature rises with the radius with {' and '.join(right) or 'none'}. A section that is scaled "
-        "as a whole, walls included, bends in inverse proportion to its size at the same pressure: it is the wall over "
-        "the radius that bends further, not the radius.",
+        conditions=f"The curvature rises with the radius with {' and '.join(right) or 'none'}. A section that is "
+        "scaled as a whole, walls included, bends in inverse proportion to its size at the same pressure: it is the "
+        "wall over the radius that bends further, not the radius.",
     )
 
 
@@ -138,8 +138,8 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Radius of the chamber",
-            setup=f"{BENDER}; radii of 6 to 12 mm, walls and base of 2 mm or of a quarter of the radius; curvature at 20 "
-            "kPa, to which the angle of a length is proportional.",
+            setup=f"{BENDER}; radii of 6 to 12 mm, walls and base of 2 mm or of a quarter of the radius; curvature "
+            "at 20 kPa, to which the angle of a length is proportional.",
             expected="The curvature rises with every step to a larger radius.",
             runs=radius_runs,
             judge=judge_radius,
@@ -148,8 +148,8 @@ GUIDELINE = Guideline(
         Study(
             title="Length of whole benders",
             setup="Whole half-round benders in hoops, chamber radius 8 mm, wall and base 2 mm, Elastosil M4601 "
-            "(neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across on the flat side, end walls of 5 mm, one "
-            "end held; lengths of 40, 60 and 80 mm; bending angle at 10 kPa.",
+            "(neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across on the flat side, end walls of 5 "
+            "mm, one end held; lengths of 40, 60 and 80 mm; bending angle at 10 kPa.",
             expected="The angle rises with every step to a larger length.",
             runs=length_runs,
             judge=judge_length,

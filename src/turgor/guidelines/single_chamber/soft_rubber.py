@@ -88,8 +88,8 @@ def judge_stress(found: Found) -> Judgement:
     verdict = Verdict.CONFIRMED if less and at_pressure else Verdict.CONDITIONAL if less or at_pressure else None
     return Judgement(
         verdict=verdict if further and verdict else Verdict.NOT_REPRODUCED,
-        found=f"{', '.join(found)}: extension {listed(moves)} and von Mises stress (99 % of the volume) {listed(pressed)} "
-        f"at {PRESSURE:g} kPa; stress {listed(equal)} at an extension of {EXTENSION / mm:g} mm.",
+        found=f"{', '.join(found)}: extension {listed(moves)} and von Mises stress (99 % of the volume) "
+        f"{listed(pressed)} at {PRESSURE:g} kPa; stress {listed(equal)} at an extension of {EXTENSION / mm:g} mm.",
         conditions=f"At equal extension the softest has {equal[0].number / equal[-1].number:.0%} of the stress of the "
         f"hardest; at equal pressure it has {pressed[0].number / pressed[-1].number:.0%}: "
         + (
@@ -151,16 +151,17 @@ def force_panels(found: Found) -> tuple[Panel, ...]:
 
 GUIDELINE = Guideline(
     key="7.1-1",
-    rule="Silicone rubber of lower hardness bends very far at low pressure, with lower von Mises stress; its tip pushes "
-    "with less force, because it bears less pressure.",
+    rule="Silicone rubber of lower hardness bends very far at low pressure, with lower von Mises stress; its tip "
+    "pushes with less force, because it bears less pressure.",
     sources=("Elsayed et al. 2014", "Galloway et al. 2013", "Qin et al. 2018"),
     families=("semicircular_bender", "fiber_reinforced_bender", "extending_cylinder", "omnidirectional_actuator"),
     studies=(
         Study(
             title="Stroke and stress of four rubbers",
-            setup="Whole tube (inner radius 6.35 mm, wall 2 mm, 60 mm long, caps of 5 mm, one end held), axisymmetric, in "
-            "hoops of Kevlar thread every 2 mm; Ecoflex 00-30, Dragon Skin 10, Elastosil M4601, Smooth-Sil 950 (records "
-            "of Polygerinos et al., neo-Hookean); extension and von Mises stress up to 0.2 times the shear modulus.",
+            setup="Whole tube (inner radius 6.35 mm, wall 2 mm, 60 mm long, caps of 5 mm, one end held), "
+            "axisymmetric, in hoops of Kevlar thread every 2 mm; Ecoflex 00-30, Dragon Skin 10, Elastosil M4601, "
+            "Smooth-Sil 950 (records of Polygerinos et al., neo-Hookean); extension and von Mises stress up to 0.2 "
+            "times the shear modulus.",
             expected="A softer rubber extends further at 2.5 kPa, with less stress there and at 3 mm of extension.",
             runs=extension_runs,
             judge=judge_stress,
@@ -168,9 +169,9 @@ GUIDELINE = Guideline(
         ),
         Study(
             title="Bending and force of four rubbers",
-            setup="Section of a long half-round bender (chamber radius 8 mm, wall and base 2 mm) in hoops of Kevlar thread "
-            "every 2 mm, fabric of 650 N/mm along and across on the flat side; the same rubbers; curvature, and moment "
-            "that holds it straight, at 2.5 kPa and where the rubber is stretched by 1.5.",
+            setup="Section of a long half-round bender (chamber radius 8 mm, wall and base 2 mm) in hoops of Kevlar "
+            "thread every 2 mm, fabric of 650 N/mm along and across on the flat side; the same rubbers; curvature, "
+            "and moment that holds it straight, at 2.5 kPa and where the rubber is stretched by 1.5.",
             expected="A softer rubber bends further at 2.5 kPa, and its moment at a stretch of 1.5 is smaller.",
             runs=bending_runs,
             judge=judge_force,

@@ -144,8 +144,8 @@ EXTENDERS = Study(
 
 BENDERS = Study(
     title="Wall of a half-round bender",
-    setup=f"{BENDER}; walls of 3, 2 and 1.5 mm around a chamber of 8 mm radius, or inside an outer radius of 10 mm, base "
-    "of 2 mm; curvature at 20 kPa.",
+    setup=f"{BENDER}; walls of 3, 2 and 1.5 mm around a chamber of 8 mm radius, or inside an outer radius of 10 mm, "
+    "base of 2 mm; curvature at 20 kPa.",
     expected="The curvature rises with every step to a thinner wall.",
     runs=bender_runs,
     judge=judge_benders,

@@ -65,11 +65,11 @@ def judge(found: Found) -> Judgement:
             f"{name}: {back[name]} to the round side, straight again at {turn[name]:.1f} kPa" for name in both
         )
         + (f". Only to the flat side: {', '.join(never)}." if never else "."),
-        conditions=f"Two directions were seen {'only bare' if set(both) <= bare else 'bare and in hoops'}: without hoops "
-        "bending begins with the square of the pressure, and the term of first order that the fabric adds is small and "
-        "of the other sign. A thicker base lowers the threshold. The way back is short: "
-        f"{max((each.number for each in back.values()), default=0.0):.2g} 1/m against {largest:.2g} 1/m at the end. The "
-        "threshold of the rule was seen on balloons of two layers; this is another actuator.",
+        conditions=f"Two directions were seen {'only bare' if set(both) <= bare else 'bare and in hoops'}: without "
+        "hoops bending begins with the square of the pressure, and the term of first order that the fabric adds is "
+        "small and of the other sign. A thicker base lowers the threshold. The way back is short: "
+        f"{max((each.number for each in back.values()), default=0.0):.2g} 1/m against {largest:.2g} 1/m at the end. "
+        "The threshold of the rule was seen on balloons of two layers; this is another actuator.",
     )
 
 

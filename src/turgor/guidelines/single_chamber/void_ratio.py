@@ -136,10 +136,11 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Width of a rectangular void",
-            setup="Section of a long rectangular bender, void 8 mm high and 5 to 25 mm wide, walls of 2 mm, Elastosil M4601 "
-            "(neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across below; bare or in hoops of Kevlar thread "
-            "every 2 mm; held straight. Force of a tip that is held across, 1.5 times the moment over the length, for a "
-            "length of 100 mm or a plan area of 1000 mm², at 12 kPa or where the rubber is stretched by 1.4.",
+            setup="Section of a long rectangular bender, void 8 mm high and 5 to 25 mm wide, walls of 2 mm, "
+            "Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across below; bare or in "
+            "hoops of Kevlar thread every 2 mm; held straight. Force of a tip that is held across, 1.5 times the "
+            "moment over the length, for a length of 100 mm or a plan area of 1000 mm², at 12 kPa or where the "
+            "rubber is stretched by 1.4.",
             expected="The force is largest at a ratio between 8 and 12.5.",
             runs=runs,
             judge=judge,

@@ -97,9 +97,9 @@ def judge(found: Found) -> Judgement:
         + ("stand in order. " if holds else "do not stand in order. ")
         + (
             f"Records of different groups need not: {worst[0]} needs "
-            f"{pressures[worst[0]].number / pressures[worst[1]].number:.1f} times the pressure of the harder {worst[1]}. "
-            "The modulus of the record decides, and one hardness stands for moduli that differ by more than neighboring "
-            "hardnesses do."
+            f"{pressures[worst[0]].number / pressures[worst[1]].number:.1f} times the pressure of the harder "
+            f"{worst[1]}. The modulus of the record decides, and one hardness stands for moduli that differ by more "
+            "than neighboring hardnesses do."
             if worst
             else "All records agree."
         ),

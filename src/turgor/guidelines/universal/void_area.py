@@ -73,9 +73,9 @@ def judge(found: Found) -> Judgement:
     return Judgement(
         verdict=verdict,
         found=f"Curvature at {PRESSURE:g} kPa in one of three chambers: {'; '.join(told)}.",
-        conditions=f"A void {(DIAMETERS[-1] / DIAMETERS[0]) ** 2:.1f} times as large bends {first:.3g} times as far where "
-        f"the chambers' axes stay and the wall becomes thinner, {second:.3g} times where the wall of {WALL:g} mm stays: "
-        "the wall carries most of the effect of the area.",
+        conditions=f"A void {(DIAMETERS[-1] / DIAMETERS[0]) ** 2:.1f} times as large bends {second:.3g} times as "
+        f"far where the wall of {WALL:g} mm outside it stays, and {first:.3g} times where the chambers' axes stay "
+        "and this wall becomes thinner: a larger void mostly means a thinner wall, and both add up.",
     )
 
 
@@ -107,8 +107,8 @@ GUIDELINE = Guideline(
         Study(
             title="Diameter of three round chambers",
             setup="Section of a long cylinder of 12.5 mm radius with three round chambers of 5 to 9 mm diameter, "
-            "Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa), one chamber under pressure; axes of the chambers at 6.5 mm, "
-            "or 1.5 mm of wall outside them; curvature at 15 kPa.",
+            "Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa), one chamber under pressure; axes of the chambers at 6.5 "
+            "mm, or 1.5 mm of wall outside them; curvature at 15 kPa.",
             expected="The curvature rises with every step to a larger area.",
             runs=runs,
             judge=judge,

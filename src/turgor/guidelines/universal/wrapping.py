@@ -25,8 +25,8 @@ def judge_density(found: Found) -> Judgement:
         found="From no hoops to one every 2 mm the extension changes "
         + ", ".join(f"{each:.2f} times at {pressure:g} kPa" for pressure, each in ratio.items())
         + f", the injected volume {max(volumes) / min(volumes):.2f} times at {density.PRESSURE:g} kPa.",
-        conditions="The impact on the stroke is largest at small pressure; near the limit point the bare tube catches up, "
-        "and the impact is one on the volume.",
+        conditions="The impact on the stroke is largest at small pressure; near the limit point the bare tube "
+        "catches up, and the impact is one on the volume.",
     )
 
 
@@ -43,8 +43,8 @@ def judge_angle(found: Found) -> Judgement:
     return Judgement(
         verdict=Verdict.CONFIRMED if high else Verdict.NOT_REPRODUCED,
         found=f"Over the angles of a single helix at {single_wrap.PRESSURES[-1]:g} kPa, the stretch goes from "
-        f"{min(stretch):.4f} to {max(stretch):.4f}, the outer radius from {min(wide):.3f} to {max(wide):.3f} times, the "
-        f"twist from 0 to {max(abs(each) for each in twist) / deg * mm:.3g} deg/mm.",
+        f"{min(stretch):.4f} to {max(stretch):.4f}, the outer radius from {min(wide):.3f} to {max(wide):.3f} times, "
+        f"the twist from 0 to {max(abs(each) for each in twist) / deg * mm:.3g} deg/mm.",
         conditions=f"{'Some angles shorten the tube' if signs else 'No angle shortens the tube'} at full pressure; at "
         f"{single_wrap.PRESSURES[0]:g} kPa the stretch goes from {min(small):.4f} to {max(small):.4f}.",
     )
