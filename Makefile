@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification actuators gallery reference docs dist bench robustness fuzz truth fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators gallery reference docs dist bench robustness fuzz truth guidelines fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -33,6 +33,7 @@ help:
 	@echo "make fuzz          thousands of damaged files (half an hour of one core); make test tries some hundred"
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
 	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
+	@echo "make guidelines    run the guidelines of the literature (an hour of two cores); renews docs/guidelines.md"
 	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
 	@echo "make lock          renew requirements/*.lock from pyproject.toml (needs uv)"
 	@echo "make clean         remove .venv, caches and what was built"
@@ -87,6 +88,10 @@ fuzz: $(DEV)
 truth: $(RUN) requirements/truth.lock
 	$(PIP) install -r requirements/truth.lock
 	$(BIN)/python benchmarks/truth.py
+
+guidelines: $(DEV)
+	$(BIN)/turgor guidelines run --processes 2 --output runs/guidelines || true
+	$(BIN)/python docs/guidelines_page.py runs/guidelines
 
 fast: $(RUN) requirements/fast.lock
 	$(PIP) install -r requirements/fast.lock

@@ -34,6 +34,8 @@ ROOMS = (
     "adaptivity",
     "laboratory",
     "job",
+    "study",
+    "guidelines",
     "cli",
 )
 
@@ -160,7 +162,9 @@ def rooms() -> Figure:
     model = Box(x=50, y=middle, width=14, height=9, heading="Model", room="model")
     solution = Box(x=69.5, y=middle, width=14, height=9, heading="Solution", room="solvers")
     response = Box(x=91, y=middle, width=14, height=9, heading="Response", room="results")
-    study = Box(x=91, y=54.6, width=14, height=6, heading="Study", lines="does not exist yet", color=GRAY, dashed=True)
+    study = Box(x=90.5, y=54.6, width=17, height=6, lines="runs; guidelines/", room="study", color=AMBER)
+    measured = Box(x=70.5, y=54.6, width=18, height=6, lines="measured curves", room="laboratory", color=AMBER)
+    quick = Box(x=12, y=16.2, width=21, height=6.4, lines="quick models", room="formulas, rod, section", color=AMBER)
     engine = Box(x=69.5, y=26, width=27, height=7.4, lines="residual, tangent, factorization", room="engine",
                  color=AMBER)  # fmt: skip
     refine = Box(x=52, y=16.2, width=56, height=6.4, lines="mesh error of each measure; refinement where it comes from",
@@ -169,7 +173,23 @@ def rooms() -> Figure:
     command = Box(x=82, y=8, width=32, height=6.4, lines="one command for each function", room="cli", color=ROSE)
     base = Box(x=49.5, y=2, width=97, height=3.4, lines="foundation:   " + ",  ".join(FOUNDATION),
                color=GRAY)  # fmt: skip
-    for box in (test, material, geometry, mesh, model, solution, response, study, engine, refine, job, command, base):
+    for box in (
+        test,
+        material,
+        geometry,
+        mesh,
+        model,
+        solution,
+        response,
+        study,
+        measured,
+        quick,
+        engine,
+        refine,
+        job,
+        command,
+        base,
+    ):
         box.draw(axes)
     arrow(axes, test.at("right"), material.at("left"))
     arrow(axes, geometry.at("right"), mesh.at("left"))
@@ -177,7 +197,8 @@ def rooms() -> Figure:
     arrow(axes, mesh.at("right"), model.at("left", -2), bend="arc3,rad=0.22")
     arrow(axes, model.at("right"), solution.at("left"))
     arrow(axes, solution.at("right"), response.at("left"))
-    arrow(axes, response.at("top"), study.at("bottom"), dashed=True)
+    arrow(axes, response.at("top"), study.at("bottom", 0.5))
+    arrow(axes, measured.at("bottom", 4), response.at("top", -4))
     arrow(axes, engine.at("top"), solution.at("bottom"), both=True)
     arrow(axes, response.at("bottom"), refine.at("right"), bend="angle,angleA=-90,angleB=0,rad=9")
     arrow(axes, refine.at("left", 0), mesh.at("bottom", -5), bend="angle,angleA=180,angleB=-90,rad=9")

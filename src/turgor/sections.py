@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from turgor.geometry.shapes.sections import polygon as polygon
     from turgor.geometry.shapes.sections import rectangle as rectangle
     from turgor.section.cut import cut as cut
+    from turgor.section.rod_section import rod_section as rod_section
     from turgor.section.section import Section as Section
     from turgor.section.sketch import Sketch as Sketch
     from turgor.section.solution import SectionError as SectionError

@@ -1,5 +1,23 @@
 """Guidelines: the design rules of the review by Xavier, Fleming and Yong (2021), each run and judged.
 
-Every module below holds one rule as a `Guideline`: what is claimed, what is computed to test it, and how the numbers
-are judged. The studies are written as a user would write them, with the public names only.
+Every module of the folders below holds one rule as a `Guideline`: what is claimed, what is computed to test it, and how
+the numbers are judged. The studies are written as a user would write them, with the public names only.
 """
+
+from typing import TYPE_CHECKING
+
+from turgor._lazy import public
+
+if TYPE_CHECKING:
+    from turgor.guidelines.catalog import chosen as chosen
+    from turgor.guidelines.guideline import Guideline as Guideline
+    from turgor.guidelines.guideline import Judgement as Judgement
+    from turgor.guidelines.guideline import Study as Study
+    from turgor.guidelines.guideline import Verdict as Verdict
+    from turgor.guidelines.judge import run_guidelines as run_guidelines
+    from turgor.results.plots.study_figure import Line as Line
+    from turgor.results.plots.study_figure import Panel as Panel
+    from turgor.study.runs import Computed as Computed
+    from turgor.study.runs import Run as Run
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

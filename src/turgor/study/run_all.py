@@ -121,5 +121,5 @@ def _compute(run: Run, folder: Path) -> str:
         return str(error)
     except Exception:  # what a study's own function does is not known here; the others go on
         return traceback.format_exc().strip()
-    keep(run, replace(found, seconds=process_time() - begun), folder)
+    keep(run, replace(found, seconds=found.seconds or process_time() - begun), folder)
     return ""

@@ -29,7 +29,7 @@ class Computed:
     picture : bytes
         Picture as PNG; empty where none was drawn.
     seconds : float [s]
-        CPU time of the run; set by `run_all`.
+        CPU time; `run_all` sets it, unless the function has timed a part of itself.
     """
 
     response: Response
@@ -59,7 +59,7 @@ class Run:
     --------
     >>> from turgor.study.runs import Computed, Run
     >>> Run(name="two", function=Computed, values={"seconds": 2.0}).key
-    '9d8d0e4a0b'
+    'c21755ea1c'
     """
 
     name: str

@@ -16,7 +16,7 @@ LENGTH, PRESSURE = 59 * mm, 14 * kPa
 def bend(chambers: int, size: float) -> Computed:
     """Bend a fast PneuNet of so many chambers with cells of a size [mm]."""
     solution = tg.solve(pneunet(tg.FastPneuNet(**WALLS, chambers=chambers, length=LENGTH), size, PRESSURE), throw=False)
-    return Computed(response=tg.measure(solution, tg.bending_angle), picture=picture_of(solution))
+    return Computed(response=tg.measure(solution, tg.bending_angle), picture=picture_of(solution, limit=200 * kPa))
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:

@@ -1,6 +1,7 @@
 """Pictures of states: the whole actuator at true scale, colored by von Mises stress or contact pressure, as PNG."""
 
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from matplotlib.image import imsave
 from matplotlib.lines import Line2D
 from matplotlib.transforms import IdentityTransform
 from numpy.typing import NDArray
@@ -126,9 +128,34 @@ def state_figure(
     -------
     matplotlib.figure.Figure
     """
-    at = _fields(state)
-    shown = [at] if ghost is None else [at, _fields(ghost)]
+    shown = [_fields(state)] if ghost is None else [_fields(state), _fields(ghost)]
     view = view or shared_view(shown)
+    return _compose(_rendered(shown, view), view, title)
+
+
+def bare_picture(state: State | StateFields, view: View) -> bytes:
+    """Draw a state as `state_figure` does, but the actuator alone, without title, color bar and axes.
+
+    Parameters
+    ----------
+    state : State or StateFields
+        What to draw.
+    view : View
+        Direction, scale and colors, see `shared_view`.
+
+    Returns
+    -------
+    bytes
+        A PNG file.
+    """
+    stream = BytesIO()
+    imsave(stream, _rendered([_fields(state)], view), format="png")
+    return stream.getvalue()
+
+
+def _rendered(shown: Sequence[StateFields], view: View) -> NDArray[np.uint8]:
+    """Image of the first of some states, with the outlines of the others."""
+    at = shown[0]
     extents = view.extents or extents_of(shown)
     touching = view.color_by == CONTACT_PRESSURE
     skins = [visible_skin(each, np.zeros(len(each.points)) if touching else each.von_mises) for each in shown]
@@ -138,7 +165,7 @@ def state_figure(
         patches=pressed(visible_skin(at, at.contact_pressure), view.limit, view.eye) if touching else (),
     )
     colors = plain_rubber() if touching else None
-    return _compose(render(skins, view, colors, beside), view, title)
+    return render(skins, view, colors, beside)
 
 
 def picture_title(response: Response, row: int = -1, name: str = "") -> str:

@@ -1,0 +1,37 @@
+"""Write docs/guidelines.md and its figures from the runs that `turgor guidelines run` has kept.
+
+Call it as ``python docs/guidelines_page.py FOLDER``, with the folder that was given as ``--output``; `make guidelines`
+runs all guidelines and calls it.
+"""
+
+import sys
+from pathlib import Path
+
+from turgor.guidelines.catalog import guidelines
+from turgor.guidelines.judge import judged
+from turgor.guidelines.page import MARKDOWN, write_markdown
+
+DOCS = Path(__file__).parent
+
+HEAD = """# Guidelines, run and judged
+
+The design guidelines of Xavier, Fleming and Yong (2021),
+[doi 10.1002/aisy.202000187](https://doi.org/10.1002/aisy.202000187), sections 7.0 to 7.4, and claims of its sections 5,
+6.2 and 8.1. Each was computed with the quick setting of `turgor guidelines run`; ± is the estimated mesh error. A
+verdict holds for the actuators, rubbers and pressures that are named, no further. The page is written by
+`make guidelines`; [how to run one yourself](howto/guidelines.md).
+
+"""
+
+
+def main(folder: Path) -> None:
+    """Judge all guidelines and write the page."""
+    found = tuple(judged(each, folder / "runs") for each in guidelines().values())
+    page = write_markdown(found, DOCS, "images/guidelines")
+    page.write_text(HEAD + page.read_text(encoding="utf-8"), encoding="utf-8")
+    seconds = sum(study.seconds for each in found for study in each.studies)
+    print(f"{DOCS / MARKDOWN}: {len(found)} guidelines, {seconds / 60:.0f} CPU minutes")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
