@@ -40,7 +40,12 @@ def bend_thick(ratio: float, hooped: bool, size: float) -> Computed:
     return _bend(shape, {"body": elastosil()}, hooped, size)
 
 
-def _bend(shape: object, materials: dict[str, tg.Material], hooped: bool, size: float) -> Computed:
+def _bend(
+    shape: tg.actuators.TwoMaterialBender | tg.actuators.EccentricBender,
+    materials: dict[str, tg.Material],
+    hooped: bool,
+    size: float,
+) -> Computed:
     def solve(cell: float) -> tg.sections.SectionSolution:
         section = tg.Section(shape, materials, reinforcements=[threads()] if hooped else [], size=cell)
         return section.solve(np.linspace(0, PRESSURE * kPa, 11), throw=False)
