@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from io import BytesIO
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,9 @@ PANEL_WIDTH, PANEL_HEIGHT, PICTURE_HEIGHT = 4.2, 3.2, 2.0
 
 #: Pictures of one row.
 MOST_PICTURES = 5
+
+#: Letters of one line above a picture.
+TITLE_LETTERS = 18
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -94,7 +98,7 @@ def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] 
         for axes, (name, png) in zip(row.subplots(1, len(shown), squeeze=False)[0], shown, strict=True):
             axes.imshow(imread(BytesIO(png), format="png"))
             axes.set_axis_off()
-            axes.set_title(name, color=INK, fontsize=9)
+            axes.set_title(fill(name, TITLE_LETTERS), color=INK, fontsize=9)
     return figure
 
 

@@ -1,0 +1,12 @@
+"""Guideline 7.0-1: thinner walls deform more at lower pressure."""
+
+from turgor.guidelines.guideline import Guideline
+from turgor.guidelines.single_chamber import thin_walls
+
+GUIDELINE = Guideline(
+    key="7.0-1",
+    rule="Wall thickness has a strong influence on every soft actuator: thinner walls deform more at lower pressure.",
+    sources=("Xavier, Fleming and Yong 2021",),
+    families=thin_walls.GUIDELINE.families,
+    studies=(thin_walls.EXTENDERS, thin_walls.BENDERS),
+)
