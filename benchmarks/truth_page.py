@@ -52,7 +52,7 @@ hexahedra of 3, 2, 1.5 and 1.25 mm with one cell through a wall give 6.553°, 6.
 6.60° if the error is in proportion to the size of the cells. One chamber of 10 mm shows how far that is from the
 limit: the tip moves by 0.12258 mm with cells of 0.2 mm and 0.12280 mm with 0.1 mm, which leads to 0.1230 mm; elements
 of order three, four and five on cells of 2.5 mm give 0.11881, 0.12055 and 0.12145 mm, which leads to 0.1229 mm. So
-these references are known to about 0.3 %, although third order alone is 0.5 % below them.
+these references are known to about 0.3 %, although third order of the fast one is 0.5 % below.
 
 Layers of thin cells along the edges (`layers` of a case, each layer an eighth as thick as the next one) come nearer
 to that limit with fewer unknowns, because cells stay long along the edge. On that chamber, third order on cells of
