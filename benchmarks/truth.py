@@ -75,7 +75,7 @@ def witnesses(case: Case) -> tuple[tuple[str, str], tuple[str, str]]:
         return ("hexahedra", "quarter"), refined
     if case.touches:
         return refined, ("hexahedra", "refined")
-    hexahedra = ("hexahedra", GRADED if case.graded else "half")
+    hexahedra = ("hexahedra", GRADED if case.graded else case.confirmed)
     return (third, hexahedra) if case.first == "third order" else (hexahedra, third)
 
 

@@ -51,6 +51,8 @@ class Case:
         Whether the rims of held faces and of borders between regions get such layers too.
     graded : (float, float) or None [mm]
         Where sharp edges decide the error: size of hexahedra, and length of those beside the edges, for the reference.
+    confirmed : str
+        Step of the hexahedra that confirm the third order where none are graded.
     first : str
         Whose values are the reference: of the third order, of hexahedra, or the mean of both discretizations.
     """
@@ -72,6 +74,7 @@ class Case:
     layers: int = 0
     layered_rims: bool = False
     graded: tuple[float, float] | None = None
+    confirmed: str = "half"
     first: str = "third order"
 
     @property

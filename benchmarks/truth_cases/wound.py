@@ -56,6 +56,7 @@ CASES = (
         ),
         third_order_size=5.0,
         layers=1,
+        confirmed="double",
         bisections=(),
     ),
     Case(
