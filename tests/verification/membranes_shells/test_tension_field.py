@@ -121,8 +121,9 @@ def test_a_stiff_film_does_not_stop_the_path(record_verification):
     """A chamber of 8 × 8 mm in Ecoflex above a film of 0.5 mm and 4.1 GPa, as in Moseley et al. 2016, up to 30 kPa.
 
     The film is 20,000 times as stiff as the rubber of one edge. As a membrane it wrinkles from 3 kPa on: modes become
-    unstable, and half a thousand iterations end at 15 kPa. As a tension field it takes 57 iterations, where 97 were
-    needed if it is linearized about its strain alone. The reference is the angle with a toe of 1e-4, a hundredth of
+    unstable, and half a thousand iterations end at 15 kPa. As a tension field it takes 45 iterations, where 97 were
+    needed if it is linearized about its strain alone, and 68 if its stress and strain
+    start from a quartic. The reference is the angle with a toe of 1e-4, a hundredth of
     the usual one. Tolerance: 2 % for the longer toe.
     """
     walls = dict.fromkeys(("wall", "side_wall", "top_wall", "end_wall"), 7 * mm)
@@ -143,4 +144,4 @@ def test_a_stiff_film_does_not_stop_the_path(record_verification):
         tolerance="2 %",
     )
     assert angle == pytest.approx(2.169, rel=0.02)
-    assert sum(step.iterations for step in solution.steps) < 80
+    assert sum(step.iterations for step in solution.steps) < 60
