@@ -6,7 +6,7 @@ from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, St
 from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor.guidelines.single_chamber.shapes import bend_on_plate
-from turgor.guidelines.values import last, listed, rises
+from turgor.guidelines.values import largest, last, listed, rises
 from turgor.results.plots.study_figure import Line, Panel
 from turgor.study.runs import Computed, Run
 from turgor.units import kPa, mm
@@ -51,7 +51,8 @@ def judge_radius(found: Found) -> Judgement:
         bends = [last(found[name].response, "curvature_y") for name in names]
         good[group] = rises(bends)
         told.append(f"{group}: {listed(bends)}")
-        grown.append(f"{bends[-1].number / bends[0].number:.2f} times as large ({group})")
+        more = bends[-1].number / bends[0].number
+        grown.append(f"{more:.2f} times as large, most at {RADII[largest(bends)]:g} mm ({group})")
     right = [group for group, each in good.items() if each]
     verdict = Verdict.CONFIRMED if len(right) == len(good) else Verdict.CONDITIONAL
     return Judgement(
