@@ -5,37 +5,36 @@ from turgor.guidelines.drawn import picture_of
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
 from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
-from turgor.guidelines.values import last, listed, rises
+from turgor.guidelines.single_chamber.shapes import bend_on_plate
+from turgor.guidelines.values import largest, last, listed, rises
 from turgor.results.plots.study_figure import Line, Panel
 from turgor.study.runs import Computed, Run
 from turgor.units import kPa, mm
 
 #: Radii of the chamber [mm], lengths of whole benders [mm], pressures of both [kPa].
-RADII, LENGTHS, SECTION_PRESSURE, WHOLE_PRESSURE = (6.0, 8.0, 10.0, 12.0), (40.0, 60.0, 80.0), 20.0, 10.0
+RADII, LENGTHS, SECTION_PRESSURE, WHOLE_PRESSURE = (6.0, 8.0, 10.0, 12.0), (30.0, 40.0, 60.0), 20.0, 10.0
 
-#: Walls and base of 2 mm for all radii, or a quarter of the radius.
-KEPT, SCALED = "walls of 2 mm", "walls of a quarter radius"
+#: Walls and base of 2 mm for all radii, or a quarter of the radius; what is around it besides.
+KEPT, SCALED, FLAT = "walls of 2 mm", "walls of a quarter radius", "hoops and plate"
 
 
 def radius_runs(setting: Setting) -> tuple[Run, ...]:
-    """Sections of growing radius, bare and in hoops, whose walls stay or grow with them."""
+    """Sections of growing radius, bare, in hoops, and in hoops on a plate, whose walls stay or grow with them."""
     return tuple(
-        Run(
-            name=f"{around}, {walls}, radius {radius:g} mm",
-            function=bend,
-            values={
-                "radius": radius,
-                "wall": 2.0 if walls == KEPT else radius / 4,
-                "base": 2.0 if walls == KEPT else radius / 4,
-                "hooped": around == HOOPED,
-                "pressure": SECTION_PRESSURE,
-                "size": cells(setting) * (1.0 if walls == KEPT else radius / 8),
-            },
-        )
-        for around in (BARE, HOOPED)
+        _radius_run(around, walls, radius, cells(setting))
+        for around in (BARE, HOOPED, FLAT)
         for walls in (KEPT, SCALED)
         for radius in RADII
     )
+
+
+def _radius_run(around: str, walls: str, radius: float, cell: float) -> Run:
+    wall = 2.0 if walls == KEPT else radius / 4
+    values = {"radius": radius, "wall": wall, "pressure": SECTION_PRESSURE, "size": cell * wall / 2.0}
+    name = f"{around}, {walls}, radius {radius:g} mm"
+    if around == FLAT:
+        return Run(name=name, function=bend_on_plate, values=values | {"size": 1.5 * values["size"]})
+    return Run(name=name, function=bend, values=values | {"base": wall, "hooped": around == HOOPED})
 
 
 def _groups(found: Found) -> dict[str, list[str]]:
@@ -47,11 +46,13 @@ def _groups(found: Found) -> dict[str, list[str]]:
 
 def judge_radius(found: Found) -> Judgement:
     """Larger radius, larger curvature, in each of four ways."""
-    told, good = [], {}
+    told, grown, good = [], [], {}
     for group, names in _groups(found).items():
         bends = [last(found[name].response, "curvature_y") for name in names]
         good[group] = rises(bends)
         told.append(f"{group}: {listed(bends)}")
+        more = bends[-1].number / bends[0].number
+        grown.append(f"{more:.2f} times as large, most at {RADII[largest(bends)]:g} mm ({group})")
     right = [group for group, each in good.items() if each]
     verdict = Verdict.CONFIRMED if len(right) == len(good) else Verdict.CONDITIONAL
     return Judgement(
@@ -59,19 +60,20 @@ def judge_radius(found: Found) -> Judgement:
         found=f"Curvature at {SECTION_PRESSURE:g} kPa for radii of {', '.join(f'{each:g}' for each in RADII)} mm: "
         + "; ".join(told)
         + ".",
-        conditions=f"The curvature rises with the radius with {' and '.join(right) or 'none'}. A section that is "
-        "scaled as a whole, walls included, bends in inverse proportion to its size at the same pressure: it is the "
-        "wall over the radius that bends further, not the radius.",
+        conditions=f"The curvature rises with the radius with {' and '.join(right) or 'none of them'}. From "
+        f"{RADII[0]:g} to {RADII[-1]:g} mm it becomes {'; '.join(grown)}. Sections that are scaled in all their "
+        "parts bend in inverse proportion to their size at the same pressure, so that the wall must become thinner "
+        "relative to the radius for a larger one to bend further.",
     )
 
 
 def radius_panels(found: Found) -> tuple[Panel, ...]:
     """Curvature against the radius, bare and in hoops."""
     drawn = []
-    for around in (BARE, HOOPED):
+    for around in (BARE, HOOPED, FLAT):
         lines = []
         for group, names in _groups(found).items():
-            if group.startswith(around):
+            if group.partition(", ")[0] == around:
                 bends = [last(found[name].response, "curvature_y") for name in names]
                 error = [each.error for each in bends]
                 label = group.partition(", ")[2]
@@ -138,8 +140,9 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Radius of the chamber",
-            setup=f"{BENDER}; radii of 6 to 12 mm, walls and base of 2 mm or of a quarter of the radius; curvature "
-            "at 20 kPa, to which the angle of a length is proportional.",
+            setup=f"{BENDER}; radii of 6 to 12 mm, walls and base of 2 mm or of a quarter of the radius; or without "
+            "fabric, in hoops, with the lower half of the base as a plate (C10 = 50 MPa), which stays flat; "
+            "curvature at 20 kPa, to which the angle of a length is proportional.",
             expected="The curvature rises with every step to a larger radius.",
             runs=radius_runs,
             judge=judge_radius,
@@ -149,7 +152,7 @@ GUIDELINE = Guideline(
             title="Length of whole benders",
             setup="Whole half-round benders in hoops, chamber radius 8 mm, wall and base 2 mm, Elastosil M4601 "
             "(neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across on the flat side, end walls of 5 "
-            "mm, one end held; lengths of 40, 60 and 80 mm; bending angle at 10 kPa.",
+            "mm, one end held; lengths of 30, 40 and 60 mm; bending angle at 10 kPa.",
             expected="The angle rises with every step to a larger length.",
             runs=length_runs,
             judge=judge_length,

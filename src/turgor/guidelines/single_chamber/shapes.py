@@ -55,12 +55,30 @@ def outlines(shape: str) -> tuple[Outline, Outline]:
         up = (radius + WALL) * mm
         return outer.moved(z=up).cut_y(), inner.moved(z=up).cut_y()
     if shape == HALF:
-        radius = sqrt(2 * AREA / pi)
-        tall = disc((radius + WALL) * mm).moved(z=WALL * mm).cut_z(0.0)
-        return tall.cut_y(), half_disc(radius * mm).moved(z=WALL * mm).cut_y()
+        return half_round(sqrt(2 * AREA / pi), WALL)
     width, height = sqrt(AREA * RECTANGLES[shape]), sqrt(AREA / RECTANGLES[shape])
     outer = rectangle((0.0, (width / 2 + WALL) * mm), (0.0, (height + 2 * WALL) * mm))
     return outer, rectangle((0.0, width / 2 * mm), (WALL * mm, (WALL + height) * mm))
+
+
+def half_round(radius: float, wall: float) -> tuple[Outline, Outline]:
+    """Outer and inner outline of half of a half round with a chamber of a radius and a wall all around [mm]."""
+    tall = disc((radius + wall) * mm).moved(z=wall * mm).cut_z(0.0)
+    return tall.cut_y(), half_disc(radius * mm).moved(z=wall * mm).cut_y()
+
+
+def bend_on_plate(radius: float, wall: float, pressure: float, size: float) -> Computed:
+    """Bend a half round in hoops, the lower half of its base a plate, up to a pressure [kPa]."""
+    outer, inner = half_round(radius, wall)
+    sketch = Sketch(areas={"body": outer, "plate": outer.below_z(wall / 2 * mm), "cavity": inner}, mirrors="y")
+    stiff = tg.Material(name="plate", law=tg.laws.NeoHooke(C10=PLATE_C10 * MPa))
+
+    def solve(cell: float) -> tg.sections.SectionSolution:
+        materials = {"body": elastosil(), "plate": stiff}
+        section = tg.Section(sketch, materials, reinforcements=[threads()], size=cell)
+        return section.solve(np.linspace(0, pressure * kPa, 7), throw=False)
+
+    return solved_twice(solve, size * mm)
 
 
 def inflate(shape: str, hooped: bool, base: str, size: float) -> Computed:

@@ -1,8 +1,11 @@
 """Guideline 7.1-1: softer rubber bends further at low pressure with less stress, and pushes less at its tip."""
 
+from dataclasses import replace
+
 import numpy as np
 
 import turgor as tg
+from turgor.errors import TurgorError
 from turgor.guidelines.drawn import outline_of, picture_of
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
 from turgor.guidelines.parts import fabric, threads
@@ -51,7 +54,8 @@ def bend(rubber: str, size: float) -> Computed:
     """Bend a half-round section free and held straight, up to a pressure of twice the share of the modulus."""
     material = _rubber(rubber)
     pressures = np.linspace(0, 2 * LARGEST * material.law.shear_modulus, 13)
-    wound = [*fabric(), threads(("outside", "strain_limiting_layer"))]
+    # Rods, not threads that go slack: beside the softest rubber slack threads leave no path from rest.
+    wound = [*fabric(), replace(threads(("outside", "strain_limiting_layer")), compression=1.0)]
 
     def solve(cell: float) -> tuple[tg.Response, tg.sections.SectionSolution]:
         shape = tg.actuators.FiberReinforcedBender(skin=0.0)
@@ -107,6 +111,9 @@ def judge_force(found: Found) -> Judgement:
     moments = [at(each, "blocked_moment", "pressure", PRESSURE * kPa) for each in drives]
     usable = [_at_stretch(each, "pressure", 1 / kPa, "kPa") for each in drives]
     most = [_at_stretch(each, "blocked_moment", 1e3, "mNm") for each in drives]
+    short = [name for name, each in zip(found, most, strict=True) if not np.isfinite(each.number)]
+    if short:
+        raise TurgorError(f"the path of {', '.join(short)} ends before a stretch of {USABLE:g}.")
     further, weaker = falls(bends), most == sorted(most, key=lambda each: each.number)
     numbers = [1e3 * each.number for each in moments]
     return Judgement(
@@ -169,9 +176,9 @@ GUIDELINE = Guideline(
         ),
         Study(
             title="Bending and force of four rubbers",
-            setup="Section of a long half-round bender (chamber radius 8 mm, wall and base 2 mm) in hoops of Kevlar "
-            "thread every 2 mm, fabric of 650 N/mm along and across on the flat side; the same rubbers; curvature, "
-            "and moment that holds it straight, at 2.5 kPa and where the rubber is stretched by 1.5.",
+            setup="Section of a long half-round bender (chamber radius 8 mm, wall and base 2 mm) in hoops (rods) of "
+            "Kevlar thread every 2 mm, fabric of 650 N/mm along and across on the flat side; the same rubbers; "
+            "curvature, and moment that holds it straight, at 2.5 kPa and where the rubber is stretched by 1.5.",
             expected="A softer rubber bends further at 2.5 kPa, and its moment at a stretch of 1.5 is smaller.",
             runs=bending_runs,
             judge=judge_force,
