@@ -90,7 +90,7 @@ STUDY = Study(
 
 GUIDELINE = Guideline(
     key="6.2-1",
-    rule="A coarse mesh converges more easily than a very fine one, but it moves less and misses strong ballooning.",
+    rule="A coarse mesh results in less motion at the same pressure, and misses strong ballooning.",
     sources=("Tawk and Alici 2020", "Xavier et al. 2021"),
     families=("fiber_reinforced_bender",),
     studies=(STUDY,),

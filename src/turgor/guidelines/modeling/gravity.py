@@ -1,5 +1,7 @@
 """Claim 8.1-8: gravity changes where soft manipulators of several segments reach, because they are compliant."""
 
+from typing import Any
+
 import numpy as np
 
 import turgor as tg
@@ -31,19 +33,21 @@ def arm(rubber: str, pressure: float, slenderness: float, gravity: bool) -> Comp
     material = rubber_of(rubber)
     solid = rods.RodSection.from_geometry(rods.Round(radius=RADIUS * mm), material)
     chambers = [rods.RodChamber(name="low", area=50 * mm**2, offset=(0, -6 * mm))]
-    section = rods.RodSection(stiffness=solid.stiffness, mass_per_length=solid.mass_per_length, chambers=chambers)
+    section = rods.RodSection(
+        stiffness=solid.stiffness, mass_per_length=solid.mass_per_length, chambers=tuple(chambers)
+    )
     length = slenderness * 2 * RADIUS * mm
     joints = ["base", *(f"joint_{k}" for k in range(1, SEGMENTS)), "tip"]
     pieces = [
         rods.Rod(name=f"part_{k}", section=section, length=length, start=joints[k], end=joints[k + 1])
         for k in range(SEGMENTS)
     ]
-    loads = [
-        rods.ChamberPressure(chamber="low", rod=piece.name, pressure=pressure * kPa, history=[(0, 0), (0.2, 0), (1, 1)])
+    loads: list[Any] = [
+        rods.ChamberPressure(chamber="low", rod=piece.name, pressure=pressure * kPa, history=((0, 0), (0.2, 0), (1, 1)))
         for piece in pieces
     ]
     if gravity:
-        loads.append(tg.Gravity((0, 0, -1), history=[(0, 0), (0.2, 1), (1, 1)]))
+        loads.append(tg.Gravity((0, 0, -1), history=((0, 0), (0.2, 1), (1, 1))))
     plates = [rods.Plate(name="base", held="fixed"), *(rods.Plate(name=name) for name in joints[1:])]
     response = rods.static(rods.RodModel(rods=pieces, plates=plates, loads=loads), at=10).response()
     whole = SEGMENTS * length
@@ -74,7 +78,7 @@ def _apart(found: Found) -> dict[str, float]:
     out = {}
     for without, with_ in zip(names[::2], names[1::2], strict=True):
         tips = [[last(found[name].response, f"tip_{axis}").number for axis in "xz"] for name in (without, with_)]
-        out[without.rsplit(",", 1)[0]] = float(np.hypot(*np.subtract(*tips)))
+        out[without.rsplit(",", 1)[0]] = float(np.linalg.norm(np.subtract(tips[0], tips[1])))
     return out
 
 

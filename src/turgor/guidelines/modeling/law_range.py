@@ -3,6 +3,7 @@
 import numpy as np
 
 import turgor as tg
+from turgor.formulas.formula import law_of
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import rubber_of
@@ -28,13 +29,13 @@ RUBBERS = {
 
 def fitted(rubber: str, law: str) -> Computed:
     """Fit a law to uniaxial tension up to several strains; the largest relative error of the stress in each range."""
-    truth = rubber_of(rubber).law
+    truth = law_of(rubber_of(rubber))
     errors = []
     for strain in STRAINS:
         stretch = np.linspace(1, 1 + strain, 31)[1:]
         stress = tg.laws.curve(truth, "uniaxial", stretch).nominal_stress
         test = tg.experiments.MaterialTest(mode="uniaxial", stretch=stretch, nominal_stress=stress, name="a strip")
-        found = tg.fit(law, test).material.law
+        found = law_of(tg.fit(law, test).material)
         again = tg.laws.curve(found, "uniaxial", stretch).nominal_stress
         far = stretch > 1 + 0.1 * strain
         errors.append(float(np.abs(again / stress - 1)[far].max()))

@@ -79,13 +79,16 @@ def judge_published(found: Found) -> Judgement:
     """How far published constants of one rubber are from each other."""
     angles = _angles(found)
     low, high = min(angles, key=lambda n: angles[n].number), max(angles, key=lambda n: angles[n].number)
+    stretch = max(at(each.response, "largest_stretch", "pressure", PRESSURE * kPa).number for each in found.values())
     spread = angles[high].number / angles[low].number - 1
     return Judgement(
         verdict=Verdict.CONFIRMED if spread > SUBSTANTIAL else Verdict.NOT_REPRODUCED,
         found=f"{', '.join(found)}: {listed(list(angles.values()))} at {PRESSURE} kPa; {high} bends {spread:.0%} "
         f"further "
         f"than {low}",
-        conditions="The records whose constants were borrowed or whose law is unstable from the start are left out.",
+        conditions=f"The rubber is stretched {stretch:.2f} times at most there; the laws differ more at larger "
+        f"stretches. Records "
+        "with borrowed constants, and the one whose law is unstable from the start, are left out.",
     )
 
 

@@ -1,8 +1,11 @@
 """Claim 8.1-7: constants from uniaxial tests alone may not hold for what pressure does to a wall."""
 
+from typing import Literal
+
 import numpy as np
 
 import turgor as tg
+from turgor.formulas.formula import law_of
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import pressures_of, rubber_of
@@ -15,7 +18,10 @@ from turgor.units import kPa
 #: The rubber whose tests are made from a law, and the laws that are fitted to them.
 TRUTHS = {"Moseley": "ecoflex-00-30/ogden-moseley-2016", "Agarwal": "ecoflex-00-30/ogden-agarwal-2016"}
 LAWS = ("mooney-rivlin", "yeoh", "ogden-2")
-TESTS = {"uniaxial": ("uniaxial",), "uniaxial and equibiaxial": ("uniaxial", "equibiaxial")}
+TESTS: dict[str, tuple[Literal["uniaxial", "equibiaxial"], ...]] = {
+    "uniaxial": ("uniaxial",),
+    "uniaxial and equibiaxial": ("uniaxial", "equibiaxial"),
+}
 
 #: Stretch up to which the tests go, and stretch of the inner wall at which pressures are compared.
 UNTIL, AT = {"uniaxial": 4.0, "equibiaxial": 2.5}, 2.0
@@ -31,7 +37,7 @@ def predicted(truth: str, law: str, tests: str) -> Computed:
         made = []
         for mode in TESTS[tests]:
             stretch = np.linspace(1, UNTIL[mode], 31)[1:]
-            stress = tg.laws.curve(material.law, mode, stretch).nominal_stress
+            stress = tg.laws.curve(law_of(material), mode, stretch).nominal_stress
             made.append(tg.experiments.MaterialTest(mode=mode, stretch=stretch, nominal_stress=stress, name=mode))
         material = tg.fit(law, made).material
     else:

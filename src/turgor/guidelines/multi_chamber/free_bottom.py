@@ -33,7 +33,8 @@ def runs(setting: Setting) -> tuple[Run, ...]:
 
 def _gains(found: Found) -> dict[str, dict[str, float]]:
     """Relative gain over the conventional one by quantity and name."""
-    values: dict[str, dict[str, Value]] = {f"angle at {p} kPa": {} for p in PRESSURES} | {f"force at {PUSH} kPa": {}}
+    names = [*(f"angle at {p} kPa" for p in PRESSURES), f"force at {PUSH} kPa"]
+    values: dict[str, dict[str, Value]] = {name: {} for name in names}
     for name, each in found.items():
         if name.startswith("pushing, "):
             force = at(each.response, "blocked_force", "pressure", PUSH * kPa)

@@ -1,5 +1,7 @@
 """Guideline 7.4-2: slow PneuNets need more pressure and more air than fast ones; which dimension decides how much."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
@@ -22,17 +24,20 @@ PUBLISHED = {"pressure": 3.0, "volume": 8.0, "force": 1.4}
 NEAR = 1.5
 
 #: Dimensions that are changed [mm], in both kinds where both have them, and the rubber of the base.
-BOTH = {
+BOTH: Mapping[str, Mapping[str, float]] = {
     "floor and base 3 mm each": {"floor": 3, "base": 3, "height": 22},
     "height 13 mm": {"height": 13},
     "top and sides 3 mm": {"top_wall": 3, "side_wall": 3, "height": 20, "width": 22},
 }
-FAST = {"fast walls 2.25 mm": {"wall": 2.25}, "fast walls 3 mm": {"wall": 3}}
-SLOW = {"slow wall 2 mm": {"wall": 2}, "slow top 1.5 mm": {"top_wall": 1.5, "height": 18.5}}
+FAST: Mapping[str, Mapping[str, float]] = {"fast walls 2.25 mm": {"wall": 2.25}, "fast walls 3 mm": {"wall": 3}}
+SLOW: Mapping[str, Mapping[str, float]] = {
+    "slow wall 2 mm": {"wall": 2},
+    "slow top 1.5 mm": {"top_wall": 1.5, "height": 18.5},
+}
 STIFF = {"base": "smooth-sil-950/neo-hooke-polygerinos-2020"}
 
 
-def _run(name: str, kind: str, setting: Setting, changed: dict[str, float], **more: object) -> Run:
+def _run(name: str, kind: str, setting: Setting, changed: Mapping[str, float], **more: object) -> Run:
     count, _ = count_and_size(setting)
     family = "FastPneuNet" if kind == "fast" else "SlowPneuNet"
     values = {"given": pneunet(count, changed, family), "until": ANGLE * count} | more

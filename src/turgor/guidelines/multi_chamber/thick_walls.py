@@ -26,7 +26,7 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     )
 
 
-def _split(found: Found) -> tuple[list[float], dict[float, list[Value]], list[Value]]:
+def _split(found: Found) -> tuple[list[float], dict[int, list[Value]], list[Value]]:
     """Walls [mm], angles at each pressure, and forces."""
     bent = {name: each.response for name, each in found.items() if name.startswith("bent")}
     forces = [last(each.response, "blocked_force") for name, each in found.items() if name.startswith("pushing")]

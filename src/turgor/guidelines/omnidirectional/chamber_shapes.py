@@ -28,9 +28,9 @@ def judge(found: Found) -> Judgement:
     holds, told, seen = [], [], []
     for pressure in PRESSURES:
         angles, wide = read(found, "bending_angle", pressure), _ballooning(found, pressure)
-        each = {name: wide[name].number / angles[name].number for name in angles}
         most = max(angles, key=lambda name: angles[name].number)
-        least, least_each = (min(kind, key=kind.get) for kind in ({n: v.number for n, v in wide.items()}, each))
+        least = min(wide, key=lambda name: wide[name].number)
+        least_each = min(wide, key=lambda name: wide[name].number / angles[name].number)
         holds += [most == "ring sector", least.startswith("half"), least_each.startswith("half")]
         told += [f"at {pressure} kPa " + "; ".join(f"{n} {angles[n]}, {wide[n]} wider" for n in angles)]
         seen += [
