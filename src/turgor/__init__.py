@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from turgor import experiments as experiments
     from turgor import files as files
     from turgor import formulas as formulas
+    from turgor import guidelines as guidelines
     from turgor import jobs as jobs
     from turgor import laws as laws
     from turgor import loads as loads

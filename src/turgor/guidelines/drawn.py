@@ -52,5 +52,7 @@ def outline_of(solution: tg.sections.SectionSolution) -> bytes:
     figure = PlotFigure(figsize=(OUTLINE, OUTLINE))
     axes = plot_section(figure.subplots(), solution)
     axes.set_axis_off()
-    axes.get_legend().remove()
+    legend = axes.get_legend()
+    if legend is not None:
+        legend.remove()
     return png_of(figure, dpi=DPI)

@@ -38,9 +38,6 @@ class HelicalPneuNet:
         Angle by which the inner walls and gaps are turned from the y-z plane about z; positive where they reach
         further towards the tip at larger y. Small enough that the first and last chamber keep an inside: at
         the default length, 45 degrees take 8 chambers at most, 60 degrees 5, and more with ``end_extension``.
-    end_extension : float [m]
-        Length by which the first and the last chamber are longer than the others, along the middle. At the
-        default length 11 chambers take 45 degrees with 4 mm and 60 degrees with 12 mm.
     wall : float [m]
         Thickness of the walls that face each other across a gap.
     gap : float [m]
@@ -56,6 +53,9 @@ class HelicalPneuNet:
         Air channel that joins the chambers, along x on the floor in the middle.
     channel_wall : float [m]
         Thickness of the bridge around the channel in each gap, at its sides and above it.
+    end_extension : float [m]
+        Length by which the first and the last chamber are longer than the others, along the middle. At the
+        default length 11 chambers take 45 degrees with 4 mm and 60 degrees with 12 mm.
     clamp_length : float [m]
         Length of a solid block before the first chamber, held at its end and all around (``fixed``); 0 for none.
     inlet_diameter : float [m]
