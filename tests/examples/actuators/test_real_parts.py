@@ -4,11 +4,15 @@ The print has a mesh that differs from machine to machine, and an estimated mesh
 the tolerance.
 """
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from run_example import JOBS, at_the_end
 
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
+from turgor.solvers.solve import solve
 
 
 def angle(name: str) -> float:
@@ -29,3 +33,14 @@ def test_a_pneunet_bends_on_paper_that_wrinkles() -> None:
 def test_a_chamber_bends_above_a_stiff_film() -> None:
     """As in tests/verification/membranes_shells/test_tension_field.py, from its job."""
     assert angle("stiff_film") == pytest.approx(2.143, rel=0.005)
+
+
+@pytest.mark.slow
+def test_paper_wrinkles_while_the_tip_is_blocked(tmp_path: Path) -> None:
+    """The slow PneuNet on paper, its tip on a plate: 58 iterations."""
+    job = tmp_path / "job.toml"
+    text = (JOBS.parent / "film.toml").read_text(encoding="utf-8")
+    blocked = '[procedure]\ntype = "blocked_force"\n'
+    job.write_text(text[: text.index("[output]")] + blocked, encoding="utf-8")
+    read = read_job(job)
+    assert solve(prepare(read)[0], read.procedure).iterations < 90
