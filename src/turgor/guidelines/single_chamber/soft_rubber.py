@@ -124,7 +124,8 @@ def judge_force(found: Found) -> Judgement:
         conditions=f"The lower force is one of the pressure that the rubber bears, which differs by "
         f"{usable[-1].number / usable[0].number:.0f} times; at equal pressure the moments differ by "
         f"{max(numbers) / min(numbers):.2f} times only"
-        + (", and the softer rubber pushes harder." if numbers[0] > numbers[-1] else "."),
+        + (", and the softer rubber pushes harder." if numbers[0] > numbers[-1] else ".")
+        + ("" if further else " The curvatures at equal pressure do not stand in the order of the hardness."),
     )
 
 
