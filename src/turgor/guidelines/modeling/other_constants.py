@@ -86,9 +86,9 @@ def judge_published(found: Found) -> Judgement:
         found=f"{', '.join(found)}: {listed(list(angles.values()))} at {PRESSURE} kPa; {high} bends {spread:.0%} "
         f"further "
         f"than {low}",
-        conditions=f"The rubber is stretched {stretch:.2f} times at most there; the laws differ more at larger "
-        f"stretches. Records "
-        "with borrowed constants, and the one whose law is unstable from the start, are left out.",
+        conditions=f"The rubber is stretched {stretch:.2f} times at most there. Records with borrowed constants, "
+        f"and the one "
+        "whose law is unstable from the start, are left out.",
     )
 
 
