@@ -14,7 +14,10 @@ if TYPE_CHECKING:
     from turgor.guidelines.guideline import Judgement as Judgement
     from turgor.guidelines.guideline import Study as Study
     from turgor.guidelines.guideline import Verdict as Verdict
+    from turgor.guidelines.judge import judged as judged
     from turgor.guidelines.judge import run_guidelines as run_guidelines
+    from turgor.guidelines.page import write_markdown as write_markdown
+    from turgor.guidelines.page import write_page as write_page
     from turgor.results.plots.study_figure import Line as Line
     from turgor.results.plots.study_figure import Panel as Panel
     from turgor.study.runs import Computed as Computed
