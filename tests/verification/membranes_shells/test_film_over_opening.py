@@ -11,8 +11,8 @@ hole of a fiftieth of the radius in the middle. Tolerance: 1 % for the mesh, the
 
 A chamber of a CAD part that is open below and closed by a flat body of its own: the body as a solid of the film's
 moduli, or filled with rubber and a shell on its outside. Both bend alike. Tolerance: 8 % of the change of the volume,
-because the shell lies on the outside of the film and the solid in its middle, and a film of a quarter of a millimeter
-has one cell across (4.6 % measured).
+because the shell lies on the outside of the film and the solid in its middle, and the film of half a millimeter has one
+cell across (7.2 % measured).
 """
 
 import numpy as np
