@@ -103,7 +103,7 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Solid, membrane and shell of equal stiffness",
-            setup=f"Section of {WIDTH:g} x {HEIGHT:g} mm with a void of {VOID_WIDTH:g} x {VOID_HEIGHT:g} mm, its floor "
+            setup=f"Section of {WIDTH:g} x {HEIGHT:g} mm, void of {VOID_WIDTH:g} x {VOID_HEIGHT:g} mm, its floor "
             f"{FLOOR:g} mm thick, Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), below it a layer of 100 N/mm in its plane; "
             f"curvature up to {PRESSURES[-1]} kPa.",
             expected=f"All three within {SAME:.0%}.",

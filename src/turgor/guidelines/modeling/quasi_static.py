@@ -120,7 +120,7 @@ GUIDELINE = Guideline(
     studies=(
         Study(
             title="Ramps of the pressure, with damping and without",
-            setup=f"Cosserat rod of {LENGTH} mm, a tube of radius 8 mm and wall 2 mm of Elastosil M4601 (neo-Hooke, 0.12 "
+            setup=f"Cosserat rod of {LENGTH} mm, a tube of radius 8 mm, wall 2 mm, of Elastosil M4601 (neo-Hooke, 0.12 "
             f"MPa) with a chamber 3 mm off its axis, {PRESSURE} kPa in ramps of several first periods; Kelvin-Voigt "
             "damping of 2 % of the first vibration, or none.",
             expected=f"Below {NEAR:.0%} from the static path, and kinetic below {ENERGY:.0%} of strain energy, for "
