@@ -104,7 +104,7 @@ GUIDELINE = Guideline(
         Study(
             title="Solid, membrane and shell of equal stiffness",
             setup=f"Section of {WIDTH:g} x {HEIGHT:g} mm, void of {VOID_WIDTH:g} x {VOID_HEIGHT:g} mm, its floor "
-            f"{FLOOR:g} mm thick, Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), below it a layer of 100 N/mm in its plane; "
+            f"{FLOOR:g} mm thick, Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), below it a layer of 100 N/mm; "
             f"curvature up to {PRESSURES[-1]} kPa.",
             expected=f"All three within {SAME:.0%}.",
             runs=runs,
