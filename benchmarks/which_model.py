@@ -72,10 +72,6 @@ CASES = {
         title="Two-material bender, base 2.8 times as stiff", family="TwoMaterialBender", pressures=(10, 30),
         quantity=BENDS, formula="euler_bernoulli",
     ),
-    "half round": Case(
-        title="Half-round bender on paper", family="SemicircularBender", pressures=(3, 9), quantity=BENDS,
-        formula="euler_bernoulli", sheet=True,
-    ),
     "wound bender": Case(
         title="Fiber-reinforced bender, hoops and a base of fibers", family="FiberReinforcedBender",
         pressures=(10, 40), quantity=BENDS, formula="fiber_reinforced_bender",

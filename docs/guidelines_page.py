@@ -7,6 +7,8 @@ runs all guidelines and calls it.
 import sys
 from pathlib import Path
 
+from PIL import Image
+
 from turgor.guidelines import chosen, judged, write_markdown
 
 DOCS = Path(__file__).parent
@@ -22,10 +24,19 @@ verdict holds for the actuators, rubbers and pressures that are named, no furthe
 """
 
 
+def reduced(file: Path) -> None:
+    """Write a picture with a palette of 128 colors, which takes a third of the space."""
+    with Image.open(file) as picture:
+        small = picture.convert("RGB").quantize(128)
+    small.save(file, optimize=True)
+
+
 def main(folder: Path) -> None:
     """Judge all guidelines and write the page."""
     found = tuple(judged(each, folder / "runs") for each in chosen(()))
     page = write_markdown(found, DOCS, "images/guidelines")
+    for file in sorted((DOCS / "images" / "guidelines").glob("*.png")):
+        reduced(file)
     page.write_text(HEAD + page.read_text(encoding="utf-8"), encoding="utf-8")
     seconds = sum(study.seconds for each in found for study in each.studies)
     print(f"{page}: {len(found)} guidelines, {seconds / 60:.0f} CPU minutes")

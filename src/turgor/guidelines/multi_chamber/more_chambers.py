@@ -1,6 +1,7 @@
 """Guideline 7.4-5: more chambers on a fixed length bend further at lower pressure."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.judging import verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, bend, pneunet
 from turgor.guidelines.values import at, linearity, listed, rises
 from turgor.results.plots.study_figure import Line, Panel
@@ -28,9 +29,8 @@ def judge(found: Found) -> Judgement:
     """More chambers, larger angle; and how straight the curves are."""
     angles = [at(each.response, "bending_angle", "pressure", PRESSURE) for each in found.values()]
     straight = [linearity(each.response, "bending_angle", "pressure", PRESSURE) for each in found.values()]
-    holds = rises(angles)
     return Judgement(
-        verdict=Verdict.CONFIRMED if holds else Verdict.NOT_REPRODUCED,
+        verdict=verdict_of([rises(angles), straight == sorted(straight)]),
         found=f"{', '.join(found)}: {listed(angles)} at {PRESSURE / kPa:g} kPa; R² of a straight line "
         + ", ".join(f"{each:.4f}" for each in straight),
         conditions=""

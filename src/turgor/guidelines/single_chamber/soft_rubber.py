@@ -125,7 +125,12 @@ def judge_force(found: Found) -> Judgement:
         f"{usable[-1].number / usable[0].number:.0f} times; at equal pressure the moments differ by "
         f"{max(numbers) / min(numbers):.2f} times only"
         + (", and the softer rubber pushes harder." if numbers[0] > numbers[-1] else ".")
-        + ("" if further else " The curvatures at equal pressure do not stand in the order of the hardness."),
+        + (
+            ""
+            if further
+            else " The curvatures at equal pressure do not stand in the order of the hardness: rods "
+            "in the fabric resist compression, and lock the bulged base of the softest rubber (see 5-3)."
+        ),
     )
 
 
