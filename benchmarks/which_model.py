@@ -72,14 +72,9 @@ CASES = {
         title="Two-material bender, base 2.8 times as stiff", family="TwoMaterialBender", pressures=(10, 30),
         quantity=BENDS, formula="euler_bernoulli",
     ),
-    "wound bender": Case(
-        title="Fiber-reinforced bender, hoops and a base of fibers", family="FiberReinforcedBender",
-        pressures=(10, 40), quantity=BENDS, formula="fiber_reinforced_bender",
-        threads=(("winding+strain_limiting_layer", 89, "both"), ("strain_limiting_layer", 0, "right")),
-    ),
     "omnidirectional": Case(
         title="Omnidirectional actuator, one round chamber of three", family="OmnidirectionalActuator",
-        pressures=(4, 10), quantity=BENDS, loaded="chamber_1",
+        pressures=(4, 10), quantity=BENDS, loaded="cavity_1",
     ),
     "bellows": Case(
         title="Bellows of revolution", family="BellowsOfRevolution", pressures=(0.5, 5), quantity=EXTENDS,
@@ -177,8 +172,6 @@ def formula(name: str) -> Computed:
     def call() -> tg.Response:
         if case.formula == "wound_tube":
             return function(actuator, body, fibers, pressures)
-        if case.formula == "fiber_reinforced_bender":
-            return function(actuator, body, pressures)
         if case.family == "TwoMaterialBender":
             return function(actuator, {"body": body, "base": materials["base"]}, pressures)
         return function(actuator, body, pressures)

@@ -25,12 +25,12 @@ length is that between the walls.
 TAIL = """
 
 - **Finite elements** for a number that decides something, for PneuNets and bellows, for contact, and near the ends.
-- **The section** for long actuators: every law, fibers and layers, at a hundredth of the time. It is the best first
-  look at a bender or a wound tube, and the model for sweeps over walls, angles and pressures.
+- **The section** for long actuators: every law, fibers and layers, in a second or two. It is the best first look at a
+  bender or a wound tube, and the model for sweeps over walls, angles and pressures.
 - **A rod** once a section is known: weight, tip loads, several segments, motion, control. Its time does not count the
   section.
 - **A formula** for tubes, where it is exact but for the ends. For benders without fibers the classical beam is wrong
-  by its nature (finding F02), and for wound benders by their change of shape (F08): the table shows by how much.
+  by its nature (finding F02): the table shows by how much. For wound benders see finding F08.
 
 The page is written by `python benchmarks/which_model.py FOLDER`. Times are CPU seconds of one thread without
 compilation; for the rod and the formula those of a second call.

@@ -80,7 +80,9 @@ class Run:
     @property
     def key(self) -> str:
         """Hash of the function's name and the values: equal runs have equal keys, whatever they are called."""
-        asked = [self.function.__module__, self.function.__qualname__, dict(self.values)]
+        # a worker knows the script that called it under another name
+        module = self.function.__module__.replace("__mp_main__", "__main__")
+        asked = [module, self.function.__qualname__, dict(self.values)]
         return hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()[:KEY_LETTERS]
 
 

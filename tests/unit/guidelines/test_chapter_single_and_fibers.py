@@ -36,7 +36,9 @@ def made_up(last_pressure, error=0.0, **columns):
 
 
 def test_all_items_are_there():
-    assert [key for key in guidelines() if key.rpartition("-")[0] in ("7.0", "7.1", "7.2")] == KEYS
+    about_chambers = "7.0-5"
+    keys = [key for key in guidelines() if key.rpartition("-")[0] in ("7.0", "7.1", "7.2")]
+    assert [key for key in keys if key != about_chambers] == KEYS
 
 
 @pytest.mark.parametrize("key", KEYS)

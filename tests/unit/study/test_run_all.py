@@ -1,6 +1,9 @@
 """Runs in processes: kept as they end, read again, failures as sentences, one thread each."""
 
 import json
+import os
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -89,3 +92,35 @@ def test_a_worker_that_dies_is_told(tmp_path):
 def test_a_process_at_least():
     with pytest.raises(TurgorError, match="processes is 0; allowed is 1 or more"):
         run_all((), None, processes=0)  # type: ignore[arg-type]
+
+
+SCRIPT = """
+import sys
+from pathlib import Path
+
+from study_cases import line
+from turgor.study.run_all import run_all
+from turgor.study.runs import Run
+
+
+def steep(slope):
+    return line(slope)
+
+
+if __name__ == "__main__":
+    ended = run_all([Run(name="a", function=steep, values={"slope": 1e-5})], Path("runs"))
+    print([(each.found is not None, each.again) for each in ended.values()])
+"""
+
+
+def test_functions_of_a_script_are_found_again(tmp_path):
+    (tmp_path / "study.py").write_text(SCRIPT, encoding="utf-8")
+    paths = os.pathsep.join(sys.path)
+    said = [
+        subprocess.run(
+            [sys.executable, "study.py"], cwd=tmp_path, env={**os.environ, "PYTHONPATH": paths}, capture_output=True,
+            text=True, check=True,
+        ).stdout.strip()
+        for _ in range(2)
+    ]  # fmt: skip
+    assert said == ["[(True, False)]", "[(True, True)]"]

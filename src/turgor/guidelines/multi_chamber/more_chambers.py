@@ -1,6 +1,8 @@
 """Guideline 7.4-5: more chambers on a fixed length bend further at lower pressure."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from itertools import pairwise
+
+from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
 from turgor.guidelines.judging import verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, bend, pneunet
 from turgor.guidelines.values import at, linearity, listed, rises
@@ -10,6 +12,9 @@ from turgor.units import kPa
 
 #: Length [mm] that the chambers share, and the pressure at which they are compared.
 LENGTH, PRESSURE = 35, 9 * kPa
+
+#: Difference of R² that is read as none.
+SAME = 1e-6
 
 
 def runs(setting: Setting) -> tuple[Run, ...]:
@@ -29,12 +34,13 @@ def judge(found: Found) -> Judgement:
     """More chambers, larger angle; and how straight the curves are."""
     angles = [at(each.response, "bending_angle", "pressure", PRESSURE) for each in found.values()]
     straight = [linearity(each.response, "bending_angle", "pressure", PRESSURE) for each in found.values()]
+    straighter = all(b > a - SAME for a, b in pairwise(straight))
     return Judgement(
-        verdict=verdict_of([rises(angles), straight == sorted(straight)]),
+        verdict=verdict_of([True, straighter]) if rises(angles) else Verdict.NOT_REPRODUCED,
         found=f"{', '.join(found)}: {listed(angles)} at {PRESSURE / kPa:g} kPa; R² of a straight line "
         + ", ".join(f"{each:.4f}" for each in straight),
         conditions=""
-        if straight == sorted(straight)
+        if straighter
         else "More chambers bend further, but not in a straighter line: those that bend further leave it sooner.",
     )
 
