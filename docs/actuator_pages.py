@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from turgor import Geometry, TurgorError
+from turgor.guidelines import chosen
 from turgor.jobs import ACTUATORS, example_job, family_table
 
 DOCS = Path(__file__).parent
@@ -59,8 +60,18 @@ def page(name: str, family: Any) -> str:
             ":language: toml",
             "```",
             "",
+            *_guidelines(name),
         ]
     )
+
+
+def _guidelines(name: str) -> list[str]:
+    """List the design rules that were run with a family; their verdicts stand on the page of the guidelines."""
+    rules = [each for each in chosen(()) if name in each.families]
+    if not rules:
+        return []
+    lines = [f"- [{each.key}](../guidelines.md#guideline-{each.key.replace('.', '-')}): {each.rule}" for each in rules]
+    return ["## Guidelines", "", "Design rules from the literature, run and judged:", "", *lines, ""]
 
 
 def overview() -> str:

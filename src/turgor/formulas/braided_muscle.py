@@ -4,20 +4,20 @@ from math import cos, sin, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.formulas.formula import Formula, beyond_tests, not_so_simple, path_of, too_short
+from turgor.formulas.inversion import inverted, rising
 from turgor.formulas.thick_walled import ELASTIC
-from turgor.formulas.wound_energy import Point, WoundWall
+from turgor.formulas.wound_energy import Array, WoundWall
 from turgor.formulas.wound_tubes import ALONG, angle_and_spacing, wound_wall
 from turgor.geometry.actuators.contracting_tube import ContractingTube
 from turgor.materials.material import Material
 from turgor.model.fibers import Fibers
 from turgor.response import Column, Response
 from turgor.source import Source
-from turgor.units import deg
+from turgor.units import deg, kPa
 
 IDEAL_MCKIBBEN = Formula(
     name="ideal_mckibben",
@@ -161,13 +161,11 @@ def mckibben(
     wall = wound_wall(actuator, material, (fibers,), wall="thick", inextensible=True)
     wanted = path_of("pressure", pressure)
     length = actuator.length - 2 * actuator.cap
-    if contraction is None:
-        shortened = np.array([1 - _unloaded(wall, start, float(p)) for p in wanted])
-    else:
-        shortened = _matched(contraction, wanted)
-    states = [_held(wall, start, 1 - float(each)) for each in shortened]
-    pull = np.array([_pull(wall, at, float(p)) for at, p in zip(states, wanted, strict=True)])
-    axial, inner = np.array([at.axial for at in states]), np.array([at.inner for at in states])
+    shortened = 1 - _unloaded(wall, start, wanted) if contraction is None else _matched(contraction, wanted)
+    states = _held(wall, start, 1 - shortened)
+    by_wall, by_pressure = _pull(wall, states)
+    pull = by_wall - wanted * by_pressure
+    inner, axial = states[:, 0], states[:, 1]
     columns = [
         Column("pressure", "kPa", wanted),
         Column("contraction", "", 1 - axial),
@@ -180,35 +178,46 @@ def mckibben(
     return MCKIBBEN.response(columns, findings)
 
 
-def _held(wall: WoundWall, start: float, axial: float) -> Point:
-    """The state that the braid allows at an axial stretch."""
+def _held(wall: WoundWall, start: float, axial: Array) -> Array:
+    """States that the braid allows at axial stretches, as rows of `WoundWall.slopes`."""
     square = 1 - (cos(start) * axial) ** 2
-    b = wall.wound * np.sqrt(max(square, 0.0)) / sin(start)
+    b = wall.wound * np.sqrt(np.maximum(square, 0.0)) / sin(start)
     inner = b**2 - (wall.wound**2 - wall.inner**2) / axial
-    if not (square > 0 and inner > 0):
+    closed = (square <= 0) | (inner <= 0)
+    if closed.any():
         raise TurgorError(
-            f"contraction is {1 - axial:g}; a braid of {start / deg:.4g} deg then leaves the bladder no cavity."
+            f"contraction is {1 - axial[closed][0]:g}; a braid of {start / deg:.4g} deg then leaves the bladder no "
+            "cavity."
         )
-    return Point(float(np.sqrt(inner)), axial, 0.0, (0.0,))
+    return np.stack([np.sqrt(inner), axial, np.zeros_like(axial)], axis=1)
 
 
-def _unloaded(wall: WoundWall, start: float, pressure: float) -> float:
-    """Axial stretch without a load: between rest, where the wall is at ease, and where an ideal muscle ends."""
+def _unloaded(wall: WoundWall, start: float, pressure: Array) -> Array:
+    """Axial stretches without a load: between rest, where the wall is at ease, and where an ideal muscle ends."""
     ideal = 1 / (sqrt(3) * cos(start))
+    if abs(ideal - 1) < 1e-12:
+        return np.ones_like(pressure)
 
-    def pull(axial: float) -> float:
-        return _pull(wall, _held(wall, start, axial), pressure)
+    def balanced(share: Array) -> Array:
+        """The pressure that holds a share of the way to where an ideal muscle ends."""
+        by_wall, by_pressure = _pull(wall, _held(wall, start, 1 + share * (ideal - 1)))
+        return by_wall / by_pressure
 
-    if pressure == 0 or abs(ideal - 1) < 1e-12:
-        return 1.0
-    return float(brentq(pull, 1.0, ideal, xtol=1e-14))
+    shares = np.concatenate([[0.0], 1 - np.geomspace(0.99, 1e-6, 40)])
+    rise = rising(balanced, shares, float(pressure.max()))
+    if pressure.max() > rise.y[-1]:
+        raise TurgorError(
+            f"pressure is {pressure.max() / kPa:g} kPa; the formula is not followed beyond {rise.y[-1] / kPa:.4g} kPa."
+        )
+    return 1 + inverted(balanced, rise, pressure) * (ideal - 1)
 
 
-def _pull(wall: WoundWall, at: Point, pressure: float) -> float:
-    """Force by virtual work along the line on which the braid allows the radius to change."""
-    slopes = wall.slopes(at) - np.pi * pressure * np.array([2 * at.inner * at.axial, at.inner**2, 0.0])
-    ((by_inner, by_axial, _),) = wall.threads(at)[1]
-    return float(slopes[1] - slopes[0] * by_axial / by_inner)
+def _pull(wall: WoundWall, x: Array) -> tuple[Array, Array]:
+    """Force of the wall, and what each pascal takes from it, by virtual work along the line that the braid allows."""
+    slopes, along = wall.slopes(x), wall.threads(x)[1][:, 0]
+    ratio = along[:, 1] / along[:, 0]
+    by_pressure = np.pi * (x[:, 0] ** 2 - 2 * x[:, 0] * x[:, 1] * ratio)
+    return slopes[:, 1] - slopes[:, 0] * ratio, by_pressure
 
 
 def _angle(actuator: ContractingTube, fibers: Fibers) -> float:

@@ -96,7 +96,7 @@ def fiber_reinforced_bender(
         """The pressure that a curvature needs."""
         return _moment(law, z, weights, curvature) / lever
 
-    rise = rising(balanced, np.concatenate([[0.0], np.geomspace(0.01, HIGHEST - 1, 24)]) / top)
+    rise = rising(balanced, np.concatenate([[0.0], np.geomspace(0.01, HIGHEST - 1, 24)]) / top, wanted.max())
     if wanted.max() > rise.y[-1]:
         raise TurgorError(
             f"pressure is {wanted.max() / kPa:g} kPa; at {rise.y[-1] / kPa:.4g} kPa the top of the wall is stretched "

@@ -29,7 +29,7 @@ class Rise:
     turns: bool
 
 
-def rising(curve: Callable[[Array], Array], x: Array) -> Rise:
+def rising(curve: Callable[[Array], Array], x: Array, enough: float = np.inf) -> Rise:
     """Find the part of a curve from its first sample to its first maximum, which is refined.
 
     Samples behind a value that is no number do not count: a law may be undefined there.
@@ -40,6 +40,8 @@ def rising(curve: Callable[[Array], Array], x: Array) -> Rise:
         ``curve(x) -> y`` for arrays.
     x : (n,) array
         Rising samples.
+    enough : float
+        Samples behind the first that reaches this value do not count: it saves the search for the maximum.
 
     Returns
     -------
@@ -55,6 +57,9 @@ def rising(curve: Callable[[Array], Array], x: Array) -> Rise:
     known = int(np.argmin(np.isfinite(y))) if not np.isfinite(y).all() else len(x)
     x, y = x[:known], y[:known]
     falls = np.flatnonzero(np.diff(y) < 0)
+    reached = int(np.argmax(y >= enough))
+    if y[reached] >= enough and not (len(falls) and falls[0] < reached):
+        return Rise(x[: reached + 1], y[: reached + 1], False)
     if not len(falls):
         return Rise(x, y, False)
     top = int(falls[0])

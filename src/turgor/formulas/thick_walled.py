@@ -275,7 +275,7 @@ def _followed(curve: Callable[[Array], Array], pressure: ArrayLike | None, stret
         return _Path(path_of("inner_stretch", stretch, low=1.0))
     assert pressure is not None
     wanted = path_of("pressure", pressure)
-    rise = rising(curve, _samples(HIGHEST, SAMPLES))
+    rise = rising(curve, _samples(HIGHEST, SAMPLES), float(wanted.max()))
     top = float(rise.y[-1])
     within = wanted <= top
     if not rise.turns and not within.all():

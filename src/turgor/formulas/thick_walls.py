@@ -77,8 +77,8 @@ class Wall:
         """
         axial = np.ones_like(stretch) if start is None else start
         for _ in range(PASSES):
-            force = self.tube(stretch, axial)[1]
-            slope = (self.tube(stretch, axial * (1 + STEP))[1] - force) / (STEP * axial)
+            force, ahead = self.tube(np.tile(stretch, 2), np.concatenate([axial, axial * (1 + STEP)]))[1].reshape(2, -1)
+            slope = (ahead - force) / (STEP * axial)
             with np.errstate(invalid="ignore", divide="ignore"):
                 change = np.clip(-force / slope, -0.1 * axial, 0.3 * axial)
             axial = axial + change

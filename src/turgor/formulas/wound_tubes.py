@@ -106,6 +106,13 @@ def wound_tube(
     wanted = path_of("pressure", pressure)
     if (np.diff(wanted) < 0).any():
         raise TurgorError("the pressures must rise, as the path is followed from rest.")
+    return _answered(actuator, material, windings, body, wanted)
+
+
+def _answered(
+    actuator: Tube, material: Material, windings: Sequence[Fibers], body: WoundWall, wanted: np.ndarray
+) -> Response:
+    """Follow the pressures, and say where the path ends and what does not hold."""
     states = body.follow(wanted)
     ended = wanted[: len(states)]
     length = actuator.length - 2 * actuator.cap

@@ -123,7 +123,7 @@ GUIDELINE = Guideline(
     "workspace that "
     "a model without it predicts.",
     sources=("Peng et al. 2019",),
-    families=("omnidirectional",),
+    families=("omnidirectional_actuator", "three_extenders"),
     studies=(
         Study(
             title="Horizontal arm of two segments",

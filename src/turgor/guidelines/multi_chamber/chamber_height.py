@@ -2,7 +2,15 @@
 
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
 from turgor.guidelines.judging import change, line_of, verdict_of
-from turgor.guidelines.multi_chamber.pneunets import SETUP, WALLS, count_and_size, pneunet, push, run_of
+from turgor.guidelines.multi_chamber.pneunets import (
+    MULTI_CHAMBERED,
+    SETUP,
+    WALLS,
+    count_and_size,
+    pneunet,
+    push,
+    run_of,
+)
 from turgor.guidelines.values import at, listed, rises
 from turgor.results.plots.study_figure import Panel
 from turgor.study.runs import Run
@@ -65,7 +73,7 @@ GUIDELINE = Guideline(
     key="7.4-7",
     rule="Increased chamber height leads to increased force output.",
     sources=("Polygerinos et al. 2013",),
-    families=("fast_pneunet",),
+    families=MULTI_CHAMBERED,
     studies=(
         Study(
             title="Height of the chambers",

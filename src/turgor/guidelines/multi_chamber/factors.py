@@ -2,7 +2,7 @@
 
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
 from turgor.guidelines.judging import change, line_of, verdict_of
-from turgor.guidelines.multi_chamber.pneunets import SETUP, bend, count_and_size, pneunet, run_of
+from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, run_of
 from turgor.guidelines.values import Value, at, listed
 from turgor.results.plots.study_figure import Panel
 from turgor.study.runs import Run
@@ -101,7 +101,7 @@ GUIDELINE = Guideline(
     rule="Most influence on the bending angle has the thickness of the bottom, then that of the walls, then the gap; "
     "smaller gaps bend further.",
     sources=("Hu et al. 2018",),
-    families=("fast_pneunet",),
+    families=MULTI_CHAMBERED,
     studies=(
         Study(
             title="Bottom, wall and gap half as large again",

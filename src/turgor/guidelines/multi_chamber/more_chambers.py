@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
 from turgor.guidelines.judging import verdict_of
-from turgor.guidelines.multi_chamber.pneunets import SETUP, bend, pneunet
+from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, pneunet
 from turgor.guidelines.values import at, linearity, listed, rises
 from turgor.results.plots.study_figure import Line, Panel
 from turgor.study.runs import Run
@@ -64,7 +64,7 @@ GUIDELINE = Guideline(
     key="7.4-5",
     rule="For a fixed length, more chambers enable greater bending at lower pressure, and a more linear response.",
     sources=("Mosadegh et al. 2014", "Hwang et al. 2015", "Yang et al. 2020"),
-    families=("fast_pneunet",),
+    families=MULTI_CHAMBERED,
     studies=(
         Study(
             title="Number of chambers on 35 mm",

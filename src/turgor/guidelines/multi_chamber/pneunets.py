@@ -14,6 +14,17 @@ from turgor.response import Response
 from turgor.study.runs import Computed, Run
 from turgor.units import deg, kPa, mm
 
+#: Families of which rules on multi-chambered actuators speak; they were run with the first of them.
+MULTI_CHAMBERED = (
+    "fast_pneunet",
+    "slow_pneunet",
+    "bidirectional_pneunet",
+    "free_bottom_pneunet",
+    "helical_pneunet",
+    "trapezoidal_pneunet",
+    "triangular_pneunet",
+)
+
 #: Dimensions that the studies share [mm], those of a fast PneuNet.
 WALLS: Mapping[str, float] = MappingProxyType(
     {

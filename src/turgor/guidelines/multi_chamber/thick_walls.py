@@ -2,7 +2,7 @@
 
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
 from turgor.guidelines.judging import line_of, verdict_of
-from turgor.guidelines.multi_chamber.pneunets import SETUP, bend, count_and_size, pneunet, push, run_of
+from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, at, falls, last, listed
 from turgor.results.plots.study_figure import Panel
 from turgor.study.runs import Run
@@ -67,7 +67,7 @@ GUIDELINE = Guideline(
     key="7.4-6",
     rule="For a fixed length, thicker chamber walls result in lower bending and lower output force.",
     sources=("Mosadegh et al. 2014", "Sun et al. 2013", "Yang et al. 2020"),
-    families=("fast_pneunet",),
+    families=MULTI_CHAMBERED,
     studies=(
         Study(
             title="Wall between chambers",

@@ -5,6 +5,7 @@ from scipy.optimize import brentq
 from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import (
+    MULTI_CHAMBERED,
     SETUP,
     actuator_of,
     at_angle,
@@ -129,7 +130,7 @@ GUIDELINE = Guideline(
     "have "
     "a larger surface.",
     sources=("Polygerinos et al. 2013", "Mosadegh et al. 2014"),
-    families=("fast_pneunet",),
+    families=MULTI_CHAMBERED,
     studies=(
         Study(
             title="Internal against external walls at equal mass",

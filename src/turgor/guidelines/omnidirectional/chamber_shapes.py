@@ -52,7 +52,7 @@ GUIDELINE = Guideline(
     key="7.3-3",
     rule="Of the chambers of omnidirectional actuators, semi-circular ones balloon least and ring sectors bend most.",
     sources=("Elsayed et al. 2014",),
-    families=("omnidirectional",),
+    families=("omnidirectional_actuator", "three_extenders"),
     studies=(
         Study(
             title="Six shapes of equal area",

@@ -99,7 +99,7 @@ GUIDELINE = Guideline(
     rule="Omnidirectional actuators bend more with, in order of importance, a thinner wall, a larger length, a larger "
     "chamber diameter and a smaller central diameter.",
     sources=("Yan et al. 2016", "Xie et al. 2018"),
-    families=("omnidirectional",),
+    families=("omnidirectional_actuator", "three_extenders"),
     studies=(
         Study(
             title="One parameter at a time",

@@ -49,7 +49,7 @@ GUIDELINE = Guideline(
     key="7.3-2",
     rule="For three-chambered omnidirectional actuators, triangular chambers bend further than circular ones.",
     sources=("Xie et al. 2018",),
-    families=("omnidirectional",),
+    families=("omnidirectional_actuator", "three_extenders"),
     studies=(
         Study(
             title="Round and triangular chambers of equal area",

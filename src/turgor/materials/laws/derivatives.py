@@ -82,11 +82,18 @@ def _evaluate(compiled: Callable[..., Any], law: Law, at: tuple[Array, ...]) -> 
     parameters = [number for value in held for number in _numbers(value)]
     shape = np.shape(at[0])
     if not _takes_log(type(law)):
-        return tuple(np.broadcast_to(np.asarray(w, dtype=np.float64), shape) for w in function(*at, *parameters))
+        return tuple(_shaped(w, shape) for w in function(*at, *parameters))
     with np.errstate(invalid="ignore", divide="ignore"):
         values = [np.asarray(w, dtype=np.float64) for w in function(*at, *parameters)]
     defined = np.isfinite(values[0])  # beyond its domain the energy has no derivative, though the formula may have one
     return tuple(np.where(defined, np.broadcast_to(w, shape), np.nan) for w in values)
+
+
+def _shaped(w: Any, shape: tuple[int, ...]) -> Array:
+    """A value as an array of a shape; most have it already."""
+    if isinstance(w, np.ndarray) and w.shape == shape and w.dtype == np.float64:
+        return w
+    return np.broadcast_to(np.asarray(w, dtype=np.float64), shape)
 
 
 @cache
