@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from turgor import setups as setups
     from turgor import solutions as solutions
     from turgor import supports as supports
+    from turgor import units as units
     from turgor.adaptivity.measure import measure as measure
     from turgor.adaptivity.mesh_to import mesh_to as mesh_to
     from turgor.engine.runtime import EngineOptions as EngineOptions
