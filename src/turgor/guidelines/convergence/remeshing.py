@@ -110,8 +110,8 @@ GUIDELINE = Guideline(
         Study(
             title="Bare tube that balloons",
             setup="Section of a long tube (inner radius 6.35 mm, wall 2 mm, closed ends) of Elastosil M4601 (Yeoh, "
-            "0.11 and 0.02 MPa), inflated until its inner wall is stretched four times and its cells are forty times as wide "
-            "as thick, relative to their shape at rest; extension.",
+            "0.11 and 0.02 MPa), inflated until its inner wall is stretched four times and a square cell there is "
+            "forty times as wide as thick; extension.",
             expected=EXPECTED,
             runs=partial(runs, bends=False),
             judge=partial(judge, wanted=TUBE_PRESSURES[-1]),
