@@ -1,7 +1,7 @@
 """Claim 6.2-5: hexahedra follow curved geometry with less distortion, so they are the better choice."""
 
 from turgor.guidelines.convergence.trials import SETUP, end, solve, spent
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value
 from turgor.results.plots.study_figure import Panel
@@ -54,7 +54,9 @@ def judge(found: Found) -> Judgement:
         for kind in KINDS
     )
     return Judgement(
-        verdict=verdict_of([abs(apart) < SAME, worst[0] > worst[1], lost[0] < lost[1], all(cheaper)]),
+        verdict=verdict_of([worst[0] > worst[1], lost[0] < lost[1], all(cheaper)])
+        if abs(apart) < SAME
+        else Verdict.NOT_JUDGED,
         found=f"error of the angle: {told}; the finest of both differ by {abs(apart):.2%}; worst Jacobian ratio "
         f"{worst[0]:.2g} of hexahedra and {worst[1]:.2g} of tetrahedra; volume of the cavity lost at most "
         f"{lost[0]:.1e} and {lost[1]:.1e}",
