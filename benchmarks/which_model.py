@@ -7,7 +7,7 @@ one thread with meshing, without compilation.
 
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import process_time
 from types import MappingProxyType
@@ -43,9 +43,16 @@ class Case:
     cells: str = "hexahedra"
     section: bool = True
     loaded: str = "cavity"
+    job: bool = False  # model, materials and mesh are those of the family's example job
 
 
 BENDS, EXTENDS, TWISTS = "bending_angle", "tip_displacement_x", "twist_angle"
+
+
+def of_job(title: str, family: str, pressures: tuple[float, float], **more: Any) -> Case:
+    """Give a case that its example job describes; the larger pressure is that of the job."""
+    return Case(title=title, family=family, pressures=pressures, quantity=BENDS, job=True, **more)
+
 
 CASES = {
     "tube": Case(
@@ -84,11 +91,40 @@ CASES = {
         title="Fast PneuNet of three chambers on paper", family="FastPneuNet", pressures=(2, 6), quantity=BENDS,
         section=False, sheet=True, dimensions={"chambers": 3, "length": 30 * mm},
     ),
+    "half round": of_job("Semicircular bender on paper", "semicircular_bender", (5, 10), formula="euler_bernoulli"),
+    "wound bender": of_job(
+        "Fiber-reinforced bender, hoops every 3 mm, on paper", "fiber_reinforced_bender", (5, 10),
+        formula="fiber_reinforced_bender",
+    ),
+    "rectangular": of_job("Rectangular bender on paper", "rectangular_bender", (10, 20), formula="euler_bernoulli"),
+    "two-way bender": of_job(
+        "Bidirectional bender, one chamber", "bidirectional_bender", (15, 30), loaded="cavity_1"
+    ),
+    "slow": of_job("Slow PneuNet of four chambers on paper", "slow_pneunet", (7.5, 15), section=False),
+    "free bottom": of_job("Free-bottom PneuNet of three chambers", "free_bottom_pneunet", (1.5, 3), section=False),
+    "two-way pneunet": of_job(
+        "Bidirectional PneuNet of three chambers", "bidirectional_pneunet", (1.5, 3), section=False, loaded="cavity_1"
+    ),
+    "helical": of_job("Helical PneuNet of three chambers, 30°", "helical_pneunet", (1.5, 3), section=False),
+    "trapezoidal": of_job("Trapezoidal PneuNet of four chambers", "trapezoidal_pneunet", (3, 6), section=False),
+    "triangular": of_job("Triangular PneuNet of four chambers", "triangular_pneunet", (3, 6), section=False),
+    "fin": of_job("Manta fin of four chambers", "manta_fin", (4, 8), section=False),
+    "three bellows": of_job(
+        "Parallel bellows of four folds, one of three", "parallel_bellows", (0.75, 1.5), section=False,
+        loaded="cavity_1",
+    ),
+    "three extenders": of_job(
+        "Three extenders, one of three", "three_extenders", (1.5, 3), section=False, loaded="cavity_1"
+    ),
+    "joint": of_job("Revolute joint of two cylinders", "revolute_joint", (2.5, 5), section=False, loaded="cavity_1"),
 }  # fmt: skip
 
 
 def parts(case: Case) -> tuple[Any, dict[str, Any], list[tg.Fibers]]:
     """Actuator, materials by region, and threads of a case."""
+    if case.job:
+        job = tg.jobs.read_job(tg.jobs.example_job(case.family))
+        return job.actuator, dict(job.materials), list(job.fibers.values())
     actuator = getattr(tg.actuators, case.family)(**case.dimensions)
     built = actuator.build()
     materials: dict[str, Any] = {name: STIFF if name == "cap" else RUBBER for name in built.regions}
@@ -112,8 +148,13 @@ def parts(case: Case) -> tuple[Any, dict[str, Any], list[tg.Fibers]]:
 def elements(name: str) -> Computed:
     """Finite elements on the default mesh, at both pressures."""
     case = CASES[name]
-    actuator, materials, fibers = parts(case)
     low, high = case.pressures
+    if case.job:
+        job = tg.jobs.read_job(tg.jobs.example_job(case.family))
+        model, _ = tg.jobs.prepare(job)
+        solution = tg.solve(model, replace(job.procedure, at=(low / high, 1.0)), throw=False)
+        return Computed(response=tg.measure(solution, tg.bending_angle))
+    actuator, materials, fibers = parts(case)
     model = tg.Model(
         tg.mesh(actuator.build(), cells=case.cells),
         materials=materials,

@@ -9,8 +9,8 @@ from turgor.study.runs import Computed, Run
 
 #: Pressure [kPa], and sizes of the cells [mm] by kind, the last one as reference; the full setting has a finer one.
 PRESSURE = 10
-SIZES = {"hexahedra": (8.0, 4.0, 2.5), "tetrahedra": (8.0, 4.0, 2.5, 1.6)}
-FINEST = {"hexahedra": 1.6, "tetrahedra": 1.2}
+SIZES = {"hexahedra": (8.0, 4.0, 2.5, 1.8), "tetrahedra": (8.0, 4.0, 2.5, 1.6, 1.2)}
+FINEST = {"hexahedra": 1.3, "tetrahedra": 0.9}
 KINDS = tuple(SIZES)
 
 #: Relative difference between the finest meshes of both kinds beyond which errors cannot be told.
