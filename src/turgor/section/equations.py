@@ -32,12 +32,15 @@ class Unknowns:
     p : (m,) array
         Mean stresses.
     multipliers : (g,) array
+    pressures : (k,) array
+        Of the cavities: as given, or what holds a volume.
     """
 
     y: Array
     strains: Array
     p: Array
     multipliers: Array
+    pressures: Array
 
     def towards(self, other: "Unknowns", share: float) -> "Unknowns":
         """Straight on from this state to another one, by a share of their distance."""
@@ -46,6 +49,7 @@ class Unknowns:
             strains=self.strains + share * (other.strains - self.strains),
             p=self.p + share * (other.p - self.p),
             multipliers=self.multipliers + share * (other.multipliers - self.multipliers),
+            pressures=self.pressures + share * (other.pressures - self.pressures),
         )
 
 
@@ -56,7 +60,9 @@ class Question:
     Parameters
     ----------
     pressures : (k,) array
-        Of the cavities.
+        Of the cavities whose volume is free.
+    volumes : (k,) array
+        Prescribed volumes of the cavities for each length; NaN where the pressure is given.
     held : (4,) array
         Prescribed strains; NaN where a strain is free.
     forces : (4,) array
@@ -64,13 +70,15 @@ class Question:
     """
 
     pressures: Array
+    volumes: Array
     held: Array
     forces: Array
 
     def towards(self, other: "Question", share: float) -> "Question":
-        """Between this question and another one that holds the same strains."""
+        """Between this question and another one that holds the same strains and volumes."""
         return Question(
             pressures=self.pressures + share * (other.pressures - self.pressures),
+            volumes=self.volumes + share * (other.volumes - self.volumes),
             held=self.held + share * (other.held - self.held),
             forces=self.forces + share * (other.forces - self.forces),
         )
@@ -88,6 +96,14 @@ class Linearized:
         Lower triangle of the core.
     right, below : (core, b), (b, core) arrays
     corner : (b, b) array
+    pushed : (size, v) array
+        Derivatives of the residual by the unknown pressures, those of the cavities whose volume is held.
+    gradients : (v, size) array
+        Derivatives of these volumes.
+    missed : (v,) array
+        What these volumes lack.
+    held : (v,) array
+        Which cavities these are.
     """
 
     residual: Array
@@ -95,6 +111,10 @@ class Linearized:
     right: Array
     below: Array
     corner: Array
+    pushed: Array
+    gradients: Array
+    missed: Array
+    held: Ints
 
 
 class Equations:
@@ -142,7 +162,12 @@ class Equations:
             strains=np.array([1.0, 0.0, 0.0, 0.0]),
             p=np.zeros(self.rubber.mean_count),
             multipliers=np.zeros(len(numbers.conditions)),
+            pressures=np.zeros(len(self.cavities)),
         )
+
+    def volumes(self, at: Unknowns) -> Array:
+        """Volumes of the cavities for each length, (k,)."""
+        return np.array([loop.volume(at.y, at.strains) for loop in self.cavities.values()])
 
     def _loop(self, edges: Ints) -> Loop:
         """A loop in the direction in which it encloses a positive volume."""
@@ -197,7 +222,7 @@ class Equations:
 
     def linearized(self, at: Unknowns, question: Question) -> Linearized | None:
         """Residual and tangent at a state; None where a cell is turned inside out."""
-        parts = self._parts(at, question.pressures)
+        parts = self._parts(at)
         if parts is None:
             return None
         values, size = np.concatenate([K.ravel() for _, K in parts]), len(self.numbers.core)
@@ -209,9 +234,26 @@ class Equations:
         self._add_conditions(at, residual, (right, below, corner))
         first = self.numbers.first_strain
         residual[first : first + STRAINS] -= question.forces
-        return Linearized(residual=residual, data=summed[0], right=right, below=below, corner=corner)
+        held = np.flatnonzero(~np.isnan(question.volumes))
+        return Linearized(
+            residual=residual,
+            data=summed[0],
+            right=right,
+            below=below,
+            corner=corner,
+            pushed=-self._gradients_of(at, held, closed=self._closed).T,
+            gradients=self._gradients_of(at, held, closed=True),
+            missed=(question.volumes - self.volumes(at))[held],
+            held=held,
+        )
 
-    def _parts(self, at: Unknowns, pressures: Array) -> list[tuple[Array, Array]] | None:
+    def _gradients_of(self, at: Unknowns, cavities: Ints, *, closed: bool) -> Array:
+        """Derivatives (v, size) of the volumes of some cavities, with those by the strains if ends are closed."""
+        size = len(self.numbers.core)
+        found = self.volume_gradients(at, closed=closed) if len(cavities) else []
+        return np.array([found[k] for k in cavities]).reshape(-1, size)
+
+    def _parts(self, at: Unknowns) -> list[tuple[Array, Array]] | None:
         """Gradients and Hessians of rubber, sheets and cavities, in the directions of the nodes."""
         found = self.rubber.forces(at.y, at.strains, at.p)
         if found is None:
@@ -221,7 +263,7 @@ class Equations:
             P, A = sheet.response(sheet.vectors.at(at.y, at.strains))
             B = sheet.vectors.derivatives(at.y, at.strains)
             parts.append((sheet.vectors.gradient(B, P), sheet.vectors.hessian(B, P, A)))
-        for loop, pressure in zip(self.cavities.values(), pressures, strict=True):
+        for loop, pressure in zip(self.cavities.values(), at.pressures, strict=True):
             r, K = loop.derivatives(at.y, at.strains)
             if not self._closed:
                 r[:, 9:], K[:, 9:] = 0.0, 0.0
@@ -249,14 +291,15 @@ class Equations:
             corner[border[border >= 0], place] += row[border >= 0]
             corner[place, border[border >= 0]] += row[border >= 0]
 
-    def volume_gradients(self, at: Unknowns) -> list[Array]:
+    def volume_gradients(self, at: Unknowns, *, closed: bool | None = None) -> list[Array]:
         """Derivatives (size,) of the volume of each cavity; of open ends, without those by the strains."""
+        closed = self._closed if closed is None else closed
         found: list[Array] = []
         first = 1 + len(self.sheets)
         for k, loop in enumerate(self.cavities.values(), start=first):
             (_, unknowns), (chosen, turn) = self._pieces[k], self._turns[k]
             r, _ = loop.derivatives(at.y, at.strains)
-            if not self._closed:
+            if not closed:
                 r[:, 9:] = 0.0
             if len(chosen):
                 r[chosen, :9] = (turn @ r[chosen, :9, None])[..., 0]
@@ -266,16 +309,34 @@ class Equations:
     def update(self, at: Unknowns, equations: Linearized, held: Array) -> Unknowns:
         """Newton's next state, with prescribed strains where ``held`` is not NaN."""
         S, behind, rest = self.condensed(equations)
-        numbers, residual = self.numbers, equations.residual
-        right = -residual[numbers.border >= 0] + equations.below @ rest
+        numbers = self.numbers
+        core, border = numbers.core >= 0, numbers.border >= 0
+        G, V = equations.pushed, equations.gradients
+        of_pressure = self._solved(G[core])
+        matrix = np.block(
+            [
+                [S, G[border] - equations.below @ of_pressure],
+                [V[:, border] - V[:, core] @ behind, -V[:, core] @ of_pressure],
+            ]
+        )
+        right = np.concatenate(
+            [-equations.residual[border] + equations.below @ rest, equations.missed + V[:, core] @ rest]
+        )
         for i in np.flatnonzero(~np.isnan(held)):
             place = numbers.strains[i]
-            S[place] = 0.0
-            S[place, place], right[place] = 1.0, held[i] - at.strains[i]
-        step = np.linalg.solve(S, right)
+            matrix[place] = 0.0
+            matrix[place, place], right[place] = 1.0, held[i] - at.strains[i]
+        step, pressed = np.split(np.linalg.solve(matrix, right), [len(S)])
         change = np.zeros(len(numbers.core))
-        change[numbers.border >= 0] = step
-        change[numbers.core >= 0] = -rest - behind @ step
+        change[border] = step
+        change[core] = -rest - behind @ step - of_pressure @ pressed
+        pressures = at.pressures.copy()
+        pressures[equations.held] += pressed
+        return replace(self._moved(at, change), pressures=pressures)
+
+    def _moved(self, at: Unknowns, change: Array) -> Unknowns:
+        """Add a change (size,) of all unknowns but the pressures."""
+        numbers = self.numbers
         first, mean = numbers.first_strain, numbers.first_mean
         moved = np.einsum("nij,ni->nj", numbers.axes, change[:first].reshape(-1, 3))
         return replace(
@@ -286,11 +347,17 @@ class Equations:
             multipliers=at.multipliers + change[numbers.first_multiplier :],
         )
 
+    def _solved(self, columns: Array) -> Array:
+        """Solve the core for columns (core, n), with the factors at hand."""
+        if not columns.shape[1]:
+            return columns
+        return np.stack([self.solver.solve(np.ascontiguousarray(c)) for c in columns.T], axis=1)
+
     def condensed(self, equations: Linearized) -> tuple[Array, Array, Array]:
         """Schur complement (b, b) of the border; what the core does to its columns (core, b) and to its residual."""
         self.solver.factor(equations.data)
         of_core = equations.residual[self.numbers.core >= 0]
-        solved = np.stack([self.solver.solve(np.ascontiguousarray(c)) for c in (*equations.right.T, of_core)], axis=1)
+        solved = self._solved(np.column_stack([equations.right, of_core]))
         behind, rest = solved[:, :-1], solved[:, -1]
         return equations.corner - equations.below @ behind, behind, rest
 

@@ -1,7 +1,7 @@
 """Path: a section followed through pressures, forces and prescribed strains, with steps that grow and cut back."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,8 +61,10 @@ class Path:
 
 def follow(equations: Equations, wanted: Sequence[Question]) -> Path:
     """Take a section from rest through the wanted points, in order."""
+    free = np.isnan(wanted[0].volumes)
     start = Question(
         pressures=np.zeros_like(wanted[0].pressures),
+        volumes=np.where(free, np.nan, equations.volumes(equations.rest)),
         held=np.where(np.isnan(wanted[0].held), np.nan, [1.0, 0.0, 0.0, 0.0]),
         forces=np.zeros(4),
     )
@@ -105,13 +107,15 @@ def predicted(known: Sequence[tuple[float, Unknowns]], to: float) -> Unknowns:
 
 def newton(equations: Equations, start: Unknowns, question: Question) -> Point | None:
     """Solve the equations at a point; None where Newton's method does not converge."""
-    at, largest = start, LARGEST_UPDATE * float(np.ptp(equations.plane.points, axis=0).max())
+    given = np.where(np.isnan(question.volumes), question.pressures, start.pressures)
+    at, largest = replace(start, pressures=given), LARGEST_UPDATE * float(np.ptp(equations.plane.points, axis=0).max())
     for iteration in range(MOST_ITERATIONS + 1):
         found = equations.linearized(at, question)
         if found is None or not np.isfinite(found.residual).all():
             return None
         held = ~np.isnan(question.held)
         missed = np.abs(at.strains - question.held)[held].max(initial=0.0)
+        missed = max(missed, np.abs(found.missed).max(initial=0.0))
         if iteration and equations.size_of(found, question.held) < TOLERANCE and missed < TOLERANCE:
             return Point(question=question, unknowns=at, equations=found, iterations=iteration)
         try:

@@ -121,20 +121,31 @@ class Section(Shown):
         """Names of the cavities."""
         return tuple(self._equations.cavities)
 
+    @property
+    def volume_at_rest(self) -> dict[str, float]:
+        """Volume of each cavity for each length, at rest [m²]."""
+        equations = self._equations
+        sizes = equations.volumes(equations.rest) * equations.copies * equations.plane.length**2
+        return dict(zip(self.cavities, sizes.tolist(), strict=True))
+
     def solve(
         self,
         pressure: float | Sequence[float] | Array | Rows = 0.0,
         *,
+        volume: Rows = MappingProxyType({}),
         held: Rows = MappingProxyType({}),
         forces: Rows = MappingProxyType({}),
         throw: bool = True,
     ) -> SectionSolution:
-        """Follow the section from rest through rows of pressures, prescribed strains and forces.
+        """Follow the section from rest through rows of pressures or volumes, prescribed strains and forces.
 
         Parameters
         ----------
         pressure : float, sequence of float, or mapping of str to these [Pa], gauge
             In all cavities, or in each by its name (zero in those that are not named); one value for every row.
+        volume : mapping of str to float or sequence of float [m²]
+            Prescribed volume of cavities for each length at rest, by their names, whose pressure is then found: this
+            passes limit points. `volume_at_rest` is where it begins.
         held : mapping of str to float or sequence of float
             Prescribed strains: ``stretch`` [-], ``twist``, ``curvature_y``, ``curvature_z`` [1/m]. The others are free.
         forces : mapping of str to float or sequence of float
@@ -154,7 +165,7 @@ class Section(Shown):
         TurgorError
             If a name is unknown, a strain has a force too, or the numbers of rows differ.
         """
-        questions = self._questions(pressure, held, forces)
+        questions = self._questions(pressure, volume, held, forces)
         with use_threads(1):
             path = follow(self._equations, questions)
             outcome = (str(Status.CONVERGED), "")
@@ -165,11 +176,13 @@ class Section(Shown):
             raise SectionError(outcome[1], found)
         return found
 
-    def _questions(self, pressure: float | Sequence[float] | Array | Rows, held: Rows, forces: Rows) -> list[Question]:
+    def _questions(
+        self, pressure: float | Sequence[float] | Array | Rows, volume: Rows, held: Rows, forces: Rows
+    ) -> list[Question]:
         """Scaled questions, one for each row."""
         equations, cavities = self._equations, self.cavities
-        given = dict(pressure) if isinstance(pressure, Mapping) else dict.fromkeys(cavities, pressure)
-        _check_names("cavity", given, cavities)
+        _check_names("cavity", volume, cavities)
+        given = _pressures_of(pressure, cavities, volume)
         _check_names("strain of a section", held, STRAIN_NAMES)
         _check_names("force on a section", forces, FORCE_NAMES)
         for name, other in zip(STRAIN_NAMES, FORCE_NAMES, strict=True):
@@ -183,8 +196,9 @@ class Section(Shown):
             raise TurgorError(
                 f"{blocked[0]} is zero in a section that a mirror plane cuts; model the whole one (symmetric = false)."
             )
-        columns = _as_rows({"pressure": 0.0} if not given else {}, given, held, forces)
+        columns = _as_rows({"pressure": 0.0} if not given else {}, given, volume, held, forces)
         force, strain = scales(equations)
+        area = equations.copies * equations.plane.length**2
         count = len(next(iter(columns.values())))
         out = []
         for row in range(count):
@@ -194,20 +208,35 @@ class Section(Shown):
                 hold[i] = 0.0
             acting = [value.get(f"force {n}", 0.0) / s for n, s in zip(FORCE_NAMES, force, strict=True)]
             pressures = [value.get(f"pressure {name}", 0.0) / equations.stress for name in cavities]
-            out.append(Question(pressures=np.array(pressures), held=np.array(hold), forces=np.array(acting)))
+            sizes = [value[f"volume {name}"] / area if name in volume else np.nan for name in cavities]
+            out.append(
+                Question(
+                    pressures=np.array(pressures),
+                    volumes=np.array(sizes),
+                    held=np.array(hold),
+                    forces=np.array(acting),
+                )
+            )
         return out
 
     def _end(self, questions: Sequence[Question], reached: float) -> str:
         """Where a path ended, and what may help."""
         row = int(reached)
-        before = questions[row - 1].pressures if row else np.zeros(len(self.cavities))
         share = reached - row
-        pressures = (before + share * (questions[row].pressures - before)) * self._equations.stress
-        where = f"a pressure of {pressures.max() / kPa:.4g} kPa" if len(pressures) else f"row {row}"
+        by_volume = bool(np.isfinite(questions[row].volumes).any())
+        where = f"row {row}"
+        if len(self.cavities) and not by_volume:
+            before = questions[row - 1].pressures if row else np.zeros(len(self.cavities))
+            pressures = (before + share * (questions[row].pressures - before)) * self._equations.stress
+            where = f"a pressure of {pressures.max() / kPa:.4g} kPa"
+        advice = (
+            "ask for less, or hold a strain."
+            if by_volume
+            else ("ask for less, hold a strain, or give the volume of the cavity (volume=) instead of its pressure.")
+        )
         return (
             f"No equilibrium of the section was found beyond {where}, {share:.0%} of the way to row {row + 1} of "
-            f"{len(questions)}. The section may have reached a limit point (it balloons), or folds; ask for less, hold "
-            "a strain, or solve a whole actuator with VolumeControl."
+            f"{len(questions)}. The section may have reached a limit point (it balloons), or folds; {advice}"
         )
 
 
@@ -241,9 +270,25 @@ def _check_names(kind: str, given: Mapping[str, object], known: Sequence[str]) -
             raise unknown(kind, name, known)
 
 
-def _as_rows(least: Rows, pressure: Rows, held: Rows, forces: Rows) -> dict[str, Array]:
+def _pressures_of(
+    pressure: float | Sequence[float] | Array | Rows, cavities: Sequence[str], volume: Rows
+) -> dict[str, float | Sequence[float] | Array]:
+    """Pressures of the cavities whose volume is free."""
+    if not isinstance(pressure, Mapping):
+        if np.any(pressure) and volume:
+            raise TurgorError("a pressure is given for all cavities and a volume for some; give pressures by name.")
+        return {name: pressure for name in cavities if name not in volume}
+    _check_names("cavity", pressure, cavities)
+    for name in pressure:
+        if name in volume:
+            raise TurgorError(f"{name} has a pressure and a volume; a cavity takes one of both.")
+    return dict(pressure)
+
+
+def _as_rows(least: Rows, pressure: Rows, volume: Rows, held: Rows, forces: Rows) -> dict[str, Array]:
     """Columns of equal length."""
     named = dict(least) | {f"pressure {n}": v for n, v in pressure.items()}
+    named |= {f"volume {n}": v for n, v in volume.items()}
     named |= {f"held {n}": v for n, v in held.items()} | {f"force {n}": v for n, v in forces.items()}
     columns = {name: np.atleast_1d(np.asarray(values, dtype=np.float64)) for name, values in named.items()}
     count = max(len(values) for values in columns.values())

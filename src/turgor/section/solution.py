@@ -112,7 +112,7 @@ def solution_of(equations: Equations, path: Path, outcome: tuple[str, str], sour
 def _pressures(equations: Equations, points: tuple[Point, ...]) -> list[Column]:
     """One column if all cavities have the same pressure."""
     names = list(equations.cavities)
-    table = np.array([p.question.pressures for p in points]).reshape(len(points), len(names)) * equations.stress
+    table = np.array([p.unknowns.pressures for p in points]).reshape(len(points), len(names)) * equations.stress
     if not names:
         return []
     if (table == table[:, :1]).all():

@@ -189,3 +189,41 @@ def test_step_file_is_cut_in_its_middle(tmp_path):
     )
     assert b["curvature_y"] == pytest.approx(a["curvature_y"], rel=1e-2)
     assert b["cavity_ballooning"] == pytest.approx(a["cavity_ballooning"], rel=1e-4)
+
+
+@pytest.mark.parametrize("ends", ["closed", "open"])
+def test_a_volume_is_held_by_the_pressure_that_gives_it(ends):
+    section = tg.Section(
+        tg.actuators.OmnidirectionalActuator(symmetric=False), {"body": RUBBER}, ends=ends, size=4 * mm
+    )
+    given = {"cavity_1": [2 * kPa, 4 * kPa], "cavity_2": [1 * kPa, 1 * kPa]}
+    by_pressure = section.solve(given, held={"twist": 0.0})
+    rest = section.volume_at_rest
+    sizes = [_volumes(section, by_pressure, row)["cavity_1"] for row in (0, 1)]
+    assert rest["cavity_1"] < sizes[0] < sizes[1]
+    again = section.solve({"cavity_2": 1 * kPa}, volume={"cavity_1": sizes}, held={"twist": 0.0}).response
+    assert again["cavity_1_pressure"] == pytest.approx(given["cavity_1"], rel=1e-6)
+    for name in ("curvature_y", "curvature_z", "stretch"):
+        assert again[name] == pytest.approx(by_pressure.response[name], rel=1e-6)
+
+
+def _volumes(section, solution, row):
+    """Volumes of the cavities for each length, by Stokes' theorem around their outlines."""
+    equations = section._equations
+    sizes = equations.volumes(solution._point(row).unknowns) * equations.copies * equations.plane.length**2
+    return dict(zip(section.cavities, sizes, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ({"volume": {"cavty": 1e-4}}, "did you mean 'cavity'"),
+        ({"pressure": 1e3, "volume": {"cavity": 1e-4}}, "give pressures by name"),
+        ({"pressure": {"cavity": 1e3}, "volume": {"cavity": 1e-4}}, "takes one of both"),
+        ({"volume": {"cavity": [1e-4, 2e-4]}, "held": {"stretch": [1.0, 1.1, 1.2]}}, "one finite value for each row"),
+    ],
+)
+def test_volumes_that_cannot_be_held_are_refused(asked, said):
+    section = tg.Section(tg.actuators.ExtendingCylinder(), {"body": RUBBER}, size=4 * mm)
+    with pytest.raises(tg.TurgorError, match=said):
+        section.solve(**asked)

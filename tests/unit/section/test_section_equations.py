@@ -1,5 +1,7 @@
 """Equations of a section: gradients and tangents of all its parts, its conditions, its symmetric halves."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -32,6 +34,10 @@ PARTS = {
 }
 
 
+FREE = np.full(4, np.nan)
+PRESSED = Question(pressures=np.array([0.3]), volumes=np.array([np.nan]), held=FREE, forces=np.zeros(4))
+
+
 def equations(more=None, fibers=(), supports=(), closed=True):
     mesh = slice_of_geometry(SKETCH.geometry, 4 * mm)
     model = tg.Model(mesh, {"body": RUBBER, "base": SOFT, **(more or {})}, supports, [], reinforcements=fibers)
@@ -46,6 +52,7 @@ def somewhere(made):
         strains=np.array([1.08, 0.05, 0.08, -0.06]),
         p=0.1 * random.normal(size=rest.p.shape),
         multipliers=random.normal(size=rest.multipliers.shape),
+        pressures=np.array([0.3]),
     )
 
 
@@ -60,6 +67,7 @@ def moved(made, at, direction, step):
         strains=at.strains + change[first:mean],
         p=at.p + change[mean:last],
         multipliers=at.multipliers + change[last:],
+        pressures=at.pressures,
     )
 
 
@@ -78,7 +86,7 @@ def product(made, found, direction):
 def test_tangent_is_the_derivative_of_the_residual(part, closed):
     fibers = [THREADS] if part == "two rubbers" else []
     made = equations(PARTS[part], fibers, closed=closed)
-    at, question = somewhere(made), Question(pressures=np.array([0.3]), held=np.full(4, np.nan), forces=np.zeros(4))
+    at, question = somewhere(made), PRESSED
     direction = np.random.default_rng(2).normal(size=len(made.numbers.core))
     kept = (made.numbers.core >= 0) | (made.numbers.border >= 0)
     direction[~kept] = 0.0
@@ -94,7 +102,7 @@ def test_radial_nodes_turn_their_directions():
     disc = tg.sections.Sketch(areas={"body": tg.sections.disc(6 * mm), "cavity": tg.sections.disc(4 * mm)})
     mesh = slice_of_geometry(disc.geometry, 4 * mm)
     made = Equations(tg.Model(mesh, {"body": RUBBER}, [tg.supports.Radial("outside")], []), True)
-    at, question = somewhere(made), Question(pressures=np.array([0.3]), held=np.full(4, np.nan), forces=np.zeros(4))
+    at, question = somewhere(made), PRESSED
     kept = (made.numbers.core >= 0) | (made.numbers.border >= 0)
     direction = np.where(kept, np.random.default_rng(3).normal(size=len(kept)), 0.0)
     found = [made.linearized(moved(made, at, direction, sign * 1e-6), question).residual for sign in (1, -1)]
@@ -159,3 +167,20 @@ def test_half_and_whole_section_agree():
     both = [0, 2]
     K, L = (each.stiffness().matrix[np.ix_(both, both)] for each in (a, b))
     assert pytest.approx(L, rel=3e-3) == K
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_held_volumes_have_their_derivatives(closed):
+    made = equations(closed=closed)
+    at = somewhere(made)
+    held = Question(pressures=np.zeros(1), volumes=np.array([0.7]), held=FREE, forces=np.zeros(4))
+    found = made.linearized(at, held)
+    kept = (made.numbers.core >= 0) | (made.numbers.border >= 0)
+    direction = np.where(kept, np.random.default_rng(5).normal(size=len(kept)), 0.0)
+    sizes = [made.volumes(moved(made, at, direction, sign * 1e-6))[0] for sign in (1, -1)]
+    assert found.gradients[0] @ direction == pytest.approx((sizes[0] - sizes[1]) / 2e-6, rel=1e-7)
+    assert found.missed[0] == 0.7 - made.volumes(at)[0]
+    pressed = [
+        made.linearized(replace(at, pressures=at.pressures + sign * 1e-4), held).residual[kept] for sign in (1, -1)
+    ]
+    assert found.pushed[kept, 0] == pytest.approx((pressed[0] - pressed[1]) / 2e-4, abs=1e-9)

@@ -3,6 +3,7 @@
 Problems: Rivlin's flexure of a block of 10 mm in plane strain (a strip of the section between two mirror planes) by up
 to 270° of 40 mm; torsion of a solid bar of radius 10 mm at its length (V09); the tube of V20 with closed ends, wound
 with one family of smeared threads; a closed tube whose outside keeps its radius.
+A closed tube without fibers (V06) by its volume, past the limit point of the pressure.
 Reference: closed forms, and quadrature.
 Tolerance: errors fall with the fourth power of the size, as those of the energy of quadratic elements do; a tenth of a
 permille at the finest. Tubes: 1e-5, what parabolas miss of circles.
@@ -125,3 +126,35 @@ def test_tube_of_constant_radius(record_verification):
         tolerance="1e-4",
     )
     assert got == pytest.approx([10, 50], rel=1e-4)
+
+
+def test_a_tube_past_its_limit_point(record_verification):
+    """V06 by its volume: the pressure falls beyond a stretch of 1.738 of the inner wall, and states are unstable."""
+    tube = tg.actuators.ExtendingCylinder()
+    rubber = problems.rubber(problems.NEO_HOOKE)
+    stretches = np.array([1.2, 1.6, 1.73, 1.75, 2.0, 2.5])
+    exactly = tg.formulas.thick_tube(tube, rubber, inner_stretch=stretches)
+    volumes = np.pi * (tube.inner_radius * stretches) ** 2 * exactly["axial_stretch"]
+    errors = {}
+    for size in (2, 1, 0.5):
+        solution = tg.Section(tube, {"body": rubber}, size=size * mm).solve(volume={"cavity": volumes})
+        errors[size] = solution.response["pressure"] / exactly["pressure"] - 1
+    (turn,) = tg.formulas.limit_points(tube, rubber)
+    assert list(solution.stable) == (stretches < turn.inner_stretch).tolist()
+    record_verification(
+        claim="section of a bare closed tube at held volumes, past its limit point: pressure [kPa]",
+        source="V06, exact",
+        expected=exactly["pressure"] / kPa,
+        got=solution.response["pressure"] / kPa,
+        tolerance="1e-6",
+    )
+    rate = np.log2(np.abs(errors[1]) / np.abs(errors[0.5]))
+    record_verification(
+        claim="section of a bare closed tube at held volumes: rate of convergence of the pressure",
+        source="theory",
+        expected=[4] * len(rate),
+        got=rate,
+        tolerance="at least 3",
+    )
+    assert np.abs(errors[0.5]).max() < 1e-6
+    assert rate.min() > 3

@@ -1,6 +1,7 @@
 """Claim 6.2-4: where a mesh distorts badly, its density must change between load steps."""
 
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -29,13 +30,12 @@ RUBBER = "elastosil-m4601/yeoh-mosadegh-2014"
 
 def inflate(size: float, bends: bool) -> Computed:
     """Inflate the section of a bare tube, or of a square bender on paper, on one mesh that stays the same."""
-    materials = {"body": rubber_of(RUBBER)}
+    materials: dict[str, Any] = {"body": rubber_of(RUBBER)}
+    actuator: Any = tg.actuators.ExtendingCylinder()
     if bends:
         actuator = tg.actuators.RectangularBender(length=100 * mm)
         paper = tg.from_library("paper", record="hooke-polygerinos-2020")
         materials |= {"base": materials["body"], "strain_limiting_layer": tg.Membrane(paper, thickness=0.1 * mm)}
-    else:
-        actuator = tg.actuators.ExtendingCylinder()
     section = tg.Section(actuator, materials, size=size * mm)
     pressures = np.array([0.0, *(BENDER_PRESSURES if bends else TUBE_PRESSURES)]) * kPa
     found = section.solve(pressures, throw=False).response
