@@ -18,7 +18,7 @@ turgor has four models of one actuator: finite elements of the whole, its [secti
 [rod](howto/rods.md) whose section is known, and a [formula](howto/formulas.md). The table takes each family at a
 small and at a large pressure. Finite elements on the default mesh are the reference, with their estimated mesh error;
 the other columns are the difference from them, and the CPU time. Section, rod and formula have no end walls: their
-length is that between the walls. The rows from "Semicircular bender on paper" on are the example jobs of their families,
+length is that between the walls. From "Semicircular bender on paper" on, the rows are example jobs of their families,
 whose coarse meshes make the mesh error as large as it says: up to a third.
 
 """
@@ -27,9 +27,8 @@ TAIL = """
 
 - **Finite elements** for a number that decides something, for PneuNets and bellows, for contact, and near the ends.
 - **The section** for long actuators: every law, fibers and layers, in a second or two. It is the best first look at a
-  bender or a wound tube, and the model for sweeps over walls, angles and pressures. A flat side of paper is different:
-  its stiffness in shear lets the end walls reach further than these benders are long, and keeps their bases flat, so
-  that the whole bends from its ends while its section hardly bends.
+  bender or a wound tube, and the model for sweeps over walls, angles and pressures. Benders on paper are different:
+  where the base bulges, the section hardly bends, and the whole turns near its end walls, which keep the base flat.
 - **A rod** once a section is known: weight, tip loads, several segments, motion, control. Its time does not count the
   section.
 - **A formula** for tubes, where it is exact but for the ends. For benders without fibers the classical beam is wrong
