@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from turgor import setups as setups
     from turgor import solutions as solutions
     from turgor import supports as supports
-    from turgor import units as units
     from turgor.adaptivity.measure import measure as measure
     from turgor.adaptivity.mesh_to import mesh_to as mesh_to
     from turgor.engine.runtime import EngineOptions as EngineOptions
@@ -105,7 +104,9 @@ Shown.drawing = _drawing
 
 
 def _moved(name: str) -> Any:
-    """Return a name that stood here in the release before, with a warning that says where it is now."""
+    """Return the units, or a name that stood here in the release before, with a warning that says where it is now."""
+    if name == "units":  # not a namespace: scripts import from it, so that they read as 3 * mm
+        return import_module("turgor.units")
     now = _RENAMED.get(name, name)
     for each in sorted(key for key, source in names_in(__file__).items() if source == __name__):
         namespace = import_module(f"turgor.{each}")

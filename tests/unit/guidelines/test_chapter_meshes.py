@@ -62,9 +62,9 @@ def test_kinds_of_cells_come_out_both_ways():
     assert element_kinds.judge(found(better, worse)).verdict is Verdict.CONFIRMED
     other = element_kinds.judge(found(worse, better))
     assert other.verdict is Verdict.NOT_REPRODUCED
-    assert "in 0 of 3 sizes" in other.conditions
+    assert "in 0 of 4 sizes" in other.conditions
     mixed = found(better, (0.01, 0.9, 1e-3))
     assert element_kinds.judge(mixed).verdict is Verdict.CONDITIONAL
     off = made(bending_angle=[11 * deg], unknowns=[1e4], worst_cell=[0.9], lost_volume=[1e-3])
-    apart = mixed | {"tetrahedra of 1.2 mm": off}
+    apart = mixed | {"tetrahedra of 1 mm": off}
     assert element_kinds.judge(apart).verdict is Verdict.NOT_JUDGED
