@@ -82,7 +82,7 @@ def judge(found: Found) -> Judgement:
         for kind in KINDS
     )
     return Judgement(
-        verdict=verdict_of([worst[0] > worst[1], lost[0] < lost[1], all(cheaper)])
+        verdict=verdict_of([worst[0] > worst[1], lost[0] < lost[1], *cheaper])
         if abs(apart) < SAME
         else Verdict.NOT_JUDGED,
         found=f"error of the angle: {told}; the finest of both differ by {abs(apart):.2%}; worst Jacobian ratio "
