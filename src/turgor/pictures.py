@@ -5,7 +5,11 @@ from typing import TYPE_CHECKING
 from turgor._lazy import public
 
 if TYPE_CHECKING:
+    from turgor.results.pictures.colors import FIELDS as FIELDS
+    from turgor.results.pictures.colors import Field as Field
+    from turgor.results.pictures.cuts import Cut as Cut
     from turgor.results.pictures.mesh_picture import write_mesh_picture as write_mesh_picture
+    from turgor.results.pictures.state_picture import Style as Style
     from turgor.results.pictures.state_picture import shared_view as shared_view
     from turgor.results.pictures.state_picture import write_picture as write_picture
     from turgor.results.plots.response_plots import COLORS as COLORS

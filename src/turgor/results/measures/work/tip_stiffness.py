@@ -82,6 +82,8 @@ def _compliance(at: StateFields) -> Array:
 
 def across_the_model(at: StateFields) -> set[int]:
     """Axes along which a force has no place in a model of a half, a quarter or a sector."""
-    if at.mesh.wedge is not None or at.mesh.revolved:
+    if at.mesh.revolved:
+        return {0, 1, 2} - {"xyz".index(at.mesh.revolved)}
+    if at.mesh.wedge is not None:
         return {1, 2}
     return {plane.axis for plane in at.facts.mirrors}
