@@ -62,9 +62,9 @@ def framed(picture: NDArray[np.uint8], view: View, texts: tuple[str, str], color
     -------
     matplotlib.figure.Figure
     """
-    scale = scale_of(view.width)
-    head, foot = bands(view.width)
-    width, height = picture.shape[1], picture.shape[0] + head + foot
+    width = picture.shape[1]
+    scale, (head, foot) = scale_of(width), bands(width)
+    height = picture.shape[0] + head + foot
     figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
     FigureCanvasAgg(figure)
     pixels = _Pixels(figure, offsetx=0, offsety=foot, origin="upper")
@@ -74,7 +74,7 @@ def framed(picture: NDArray[np.uint8], view: View, texts: tuple[str, str], color
     title, note = texts
     figure.text(MARGIN / width, 1 - 0.5 * head / height, title, fontsize=24 * scale, va="center", color=_hex(INK))
     if colors is not None:
-        bar = figure.add_axes((MARGIN / width, 62 * scale / height, 0.42 * view.width / width, 22 * scale / height))
+        bar = figure.add_axes((MARGIN / width, 62 * scale / height, 0.42, 22 * scale / height))
         extend = "both" if colors.norm.vmin == -colors.norm.vmax else "max"
         colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend=extend, extendfrac=0.03)
         colorbar.outline.set_visible(False)
@@ -82,6 +82,11 @@ def framed(picture: NDArray[np.uint8], view: View, texts: tuple[str, str], color
         figure.text(MARGIN / width, 92 * scale / height, note, fontsize=16 * scale, va="bottom", color=_hex(INK))
     draw_axes(figure, view)
     return figure
+
+
+def write_text(figure: Figure, place: tuple[float, float], text: str, size: float) -> None:
+    """Write a line of text into a figure; ``place`` is its left end, in shares of width and height."""
+    figure.text(*place, text, fontsize=size, va="center", color=_hex(INK))
 
 
 def scale_of(width: int) -> float:
@@ -97,7 +102,7 @@ def bands(width: int) -> tuple[int, int]:
 def draw_axes(figure: Figure, view: View) -> None:
     """Draw the axes x, y and z in the view, each with a round length at the scale of the picture."""
     width, height = figure.get_size_inches() * 100
-    scale = scale_of(view.width)
+    scale = scale_of(round(width))
     length = _round_length(72 * scale * view.pixel)
     corner = np.array([width - MARGIN - 1.35 * length / view.pixel, 46.0 * scale])
     directions = view.eye.project(np.eye(3))[:, :2]
