@@ -3,12 +3,15 @@
 Twelve cells along the body: half a percent.
 """
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 import results_cases as cases
 
 import turgor as tg
-from turgor.results.measures.measures import find_measure, measure
+from turgor.results.measures.measures import MEASURES, find_measure, measure
 from turgor.results.measures.shape.arcs import distance_from_arc
 from turgor.results.measures.shape.screws import rotation_of, rotation_vector, screw_between, screw_path
 from turgor.units import deg, mm
@@ -125,3 +128,14 @@ def test_shape_in_a_response_and_too_coarse_a_mesh():
     assert np.isnan(table["bending_radius"][0])
     with pytest.raises(tg.TurgorError, match="did you mean 'curvature'"):
         find_measure("curvatur")
+
+
+def test_page_on_measures_names_every_measure_with_its_unit():
+    """And every sketch that the script draws."""
+    docs = Path(__file__).parents[4] / "docs"
+    page = (docs / "measures.md").read_text(encoding="utf-8")
+    by_axis = ("tip_displacement", "tip_stiffness", "blocked_force")
+    written = {*re.findall(r"`(\w+)`", page), *(f"{name}_{axis}" for name in by_axis for axis in "xyz")}
+    assert set(MEASURES) - written == set()
+    shown = set(re.findall(r"images/measures/([\w-]+)\.svg", page))
+    assert shown == {path.stem for path in (docs / "images" / "measures").glob("*.svg")}
