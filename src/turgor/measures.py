@@ -10,7 +10,6 @@ if TYPE_CHECKING:
     from turgor.results.fields.contact import contact_results as contact_results
     from turgor.results.fields.fibers import FiberResult as FiberResult
     from turgor.results.fields.fibers import fiber_results as fiber_results
-    from turgor.results.measures.chords import chord_angle as chord_angle
     from turgor.results.measures.contact_measures import area_on as area_on
     from turgor.results.measures.contact_measures import blocked_force as blocked_force
     from turgor.results.measures.contact_measures import blocked_force_x as blocked_force_x
@@ -44,10 +43,32 @@ if TYPE_CHECKING:
     from turgor.results.measures.measures import volume_of as volume_of
     from turgor.results.measures.point_measures import of_point as of_point
     from turgor.results.measures.reading import Measure as Measure
-    from turgor.results.measures.rod_strains import middle_curvature_y as middle_curvature_y
-    from turgor.results.measures.rod_strains import middle_curvature_z as middle_curvature_z
-    from turgor.results.measures.rod_strains import middle_stretch as middle_stretch
-    from turgor.results.measures.rod_strains import middle_twist as middle_twist
-    from turgor.results.measures.rod_strains import rod_strains as rod_strains
+    from turgor.results.measures.shape.center_line import CenterLine as CenterLine
+    from turgor.results.measures.shape.center_line import center_line as center_line
+    from turgor.results.measures.shape.chords import chord_angle as chord_angle
+    from turgor.results.measures.shape.rod_strains import middle_curvature_y as middle_curvature_y
+    from turgor.results.measures.shape.rod_strains import middle_curvature_z as middle_curvature_z
+    from turgor.results.measures.shape.rod_strains import middle_stretch as middle_stretch
+    from turgor.results.measures.shape.rod_strains import middle_twist as middle_twist
+    from turgor.results.measures.shape.rod_strains import rod_strains as rod_strains
+    from turgor.results.measures.shape.shape_measures import arc_deviation as arc_deviation
+    from turgor.results.measures.shape.shape_measures import ballooning as ballooning
+    from turgor.results.measures.shape.shape_measures import bending_plane as bending_plane
+    from turgor.results.measures.shape.shape_measures import bending_radius as bending_radius
+    from turgor.results.measures.shape.shape_measures import center_line_length as center_line_length
+    from turgor.results.measures.shape.shape_measures import curvature as curvature
+    from turgor.results.measures.shape.shape_measures import helix_pitch as helix_pitch
+    from turgor.results.measures.shape.shape_measures import helix_radius as helix_radius
+    from turgor.results.measures.shape.workspaces import Workspace as Workspace
+    from turgor.results.measures.shape.workspaces import workspace as workspace
+    from turgor.results.measures.work.work_measures import efficiency as efficiency
+    from turgor.results.measures.work.work_measures import fluid_work as fluid_work
+    from turgor.results.measures.work.work_measures import injected_volume as injected_volume
+    from turgor.results.measures.work.work_measures import outside_work as outside_work
+    from turgor.results.measures.work.work_measures import strain_energy as strain_energy
+    from turgor.results.measures.work.work_measures import tip_stiffness as tip_stiffness
+    from turgor.results.measures.work.work_measures import tip_stiffness_x as tip_stiffness_x
+    from turgor.results.measures.work.work_measures import tip_stiffness_y as tip_stiffness_y
+    from turgor.results.measures.work.work_measures import tip_stiffness_z as tip_stiffness_z
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

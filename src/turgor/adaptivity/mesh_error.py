@@ -134,9 +134,8 @@ def estimate_mesh_error(
     if found is None or not found.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
         return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
-    numbers = sorted(found.pairs)
     values = _read(solution.states, measures)
-    known = _read([found.pairs[number] for number in numbers], measures)
+    known = _read_again(solution, found, measures, values)
     errors = {
         each.name: _along_path(path_length(solution), each, (values[:, k], known[:, k]), found)
         for k, each in enumerate(measures)
@@ -264,8 +263,49 @@ def _chosen(solution: Solution, count: int) -> list[int]:
 def _read(states: Sequence[State], measures: Sequence[Measure]) -> Array:
     """Measures (n, m) of states on one mesh; the fields of a state are shared by its measures, then dropped."""
     facts = MeshFacts(states[0].model.mesh)
-    rows = [[each(at) for each in measures] for at in (StateFields(state, facts) for state in states)]
-    return np.array(rows).reshape(len(rows), len(measures))
+    alone = [k for k, each in enumerate(measures) if each.along is None]
+    out = np.empty((len(states), len(measures)))
+    for number, state in enumerate(states):
+        at = StateFields(state, facts)
+        out[number, alone] = [measures[k](at) for k in alone]
+    for k, each in enumerate(measures):
+        if each.along is not None:
+            out[:, k] = each.read([StateFields(state, facts) for state in states])
+    return out
+
+
+def _read_again(solution: Solution, found: FoundAgain, measures: Sequence[Measure], values: Array) -> Array:
+    """Measures (k, m) of the states that were found again, in their order.
+
+    A sum along the path is made over these states alone on both meshes; the difference is added to its value.
+    """
+    numbers = sorted(found.pairs)
+    again = [found.pairs[number] for number in numbers]
+    sums = [k for k, each in enumerate(measures) if each.along is not None]
+    out = np.empty((len(numbers), len(measures)))
+    alone = [k for k in range(len(measures)) if k not in sums]
+    out[:, alone] = _read(again, [measures[k] for k in alone])
+    if sums:
+        rest = _at_rest(again[0])
+        few = [solution.states[0], *(solution.states[number] for number in numbers)]
+        first, second = (_read(path, [measures[k] for k in sums])[1:] for path in (few, [rest, *again]))
+        out[:, sums] = values[np.ix_(numbers, sums)] + second - first
+    return out
+
+
+def _at_rest(state: State) -> State:
+    """The undeformed state on the mesh of a state."""
+    return replace(
+        state,
+        load_factor=0.0,
+        displacement=np.zeros_like(state.displacement),
+        mean_stress=np.zeros_like(state.mean_stress),
+        nodal_force=np.zeros_like(state.nodal_force),
+        touches={},
+        pressures=dict.fromkeys(state.pressures, 0.0),
+        memory=None,
+        points={},
+    )
 
 
 def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found: FoundAgain) -> Array:
@@ -274,10 +314,10 @@ def _along_path(place: Array, measure: Measure, read: tuple[Array, Array], found
     difference = known - values[numbers]
     if measure.unwrap:
         values, difference = np.unwrap(values), np.arctan2(np.sin(difference), np.cos(difference))
-    change = np.abs(values - values[0])
+    change = np.abs(values - (values[0] if np.isfinite(values[0]) else 0.0))  # what is straight at rest has no radius
     size = np.abs(difference)
     least = np.array([found.moved[number] for number in numbers]) * change[numbers]
     size = np.where(size > PRESCRIBED * change[numbers], found.factor * np.maximum(size, least), size)
-    if (change[numbers] > 1e-6 * max(float(np.abs(values).max()), 1e-300)).all():
+    if (change[numbers] > 1e-6 * max(float(np.nanmax(np.abs(values))), 1e-300)).all():
         return np.asarray(np.interp(place, place[numbers], size / change[numbers]) * change)
     return np.asarray(np.interp(place, [0.0, *place[numbers]], [0.0, *size]))

@@ -24,7 +24,7 @@ SOURCES = sorted((ROOT / "src").rglob("*.py"))
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 #: Distributions whose import name is another one.
-IMPORT_NAMES = {"fenics-basix": "basix", "netgen-mesher": "netgen"}
+IMPORT_NAMES = {"pillow": "PIL", "fenics-basix": "basix", "netgen-mesher": "netgen"}
 
 #: Packages that come inside a distribution of another name.
 INSIDE = {"mpl_toolkits"}  # matplotlib

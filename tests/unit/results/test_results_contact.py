@@ -20,10 +20,10 @@ from turgor.results.fields.contact import contact_results, drawn_obstacles, exte
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.files.vtu import write_series, write_state
 from turgor.results.measures.measures import measure
-from turgor.results.pictures import state_picture as pictures
-from turgor.results.pictures.contact_patches import laid_over
+from turgor.results.pictures import framing
+from turgor.results.pictures.beside.contact_patches import laid_over
+from turgor.results.pictures.beside.obstacle_skin import obstacle_skin
 from turgor.results.pictures.obstacle_shapes import outline
-from turgor.results.pictures.obstacle_skin import obstacle_skin
 from turgor.results.pictures.state_picture import shared_view, write_picture
 from turgor.results.plots.response_plots import contact_figure
 from turgor.results.report.contact_report import CONTACT_HEADS, contact_plot, contact_rows
@@ -238,7 +238,7 @@ def test_files_without_contact_have_neither(tmp_path):
 
 def drawn(path):
     image = np.asarray(Image.open(path).convert("RGB")).astype(int)
-    head, foot = pictures.bands(image.shape[1])
+    head, foot = framing.bands(image.shape[1])
     return image[head:-foot]
 
 

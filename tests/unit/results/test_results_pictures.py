@@ -12,12 +12,13 @@ from PIL import Image
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.pictures import state_picture as pictures
+from turgor.results.pictures import framing as pictures
 from turgor.results.pictures.colors import color_map
 from turgor.results.pictures.raycast import Raster, Scene, camera
+from turgor.results.pictures.rendering import MARGIN
 from turgor.results.pictures.shading import Look, find_lines, paint, reduced
 from turgor.results.pictures.skin import Skin, visible_skin
-from turgor.results.pictures.state_picture import MARGIN, picture_title, shared_view, write_picture
+from turgor.results.pictures.state_picture import picture_title, shared_view, write_picture
 from turgor.source import Source
 from turgor.units import deg
 
@@ -119,16 +120,6 @@ def test_openness_of_a_plane_and_under_a_roof():
     assert openness[:4].max() < 0.05
     assert Scene(covered, EYE).openness(0.05)[:4] == pytest.approx(1.0)  # the roof is farther than that
     assert openness[4:] == pytest.approx(1.0)
-
-
-def test_color_is_that_of_the_value():
-    """In linear light the ratios of red, green and blue are those of the color map: light only scales them."""
-    colors = color_map("von_mises")
-    skin = square(value=0.6)
-    hits = look(skin, Raster(left=0.1, top=0.9, step=0.1, rows=8, columns=8))
-    pixel = paint(skin, hits, EYE, Look(colors=colors, limit=1.0, openness=np.full(4, 1.0)))[4, 4] / 255
-    expected = np.array(colors(0.6)[:3])
-    np.testing.assert_allclose((pixel / pixel.max()) ** 2.2, (expected / expected.max()) ** 2.2, atol=0.02)
 
 
 def test_colors_darken_steadily_from_rest():

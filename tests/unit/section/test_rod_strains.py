@@ -8,7 +8,7 @@ import pytest
 import results_cases as cases
 
 import turgor as tg
-from turgor.results.measures.rod_strains import rod_strains
+from turgor.results.measures.shape.rod_strains import rod_strains
 from turgor.section.kinematics import skew
 
 STRETCH = 1.1

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from turgor.engine.fibers.fiber_kernels import Pieces
 from turgor.engine.fibers.fiber_trusses import FiberTrusses
@@ -128,6 +129,18 @@ def smooth_tension(pieces: Pieces, tension: Array) -> Array:
     total = np.bincount(places.ravel(), weights)
     held = np.bincount(places.ravel(), weights * np.repeat(tension, corners))
     return np.asarray((held / np.where(total > 0, total, 1.0))[places].mean(axis=1))
+
+
+def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:
+    """Threads of the whole actuator, (k, 3) [m] each, with the tension at their points, (k,) [N]."""
+    lines = drawn_threads(at)
+    if not lines:
+        return []
+    found = fiber_results(at)
+    places = np.concatenate([image.of(each.positions) for image in at.facts.images for each in found])
+    tension = np.tile(np.concatenate([each.tension for each in found]), len(at.facts.images))
+    nearest = cKDTree(places)
+    return [(line, tension[nearest.query(line)[1]]) for line in lines]
 
 
 def drawn_threads(at: StateFields) -> list[Array]:

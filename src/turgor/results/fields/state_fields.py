@@ -134,6 +134,14 @@ class StateFields:
     def __init__(self, state: State, facts: MeshFacts | None = None) -> None:
         self.state = state
         self.facts = facts or MeshFacts(state.model.mesh)
+        self._made: dict[Hashable, Any] = {}
+
+    def once(self, key: Hashable, make: Callable[[], Made]) -> Made:
+        """Return what was made of this state under a key, which is made when it is first asked for."""
+        if key not in self._made:
+            self._made[key] = make()
+        found: Made = self._made[key]
+        return found
 
     @property
     def model(self) -> Model:

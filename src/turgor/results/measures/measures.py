@@ -100,18 +100,23 @@ class Reader:
             self._chosen, self._rows = chosen, {}
         if self._facts is None or self._facts.mesh is not solution.model.mesh:
             self._facts = MeshFacts(solution.model.mesh)
+        alone = [each for each in chosen if each.along is None]
         for state in solution.states:
             if id(state.displacement) not in self._rows:
                 at = StateFields(
                     state, self._facts
                 )  # shared by the measures of this state, then dropped: fields are large
-                self._rows[id(state.displacement)] = state.displacement, [each(at) for each in chosen]
+                self._rows[id(state.displacement)] = state.displacement, [each(at) for each in alone]
         rows = [self._rows[id(state.displacement)][1] for state in solution.states]
-        table = np.array(rows).reshape(len(rows), len(chosen))
+        table = dict(zip((each.name for each in alone), np.array(rows).reshape(len(rows), len(alone)).T, strict=True))
+        path = [StateFields(state, self._facts) for state in solution.states]
         columns = list(_drive(solution))
-        for each, values in zip(chosen, table.T, strict=True):
+        known = {column.name for column in columns}  # a prescribed volume is a measure, too
+        for each in (each for each in chosen if each.name not in known):
+            values = table[each.name] if each.along is None else each.read(path)
             columns.append(Column(each.name, each.unit, np.unwrap(values) if each.unwrap else values))
-        columns += energy_columns(solution)
+        known = {column.name for column in columns}
+        columns += [column for column in energy_columns(solution) if column.name not in known]
         return Response(
             columns=tuple(columns),
             source=_source(solution),
@@ -152,7 +157,7 @@ def check_measures(model: Model, measures: Sequence[Measure]) -> None:
     at = StateFields(rest)
     for each in fitting_measures(mesh.faces) if tuple(measures) == STANDARD_MEASURES else measures:
         if each not in OF_ANY_MESH:  # these need no face, and stresses of a whole mesh take seconds
-            each(at)
+            each.read([at])
 
 
 def as_measure(given: object) -> Measure:

@@ -1,10 +1,11 @@
 """Measure: a number that can be read off a state, with its name, unit and definition."""
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from types import ModuleType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.geometry.names import cavity_names
@@ -31,6 +32,9 @@ class Measure:
         Whether it is an angle known up to full turns, to be continued along the path.
     faces : tuple of str
         Faces without which it has no value; ``"cavity"`` stands for any cavity.
+    along : callable or None
+        ``along(path) -> (n,) array [SI]`` for a sum over a path, such as work: its value at every state of a sequence
+        of `StateFields`. One state alone has no such number then, and ``function`` is not called.
 
     Examples
     --------
@@ -46,15 +50,24 @@ class Measure:
     definition: str
     unwrap: bool = False
     faces: tuple[str, ...] = ()
+    along: Callable[[Sequence[StateFields]], NDArray[np.float64]] | None = None
 
     def __post_init__(self) -> None:
         Column(self.name, self.unit, np.empty(0))  # its checks are the checks of a column
 
     def __call__(self, state: State | StateFields) -> float:
         """Return the measure of one state in SI units; an angle lies within half a turn."""
+        if self.along is not None:
+            raise TurgorError(f"measure '{self.name}' is a sum along a path; read it with tg.measure(solution, ...).")
         at = state if isinstance(state, StateFields) else StateFields(state)
+        return float(self.read([at])[0])
+
+    def read(self, path: Sequence[StateFields]) -> NDArray[np.float64]:
+        """Return the measure of every state of a path in SI units, (n,)."""
         try:
-            return float(self.function(at))
+            if self.along is not None:
+                return self.along(path)
+            return np.array([float(self.function(at)) for at in path])
         except TurgorError as error:
             raise TurgorError(f"measure '{self.name}': {error}") from None
 

@@ -16,9 +16,9 @@ from turgor.meshing.quality.cell_quality import cell_shapes
 from turgor.meshing.surface import corner_keys
 from turgor.results.fields.state_fields import MeshFacts
 from turgor.results.pictures.colors import RUBBER
+from turgor.results.pictures.framing import framed
 from turgor.results.pictures.rendering import View, render
 from turgor.results.pictures.skin import Skin, drawn_triangles, visible_skin
-from turgor.results.pictures.state_picture import framed
 from turgor.results.plots.figures import check_ending, write_figure
 
 Array = NDArray[np.float64]
@@ -80,7 +80,7 @@ def mesh_figure(mesh: Mesh, title: str = "", width: int = 1600) -> Figure:
     plain = View(left=0.0, right=1.0, limit=WORST_GOOD)
     across, upward, _ = plain.eye.project(skin.points).T
     left, right = float(across.min()), float(across.max())
-    view = replace(plain, left=left, right=max(right, left + float(np.ptp(upward))), width=width)
+    view = replace(plain, left=left, right=right, height=float(np.ptp(upward)), width=width)
     colors = ScalarMappable(Normalize(0, WORST_GOOD), _colors())
     return framed(render([skin], view, _colors()), view, (title, NOTE), colors)
 

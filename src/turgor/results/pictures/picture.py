@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
@@ -13,15 +14,24 @@ from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.pictures.cad_picture import named_faces_figure
-from turgor.results.pictures.colors import VON_MISES
+from turgor.results.pictures.colors import VON_MISES, Field
 from turgor.results.pictures.mesh_picture import mesh_figure
-from turgor.results.pictures.state_picture import shared_view, state_figure
+from turgor.results.pictures.state_picture import Style, shared_view, state_figure
 from turgor.results.plots.figures import check_ending, png_of
 from turgor.solvers.solution import Solution, State
 from turgor.units import kPa
 
 #: Width of a geometry's figure, which has two views [inch].
 _GEOMETRY_WIDTH = 12
+
+
+class _Look(NamedTuple):
+    """How something is drawn."""
+
+    color_by: str | Field
+    title: str | None
+    width: int
+    style: Style | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,9 +76,10 @@ def picture(
     path: str | Path | None = None,
     *,
     state: int = -1,
-    color_by: str = VON_MISES,
+    color_by: str | Field = VON_MISES,
     title: str | None = None,
     width: int = 1200,
+    style: Style | None = None,
 ) -> Picture:
     """Draw the whole actuator at true scale: a state, the cells of a mesh, or the named faces of a geometry.
 
@@ -83,12 +94,15 @@ def picture(
         PNG file to write.
     state : int
         Which state of a solution; by default the last one.
-    color_by : str
-        Colors of a state: ``"von_mises"`` or ``"contact_pressure"``.
+    color_by : str or Field
+        Colors of a state: ``"von_mises"``, ``"contact_pressure"``, ``"stretch"``, ``"principal_stress"``,
+        ``"mean_stress"``, ``"displacement"``, ``"fiber_tension"``, or a `turgor.pictures.Field` of your own.
     title : str, optional
         Line above the actuator; by default the name of the actuator and, for a state, what acts.
     width : int
         Width in pixels, 400 or more.
+    style : Style, optional
+        Of a state: cut away, transparent, with the edges of cells; see `turgor.pictures.Style`.
 
     Returns
     -------
@@ -107,24 +121,22 @@ def picture(
     """
     if path is not None:
         check_ending(path, "picture")
-    name, figure = _drawn(of, state, (color_by, title, width))
+    name, figure = _drawn(of, state, _Look(color_by, title, width, style))
     made = Picture(caption=name, png=png_of(figure))
     if path is not None:
         made.write(path)
     return made
 
 
-def _drawn(
-    of: Solution | State | Model | Mesh | Geometry, number: int, look: tuple[str, str | None, int]
-) -> tuple[str, Figure]:
+def _drawn(of: Solution | State | Model | Mesh | Geometry, number: int, look: _Look) -> tuple[str, Figure]:
     """Caption and figure of anything that has a picture."""
-    color_by, title, width = look
+    color_by, title, width, style = look
     match of:
         case Solution():
             return _of_solution(of, number, look)
         case State():
             name = caption(of) if title is None else title
-            return name, state_figure(of, shared_view([of], width, color_by), title=name)
+            return name, state_figure(of, shared_view([of], width, color_by), title=name, style=style)
         case Mesh() | Model():
             mesh = of if isinstance(of, Mesh) else of.mesh
             name = mesh.name if title is None else title
@@ -184,15 +196,15 @@ def geometry_figure(geometry: Geometry, title: str, width: int) -> Figure:
     return figure
 
 
-def _of_solution(path: Solution, number: int, how: tuple[str, str | None, int]) -> tuple[str, Figure]:
+def _of_solution(path: Solution, number: int, how: _Look) -> tuple[str, Figure]:
     """Caption and figure of one state of a solution, with the outline of the state at rest behind it."""
     count = len(path.states)
     if not -count <= number < count:
         raise TurgorError(f"state is {number}; the solution has {count} states, 0 to {count - 1} (or -1, the last).")
-    color_by, title, width = how
+    color_by, title, width, style = how
     facts = MeshFacts(path.model.mesh)
     first, chosen = (StateFields(path.states[i], facts) for i in (0, number))
     name = caption(path.states[number]) if title is None else title
     ghost = None if number % count == 0 else first
     view = shared_view([first, chosen], width, color_by)
-    return name, state_figure(chosen, view, title=name, ghost=ghost)
+    return name, state_figure(chosen, view, title=name, ghost=ghost, style=style)

@@ -75,6 +75,13 @@ class Raster:
             left=self.left, top=self.top - start * self.step, step=self.step, rows=stop - start, columns=self.columns
         )
 
+    def coarser(self, samples: int) -> "Raster":
+        """Return the same rectangle with one sample for ``samples`` x ``samples`` of them."""
+        return Raster(
+            left=self.left, top=self.top, step=self.step * samples, rows=self.rows // samples,
+            columns=self.columns // samples,
+        )  # fmt: skip
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Hits:
@@ -155,18 +162,43 @@ class Scene:
         return near[: raster.rows, : raster.columns]
 
     def openness(self, reach: float) -> Array:
-        """Return the ambient occlusion: the free share of the sky above each point within ``reach`` [m], (p,)."""
-        normals, count = self.skin.normals, len(self.skin.points)
+        """Return the ambient occlusion: the free share of the sky above each point within ``reach`` [m], (p,).
+
+        Rays start at the nodes of the sides of cells, once where sides share one; points between take the mean.
+        """
+        skin = self.skin
+        if skin.blocks is None:
+            return self._open(skin.points, skin.normals, reach)
+        shares, nodes = skin.blocks
+        points, normals = (each.reshape(-1, len(shares), 3)[:, nodes].reshape(-1, 3) for each in _both(skin))
+        chosen, place = _distinct(points / self._size, normals)
+        there = self._open(points[chosen], normals[chosen], reach)[place]
+        return np.asarray((there.reshape(-1, len(nodes)) @ shares.T).ravel())
+
+    def _open(self, points: Array, normals: Array, reach: float) -> Array:
+        """Free share of the sky above points (k, 3) with normals (k, 3), (k,)."""
         tangent = np.cross(normals, np.where(np.abs(normals[:, :1]) < 0.7, [[1.0, 0, 0]], [[0, 1.0, 0]]))
         tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
         second = np.cross(normals, tangent)
-        origins = self._scaled(self.skin.points + 1e-3 * reach * normals)
-        limit = np.full(count, reach / self._size, dtype=np.float32)
-        hidden = np.zeros(count)
+        origins = self._scaled(points + 1e-3 * reach * normals)
+        limit = np.full(len(points), reach / self._size, dtype=np.float32)
+        hidden = np.zeros(len(points))
         for x, y, z in _cosine_directions(SKY_RAYS):
             direction = (x * tangent + y * second + z * normals).astype(np.float32)
             hidden += self._scene.run(origins, direction, dists=limit, query="OCCLUDED") >= 0
         return 1 - hidden / SKY_RAYS
+
+
+def _both(skin: Skin) -> tuple[Array, Array]:
+    return skin.points, skin.normals
+
+
+def _distinct(points: Array, normals: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Numbers of one point of each place with one normal, and which of them every point is."""
+    rounded = np.round(np.concatenate([points * 1e6, normals * 1e3], axis=1)).astype(np.int64)
+    weights = np.random.default_rng(1).integers(1, 2**40, size=6)
+    _, first, place = np.unique(rounded @ weights, return_index=True, return_inverse=True)
+    return first, place
 
 
 def _cosine_directions(count: int) -> Array:

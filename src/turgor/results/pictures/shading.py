@@ -21,10 +21,11 @@ PAPER = (255, 255, 255)
 #: Share of the light from the lamp at the upper left; the rest is ambient light, reduced by the ambient occlusion.
 LAMP = 0.45
 
-#: Direction of the lamp along right, up and forward, strength of its highlight, and overall brightness.
+#: Direction of the lamp along right, up and forward.
 LAMP_PLACE = (-0.45, 0.75, -0.65)
-HIGHLIGHT = 0.10
-BRIGHTNESS = 1.12
+
+#: Largest share of the light that shadow takes from a color that means a value, and from plain rubber.
+SHADOW, DEEP_SHADOW = 0.26, 0.62
 
 #: A jump in depth of more than this share of the size of the body is an edge.
 DEPTH_JUMP = 0.006
@@ -33,7 +34,7 @@ DEPTH_JUMP = 0.006
 GAMMA = 2.2
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class Look:
     """Color map and lighting of a skin.
 
@@ -41,18 +42,28 @@ class Look:
     ----------
     colors : Colormap
     limit : float
-        Value at the upper end of the colors; the lower end is zero.
+        Value at the upper end of the colors.
     openness : (p,) array
         Ambient occlusion of each point of the skin: 1 is free, 0 is covered.
+    floor : float
+        Value at the lower end of the colors.
+    shadow : float
+        Largest share of the light that shadow takes.
     """
 
     colors: Colormap
     limit: float
     openness: NDArray[np.float64]
+    floor: float = 0.0
+    shadow: float = SHADOW
 
 
 def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
-    """Return the color of every sample, (h, w, 3): the field under lamp and ambient light, white beside the skin."""
+    """Return the color of every sample, (h, w, 3): that of the field, darker in shadow; white beside the skin.
+
+    Light multiplies red, green and blue alike (in linear light) by a factor from 1 − ``shadow`` to 1. So their ratios
+    are those of the color bar everywhere, and a value can be read off the color of a pixel.
+    """
     image = np.full((*hits.triangle.shape, 3), PAPER, dtype=np.uint8)
     seen = hits.triangle >= 0
     fields = np.column_stack([skin.values, look.openness, skin.normals]).astype(np.float32)
@@ -62,16 +73,14 @@ def paint(skin: Skin, hits: Hits, eye: Camera, look: Look) -> Bytes:
     at += fields[corners[:, 2]] * hits.v[:, None]
     value, sky, normal = at[:, 0], at[:, 1], at[:, 2:]
     table = (look.colors(np.linspace(0, 1, 1024))[:, :3] ** GAMMA).astype(np.float32)
-    color = table[np.clip(value * (1023 / look.limit), 0, 1023).astype(np.int32)]
-    forward = eye.forward.astype(np.float32)
+    value = np.nan_to_num(value, nan=look.floor)  # a field of a cell turned inside out
+    color = table[np.clip((value - look.floor) * (1023 / (look.limit - look.floor)), 0, 1023).astype(np.int32)]
     lamp = _unit(LAMP_PLACE[0] * eye.right + LAMP_PLACE[1] * eye.up + LAMP_PLACE[2] * eye.forward)
-    half = _unit(lamp - forward)
     length = np.sqrt(np.einsum("si,si->s", normal, normal))
-    normal *= (-np.sign(normal @ forward) / np.maximum(length, 1e-12))[:, None]
+    normal *= (-np.sign(normal @ eye.forward.astype(np.float32)) / np.maximum(length, 1e-12))[:, None]
     light = (1 - LAMP) * (0.25 + 0.75 * sky) * (0.8 + 0.2 * normal[:, 2])
     light += LAMP * np.maximum(normal @ lamp, 0) * (0.4 + 0.6 * sky)
-    color *= (BRIGHTNESS * light)[:, None]
-    color += (HIGHLIGHT * np.maximum(normal @ half, 0) ** 40 * sky)[:, None]
+    color *= (1 - look.shadow * (1 - np.clip(light, 0, 1)))[:, None]
     levels = (np.linspace(0, 1, 4096) ** (1 / GAMMA) * 255 + 0.5).astype(np.uint8)
     image[seen] = levels[(np.clip(color, 0, 1) * 4095).astype(np.int32)]
     return image
@@ -114,9 +123,12 @@ def _mark(mask: Mask, where: Mask, axis: int) -> None:
         mask[:, : where.shape[1]] |= where
 
 
-def draw_lines(image: Bytes, lines: tuple[Mask, Mask], ink: tuple[int, int, int], width: float) -> None:
-    """Draw outline and inner edges into an image; the outline is ``width`` samples wide."""
-    for mask, share, opacity in zip(lines, (1.0, 0.6), (0.95, 0.6), strict=True):
+def draw_lines(
+    image: Bytes, lines: tuple[Mask, Mask], ink: tuple[int, int, int], width: float, strength: float = 1.0
+) -> None:
+    """Draw outline and inner edges into an image; the outline is ``width`` samples wide, ``strength`` their opacity."""
+    for mask, share, full in zip(lines, (1.0, 0.6), (0.95, 0.6), strict=True):
+        opacity = strength * full
         place = thickened(mask, width * share / 2)
         image[place] = (image[place] * (1 - opacity) + np.array(ink) * opacity).astype(np.uint8)
 

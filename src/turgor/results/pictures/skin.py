@@ -1,7 +1,7 @@
 """Skin: the visible surface of the whole actuator as small flat triangles, ready to be drawn."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from math import cos
 from typing import Protocol
@@ -28,7 +28,7 @@ EDGE_ANGLE = 30 * deg
 PARTS = 4
 
 #: Beyond this many flat triangles the sides are cut into two parts only, because the mesh is fine enough.
-MANY = 150_000
+MANY = 60_000
 
 
 class Drawn(Protocol):
@@ -63,6 +63,10 @@ class Skin:
         Corners of each triangle.
     patch : (t,) int array
         Patches end at sharp edges and where two regions meet; a line is drawn between them.
+    blocks : ((q, 6) array, (6,) int array) or None
+        Where each side of a cell has q points in a row: their shape functions, and which of them are its nodes.
+    side : (t,) int array or None
+        Number of the side of a cell that each triangle is a part of.
     """
 
     points: Array
@@ -70,6 +74,13 @@ class Skin:
     values: Array
     triangles: Ints
     patch: Ints
+    blocks: tuple[Array, Ints] | None = None
+    side: Ints | None = None
+
+    def part(self, kept: NDArray[np.bool_]) -> "Skin":
+        """Return the skin of some of the triangles (t,)."""
+        side = None if self.side is None else self.side[kept]
+        return replace(self, triangles=self.triangles[kept], patch=self.patch[kept], side=side)
 
     @property
     def areas(self) -> Array:
@@ -78,7 +89,9 @@ class Skin:
         return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
 
 
-def visible_skin(at: Drawn, values: Array) -> Skin:
+def visible_skin(
+    at: Drawn, values: Array, *, chosen: NDArray[np.bool_] | None = None, parts: int | None = None
+) -> Skin:
     """Build the skin of a state: outer surface without the cuts, mirrored or turned to the whole actuator.
 
     Parameters
@@ -88,6 +101,10 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
     values : (n,) or (d,) array
         Values at the nodes of the mesh, or at the nodes of its regions. In the second case a triangle takes the values
         of the region behind it.
+    chosen : (f,) bool array, optional
+        Which of `drawn_triangles` to take; all by default.
+    parts : int, optional
+        Parts of each edge of a side; as many as the picture needs by default.
     """
     mesh = at.mesh
     triangles, region = drawn_triangles(mesh)
@@ -96,7 +113,9 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
     smooth = _smooth_patches(mesh, triangles)
     normals = _nodal_normals(at, triangles, smooth)
     patch = np.unique(np.stack([smooth, region], axis=1), axis=0, return_inverse=True)[1].ravel()
-    parts = PARTS if len(triangles) * PARTS**2 * mesh.symmetry_factor <= MANY else 2
+    if chosen is not None:
+        triangles, corners, normals, patch = (each[chosen] for each in (triangles, corners, normals, patch))
+    parts = parts or (PARTS if len(triangles) * PARTS**2 * mesh.symmetry_factor <= MANY else 2)
     N, pieces = _subdivision(parts)
     count = len(N)
     fine_values = np.einsum("qa,fa->fq", N, corners)
@@ -109,8 +128,24 @@ def visible_skin(at: Drawn, values: Array) -> Skin:
         values=np.clip(fine_values, low, high).ravel(),  # a quadratic interpolation overshoots between its nodes
         triangles=(pieces + count * np.arange(len(triangles))[:, None, None]).reshape(-1, 3),
         patch=np.repeat(patch, len(pieces)),
+        side=np.repeat(np.arange(len(triangles)) // len(mesh.cell_type.side.triangles), len(pieces)),
+        blocks=(N, N.argmax(axis=0))
+        if parts % 2 == 0
+        else None,  # a shape function is 1 at its node, which is on the lattice
     )
     return with_images(skin, at.facts.images)
+
+
+def cavity_parts(at: Drawn, skin: Skin) -> NDArray[np.bool_]:
+    """Return which triangles (t,) of the skin of a state are walls of a cavity."""
+    triangles, _ = drawn_triangles(at.mesh)
+    count = len(at.mesh.points)
+    walls = [six_node_triangles(at.mesh.face(name)) for name in at.mesh.cavities]
+    inside = np.isin(corner_keys(triangles, count), corner_keys(np.concatenate(walls), count)) if walls else None
+    if inside is None:
+        return np.zeros(len(skin.triangles), dtype=bool)
+    images = len(at.facts.images)
+    return np.tile(np.repeat(inside, len(skin.triangles) // (images * len(triangles))), images)
 
 
 def drawn_triangles(mesh: Mesh) -> tuple[Ints, Ints]:
@@ -202,4 +237,6 @@ def with_images(skin: Skin, images: Sequence[Image]) -> Skin:
         values=np.tile(skin.values, len(images)),
         triangles=np.concatenate([triangles + k * count for k, triangles in enumerate(turned)]),
         patch=np.tile(skin.patch, len(images)),
+        blocks=skin.blocks,
+        side=None if skin.side is None else np.tile(skin.side, len(images)),
     )

@@ -1,47 +1,83 @@
 """Pictures of states: the whole actuator at true scale, colored by von Mises stress or contact pressure, as PNG."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from io import BytesIO
 from pathlib import Path
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import imsave
-from matplotlib.lines import Line2D
-from matplotlib.transforms import IdentityTransform
 from numpy.typing import NDArray
 
-from turgor.engine.percentiles import PERCENTILE, volume_percentile, weighted_percentile
-from turgor.errors import TurgorError, unknown
-from turgor.response import Response
+from turgor.engine.percentiles import volume_percentile, weighted_percentile
+from turgor.errors import TurgorError
+from turgor.response import COLUMN_UNITS, Response
 from turgor.results.drive import face_of, pressures_in
 from turgor.results.fields.contact import extents_of
-from turgor.results.fields.fibers import drawn_threads
+from turgor.results.fields.fibers import maximum_tension, threads_with_tension
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.pictures.colors import CONTACT_PRESSURE, FIELDS, VON_MISES, color_map, plain_rubber
-from turgor.results.pictures.contact_patches import pressed
-from turgor.results.pictures.obstacle_skin import obstacle_skin
-from turgor.results.pictures.rendering import ASIDE, FRONT, MARGIN, Beside, View, frame, render
-from turgor.results.pictures.shading import INK
-from turgor.results.pictures.skin import Skin, visible_skin
+from turgor.results.pictures.beside.contact_patches import contact_skin, pressed
+from turgor.results.pictures.beside.obstacle_skin import obstacle_skin
+from turgor.results.pictures.colors import (
+    CONTACT_PRESSURE,
+    DIVERGING,
+    FIBER_TENSION,
+    VON_MISES,
+    Field,
+    field_of,
+    plain_rubber,
+)
+from turgor.results.pictures.cuts import Cut, cut_away
+from turgor.results.pictures.framing import bar_of, framed
+from turgor.results.pictures.rendering import ASIDE, FRONT, Beside, View, frame, render
+from turgor.results.pictures.skin import Skin, cavity_parts, visible_skin
 from turgor.results.plots.figures import check_ending, write_figure
 from turgor.solvers.solution import State
-from turgor.units import deg, kPa, mm
+from turgor.units import deg, kPa
 
 Array = NDArray[np.float64]
 
-#: Pixels above the actuator for the title, and below it for the color bar, in a picture of full width [pixels].
-HEAD, FOOT = 90, 140
-FULL_WIDTH = 1600
-
-#: Smallest scale of letters in narrow pictures.
-SMALLEST_SCALE = 0.45
+#: A field that is nowhere larger than this share of the range of the colors shows none.
+FAINTEST = 1e-3
 
 
-def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_by: str = VON_MISES) -> View:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Style:
+    """How a picture shows an actuator, besides direction, scale and colors.
+
+    Parameters
+    ----------
+    cut : Cut or str or None
+        Plane of the undeformed actuator in front of which it is cut away; ``"y"`` is the middle plane across y.
+    transparent : bool
+        Whether the walls of cavities are seen through the body, and have the colors.
+    edges : bool
+        Whether the edges of cells are drawn.
+
+    Raises
+    ------
+    TurgorError
+        If a transparent body is cut, too.
+
+    Examples
+    --------
+    >>> Style(cut="y").cut
+    Cut(axis='y', position=None)
+    """
+
+    cut: Cut | str | None = None
+    transparent: bool = False
+    edges: bool = False
+
+    def __post_init__(self) -> None:
+        if isinstance(self.cut, str):
+            object.__setattr__(self, "cut", Cut(axis=self.cut))
+        if self.cut is not None and self.transparent:
+            raise TurgorError("a picture is either cut away or transparent; leave one out.")
+
+
+def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_by: str | Field = VON_MISES) -> View:
     """Choose a view that shows all states completely, at the same scale and with the same colors.
 
     The color bar ends at the largest `von_mises_p99` of the states (99 % of the volume have a smaller stress), or at
@@ -53,31 +89,45 @@ def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_
         States of the pictures, usually the undeformed and the last one.
     width : int
         Width of the pictures in pixels, 400 or more.
-    color_by : str
-        ``"von_mises"`` or ``"contact_pressure"``.
+    color_by : str or Field
+        ``"von_mises"``, ``"contact_pressure"``, ``"stretch"``, ``"principal_stress"``, ``"mean_stress"``,
+        ``"displacement"``, ``"fiber_tension"``, or a field of your own.
     """
     if width < 400:
         raise TurgorError(f"picture width is {width} pixels; allowed is 400 or more.")
-    if color_by not in FIELDS:
-        raise unknown("field to color pictures by", color_by, FIELDS)
+    shown_field = field_of(color_by)
     if not states:
         raise TurgorError("a view needs at least one state to show.")
     shown = [_fields(state) for state in states]
     extents = extents_of(shown)
-    touching = color_by == CONTACT_PRESSURE
-    azimuth = ASIDE if touching else FRONT
+    azimuth = ASIDE if shown_field.name == CONTACT_PRESSURE else FRONT
     plain = View(azimuth=azimuth, left=0.0, right=1.0, limit=1.0)
-    low, high, limit = np.full(2, np.inf), np.full(2, -np.inf), 0.0
+    low, high, limit, tallest = np.full(2, np.inf), np.full(2, -np.inf), shown_field.floor, 0.0
     for at in shown:
-        skin = visible_skin(at, getattr(at, color_by))
+        skin = visible_skin(at, shown_field.read(at))
         least, greatest = frame([skin], obstacle_skin(at, extents), plain.eye)
         low, high = np.minimum(low, least), np.maximum(high, greatest)
-        limit = max(limit, _pressed(skin) if touching else volume_percentile(at.cells, at.cells.von_mises))
-    left, right = float(low[0]), float(max(high[0], low[0] + high[1] - low[1]))  # no picture is taller than it is wide
+        tallest = max(tallest, float(greatest[1] - least[1]))
+        limit = max(limit, _upper(at, shown_field, skin))
+    unit = COLUMN_UNITS[shown_field.unit]
     return View(
-        azimuth=azimuth, left=left, right=right, limit=limit if limit > 0 else 1 * kPa, width=width, color_by=color_by,
-        extents=extents,
+        azimuth=azimuth, left=float(low[0]), right=float(high[0]), height=float(high[1] - low[1]), width=width,
+        limit=limit if limit > shown_field.floor else shown_field.floor + unit, color_by=color_by, extents=extents,
     )  # fmt: skip
+
+
+def _upper(at: StateFields, shown: Field, skin: Skin) -> float:
+    """Value that all but a hundredth of the volume, the contact area or the surface stay below."""
+    if shown.name == CONTACT_PRESSURE:
+        return _pressed(skin)
+    if shown.name == VON_MISES:
+        return volume_percentile(at.cells, at.cells.von_mises)
+    if shown.name == FIBER_TENSION:
+        return maximum_tension(at)
+    values = skin.values[skin.triangles].mean(axis=1)
+    if shown.colors == DIVERGING:
+        values = shown.floor + np.abs(values - shown.floor)
+    return weighted_percentile(values, skin.areas)
 
 
 def write_picture(
@@ -87,6 +137,7 @@ def write_picture(
     *,
     title: str = "",
     ghost: State | StateFields | None = None,
+    style: Style | None = None,
 ) -> None:
     """Draw a state of the whole actuator as `state_figure` does, and write it.
 
@@ -94,11 +145,11 @@ def write_picture(
     ----------
     path : str or Path
         PNG file to write.
-    state, view, title, ghost
+    state, view, title, ghost, style
         See `state_figure`.
     """
     check_ending(path, "picture")
-    write_figure(path, state_figure(state, view, title=title, ghost=ghost), kind="picture")
+    write_figure(path, state_figure(state, view, title=title, ghost=ghost, style=style), kind="picture")
 
 
 def state_figure(
@@ -107,6 +158,7 @@ def state_figure(
     *,
     title: str = "",
     ghost: State | StateFields | None = None,
+    style: Style | None = None,
 ) -> Figure:
     """Draw a state of the whole actuator at true scale, colored by von Mises stress or by contact pressure.
 
@@ -123,6 +175,8 @@ def state_figure(
         Line above the actuator, see `picture_title`.
     ghost : State or StateFields
         State whose outline is drawn behind the actuator, usually the undeformed one.
+    style : Style, optional
+        Cut away, transparent, with the edges of cells.
 
     Returns
     -------
@@ -130,10 +184,12 @@ def state_figure(
     """
     shown = [_fields(state)] if ghost is None else [_fields(state), _fields(ghost)]
     view = view or shared_view(shown)
-    return _compose(_rendered(shown, view), view, title)
+    image = _rendered(shown, view, style or Style())
+    colors = bar_of(view) if shows_values(shown[0], view) else None
+    return framed(image, view, (title, view.field.note), colors)
 
 
-def bare_picture(state: State | StateFields, view: View) -> bytes:
+def bare_picture(state: State | StateFields, view: View, style: Style | None = None) -> bytes:
     """Draw a state as `state_figure` does, but the actuator alone, without title, color bar and axes.
 
     Parameters
@@ -142,6 +198,7 @@ def bare_picture(state: State | StateFields, view: View) -> bytes:
         What to draw.
     view : View
         Direction, scale and colors, see `shared_view`.
+    style : Style, optional
 
     Returns
     -------
@@ -149,23 +206,61 @@ def bare_picture(state: State | StateFields, view: View) -> bytes:
         A PNG file.
     """
     stream = BytesIO()
-    imsave(stream, _rendered([_fields(state)], view), format="png")
+    imsave(stream, pixels_of(state, view, style=style), format="png")
     return stream.getvalue()
 
 
-def _rendered(shown: Sequence[StateFields], view: View) -> NDArray[np.uint8]:
+def pixels_of(
+    state: State | StateFields, view: View, *, ghost: State | StateFields | None = None, style: Style | None = None
+) -> NDArray[np.uint8]:
+    """Draw the actuator alone as `bare_picture` does, and return its pixels, (h, w, 3).
+
+    Parameters
+    ----------
+    state, view, ghost, style
+        See `state_figure`.
+    """
+    shown = [_fields(state)] if ghost is None else [_fields(state), _fields(ghost)]
+    return _rendered(shown, view, style or Style())
+
+
+def shows_values(state: State | StateFields, view: View) -> bool:
+    """Return whether a picture of a state has any color but that of rubber, and so needs a color bar."""
+    at, shown = _fields(state), view.field
+    if shown.name == FIBER_TENSION:
+        return maximum_tension(at) > FAINTEST * view.limit
+    return float(np.abs(shown.read(at) - shown.floor).max()) > FAINTEST * (view.limit - shown.floor)
+
+
+def _rendered(shown: Sequence[StateFields], view: View, style: Style) -> NDArray[np.uint8]:
     """Image of the first of some states, with the outlines of the others."""
-    at = shown[0]
+    at, shown_field = shown[0], view.field
     extents = view.extents or extents_of(shown)
-    touching = view.color_by == CONTACT_PRESSURE
-    skins = [visible_skin(each, np.zeros(len(each.points)) if touching else each.von_mises) for each in shown]
+    touching = shown_field.name == CONTACT_PRESSURE
+    hollow = touching or shown_field.name == FIBER_TENSION
+    skins = [visible_skin(at, np.zeros(len(at.points)) if hollow else shown_field.read(at))]
+    skins += [visible_skin(each, np.zeros(len(each.points))) for each in shown[1:]]
+    inside = None
+    if style.transparent:
+        walls = cavity_parts(at, skins[0])
+        skins[0], inside = skins[0].part(~walls), skins[0].part(walls) if walls.any() else None
+    if style.cut is not None:
+        values = np.zeros(len(at.points)) if hollow else shown_field.read(at)
+        whole = visible_skin(at, values)
+        rest = visible_skin(_at_rest(at), np.zeros(len(at.points))).points
+        skins[0] = cut_away(at, whole, rest, style.cut, values)
     beside = Beside(
-        threads=drawn_threads(at),
+        threads=threads_with_tension(at),
         obstacles=obstacle_skin(at, extents),
-        patches=pressed(visible_skin(at, at.contact_pressure), view.limit, view.eye) if touching else (),
+        patches=pressed(contact_skin(at), view.limit, view.eye) if touching else (),
+        inside=inside,
+        edges=style.edges,
     )
-    colors = plain_rubber() if touching else None
-    return render(skins, view, colors, beside)
+    return render(skins, view, plain_rubber() if hollow else None, beside)
+
+
+def _at_rest(at: StateFields) -> StateFields:
+    return StateFields(replace(at.state, displacement=np.zeros_like(at.displacement)), at.facts)
 
 
 def picture_title(response: Response, row: int = -1, name: str = "") -> str:
@@ -201,84 +296,3 @@ def _pressed(skin: Skin) -> float:
     values = skin.values[skin.triangles].mean(axis=1)
     on = values > 0
     return weighted_percentile(values[on], skin.areas[on]) if on.any() else 0.0
-
-
-def _compose(picture: NDArray[np.uint8], view: View, title: str) -> Figure:
-    """Figure with picture, title, color bar and axes, pixel by pixel."""
-    colors = ScalarMappable(Normalize(0, view.limit / kPa), color_map(view.color_by))
-    note = FIELDS[view.color_by].format(share=f"{PERCENTILE} %")
-    return framed(picture, view, (title, note), colors)
-
-
-def framed(picture: NDArray[np.uint8], view: View, texts: tuple[str, str], colors: ScalarMappable) -> Figure:
-    """Put an image of the actuator between its title, its color bar and the axes.
-
-    Parameters
-    ----------
-    picture : (h, w, 3) array
-        The image.
-    view : View
-        View of the picture; letters are smaller in narrow pictures.
-    texts : (str, str)
-        Title, and what the colors mean.
-    colors : ScalarMappable
-        The colors and their range.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
-    scale = scale_of(view.width)
-    head, foot = bands(view.width)
-    width, height = picture.shape[1], picture.shape[0] + head + foot
-    figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
-    FigureCanvasAgg(figure)
-    figure.figimage(picture, 0, foot)
-    title, note = texts
-    figure.text(MARGIN / width, 1 - 0.5 * head / height, title, fontsize=24 * scale, va="center", color=_hex(INK))
-    bar = figure.add_axes((MARGIN / width, 62 * scale / height, 0.42, 22 * scale / height))
-    colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend="max", extendfrac=0.03)
-    colorbar.outline.set_visible(False)
-    bar.tick_params(labelsize=16 * scale, colors=_hex(INK), length=5 * scale)
-    figure.text(MARGIN / width, 92 * scale / height, note, fontsize=16 * scale, va="bottom", color=_hex(INK))
-    draw_axes(figure, view)
-    return figure
-
-
-def scale_of(width: int) -> float:
-    """Scale of the letters of a picture of some width [pixels]: 1 at full width, less in narrow pictures."""
-    return float(np.clip(width / FULL_WIDTH, SMALLEST_SCALE, 1.0))
-
-
-def bands(width: int) -> tuple[int, int]:
-    """Heights of the bands above and below the actuator in a picture of some width [pixels]."""
-    return round(HEAD * scale_of(width)), round(FOOT * scale_of(width))
-
-
-def draw_axes(figure: Figure, view: View) -> None:
-    """Draw the axes x, y and z in the view, each with a round length at the scale of the picture."""
-    width, height = figure.get_size_inches() * 100
-    scale = scale_of(view.width)
-    length = _round_length(72 * scale * view.pixel)
-    corner = np.array([width - MARGIN - 1.35 * length / view.pixel, 46.0 * scale])
-    directions = view.eye.project(np.eye(3))[:, :2]
-    for name, direction in zip("xyz", directions, strict=True):
-        end = corner + direction * length / view.pixel
-        line = Line2D([corner[0], end[0]], [corner[1], end[1]], color=_hex(INK), lw=2 * scale, solid_capstyle="round")
-        line.set_transform(IdentityTransform())
-        figure.add_artist(line)
-        x, y = (end + direction / np.linalg.norm(direction) * 14 * scale) / [width, height]
-        figure.text(x, y, name, fontsize=15 * scale, ha="center", va="center", color=_hex(INK))
-    label = f"each axis {length / mm:g} mm"
-    x, y = corner[0] / width, 12 * scale / height
-    figure.text(x, y, label, fontsize=14 * scale, va="center", ha="center", color=_hex(INK))
-
-
-def _round_length(about: float) -> float:
-    """Largest of 1, 2, 5, 10 … mm that does not exceed a length."""
-    power = 10.0 ** np.floor(np.log10(about / mm))
-    return float(max(step * power for step in (1, 2, 5) if step * power <= about / mm)) * mm
-
-
-def _hex(color: tuple[int, int, int]) -> str:
-    return "#{:02x}{:02x}{:02x}".format(*color)

@@ -17,7 +17,15 @@ Kind = Literal["plot", "picture"]
 ENDINGS: Mapping[Kind, tuple[str, ...]] = {"plot": (".png", ".svg"), "picture": (".png",)}
 
 #: Metadata of files by format, without the version of matplotlib and the date: equal figures give equal files.
-_METADATA: Mapping[str, Any] = {"png": {"Software": "turgor"}, "svg": {"Creator": "turgor", "Date": None}}
+METADATA: Mapping[str, Any] = {
+    "png": {"Software": "turgor"},
+    "svg": {"Creator": "turgor", "Date": None},
+    "pdf": {"Creator": "turgor", "Producer": None, "CreationDate": None},
+}
+
+
+#: How hard PNG files are packed, 1 to 9: a tenth larger than at 6, and written twice as fast.
+PACKED = 4
 
 
 class PlotFigure(Figure):
@@ -107,4 +115,5 @@ def svg_of(figure: Figure) -> str:
 
 def _save(figure: Figure, to: Path | BytesIO | StringIO, form: str, dpi: float | None) -> None:
     with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
-        figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=_METADATA[form])
+        packed = {"pil_kwargs": {"compress_level": PACKED}} if form == "png" else {}
+        figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form], **packed)

@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 from matplotlib.colors import Colormap
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
+from turgor.results.fields.state_fields import StateFields
 from turgor.results.pictures.raycast import Camera, Hits
 from turgor.results.pictures.shading import Bytes
-from turgor.results.pictures.skin import Skin
+from turgor.results.pictures.skin import Skin, drawn_triangles, visible_skin
 
 Array = NDArray[np.float64]
 
@@ -16,8 +18,53 @@ Array = NDArray[np.float64]
 #: of a patch, where the pressure decays.
 FAINT = 0.06
 
+#: Parts of each edge of a side in contact, and radius of the average of its pressure as a share of the edge.
+FINE, BLUR = 6, 0.25
+
 #: Opacity of a patch behind the actuator.
 THROUGH = 0.72
+
+
+def contact_skin(at: StateFields) -> Skin:
+    """Return the skin where surfaces touch, with a smooth contact pressure, finely divided.
+
+    The pressure at the nodes, interpolated in sides of cells, has ragged borders. It is averaged around each point with
+    a Gauss bell that is narrower than a cell, within one smooth surface, so that the force stays the same.
+
+    Parameters
+    ----------
+    at : StateFields
+
+    Returns
+    -------
+    Skin
+        Without triangles where nothing touches.
+    """
+    return at.once("contact skin", lambda: _contact_skin(at))
+
+
+def _contact_skin(at: StateFields) -> Skin:
+    triangles, _ = drawn_triangles(at.mesh)
+    touched = at.contact_pressure > 0
+    for _ in range(2):  # with the sides around those that touch
+        chosen = touched[triangles].any(axis=1)
+        touched[triangles[chosen]] = True
+    skin = visible_skin(at, at.contact_pressure, chosen=chosen, parts=FINE)
+    if not chosen.any():
+        return skin
+    corners = at.points[triangles[chosen][:, :3]]
+    reach = BLUR * float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
+    area = np.bincount(skin.triangles.ravel(), np.repeat(skin.areas / 3, 3), minlength=len(skin.points))
+    patch, values = np.empty(len(skin.points), dtype=np.int64), np.zeros(len(skin.points))
+    patch[skin.triangles] = skin.patch[:, None]
+    for number in np.unique(patch):
+        own = np.flatnonzero(patch == number)
+        tree = cKDTree(skin.points[own])
+        near = tree.sparse_distance_matrix(tree, 2.5 * reach, output_type="coo_matrix").tocsr()
+        near.data = np.exp(-0.5 * (near.data / reach) ** 2)
+        near = near.multiply(area[own][None]).tocsr()
+        values[own] = near @ skin.values[own] / np.maximum(np.asarray(near.sum(axis=1)).ravel(), 1e-300)
+    return replace(skin, values=values)
 
 
 def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
@@ -44,7 +91,7 @@ def pressed(skin: Skin, limit: float, eye: Camera) -> tuple[Skin, ...]:
     a, b, c = (skin.points[skin.triangles[:, k]] for k in range(3))
     facing = np.cross(b - a, c - a) @ eye.forward < 0
     parts = (kept & ~facing, kept & facing)
-    return tuple(replace(skin, triangles=skin.triangles[p], patch=skin.patch[p]) for p in parts if p.any())
+    return tuple(skin.part(p) for p in parts if p.any())
 
 
 def values_seen(skin: Skin, hits: Hits, limit: float) -> Array:

@@ -1,0 +1,1 @@
+"""What pictures show beside the actuator: obstacles, threads, and patches in contact."""
