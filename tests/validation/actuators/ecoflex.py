@@ -1,0 +1,36 @@
+"""Laws of Ecoflex 00-30, fitted to the tests of Moseley et al. 2016: planar cycles and one dumb-bell, no other data."""
+
+from functools import cache
+
+from fit_data import DATA, ecoflex_planar
+
+import turgor as tg
+from turgor.experiments import Fit, MaterialTest, Specimen, crop, remove_slack, thin
+from turgor.units import N, mm
+
+FOLDER = DATA / "epfl-ecoflex30-actuators"
+SECTION, LENGTH = 15 * mm**2, 50 * mm
+DENSITY = 1070.0
+#: Largest stretch of the dumb-bell that is used: all of it, or as far as the planar tests go.
+WHOLE, SHORT = 8.0, 2.0
+LAWS = ("neo-hooke", "yeoh", "gent", "arruda-boyce", "ogden-2")
+
+
+@cache
+def dumbbell(zero: str) -> MaterialTest:
+    """The uniaxial test up to its break. Zero length: ``"grips"``, 50 mm, or ``"authors"``, where 0.1 N is reached."""
+    specimen = Specimen(length=LENGTH, area=SECTION)
+    test = tg.read_test(FOLDER / "uniaxial_dumbbell_means.csv", mode="uniaxial", specimen=specimen)
+    return remove_slack(test, 0.1 * N / SECTION) if zero == "authors" else test
+
+
+@cache
+def fitted(law: str, upto: float = WHOLE, zero: str = "authors") -> Fit:
+    """A law fitted to the planar tests and the dumb-bell up to a stretch."""
+    planar = [thin(test, 40) for test in ecoflex_planar()]
+    return tg.fit(law, [thin(crop(dumbbell(zero), 1.0, upto), 80), *planar])
+
+
+def material(law: str, upto: float = WHOLE, zero: str = "authors") -> tg.Material:
+    """The rubber of a fit."""
+    return fitted(law, upto, zero).named(f"Ecoflex 00-30, {law}", density=DENSITY)
