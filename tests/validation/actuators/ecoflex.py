@@ -1,7 +1,10 @@
 """Laws of Ecoflex 00-30, fitted to the tests of Moseley et al. 2016: planar cycles and one dumb-bell, no other data."""
 
+from dataclasses import fields, replace
 from functools import cache
+from typing import Any
 
+import numpy as np
 from fit_data import DATA, ecoflex_planar
 
 import turgor as tg
@@ -34,3 +37,10 @@ def fitted(law: str, upto: float = WHOLE, zero: str = "authors") -> Fit:
 def material(law: str, upto: float = WHOLE, zero: str = "authors") -> tg.Material:
     """The rubber of a fit."""
     return fitted(law, upto, zero).named(f"Ecoflex 00-30, {law}", density=DENSITY)
+
+
+def scaled(law: Any, factor: float) -> Any:
+    """The law with all its stresses times a factor."""
+    shapes = {"alpha", "Jm", "locking_stretch"}
+    values = {each.name: getattr(law, each.name) for each in fields(law) if each.name not in shapes}
+    return replace(law, **{name: factor * np.asarray(value) for name, value in values.items()})
