@@ -14,7 +14,7 @@ CHAMBERS = (5, 7)
 #: What differs from `bender.STATED`, in words, with the group it belongs to.
 VARIATIONS: dict[str, tuple[str, dict[str, Any]]] = {
     "as stated": ("", {}),
-    "mesh: cells of 4.5 mm": ("mesh", {"size_mm": 4.5}),
+    "mesh: cells of 2.5 mm": ("mesh", {"size_mm": 2.5}),
     "film: stiffness / 10": ("film", {"modulus_MPa": 410.0}),
     "film: stiffness / 100": ("film", {"modulus_MPa": 41.0}),
     "film: stiffness / 1000": ("film", {"modulus_MPa": 4.1}),
@@ -38,17 +38,16 @@ VARIATIONS: dict[str, tuple[str, dict[str, Any]]] = {
     "walls: 6.7 mm": ("walls", {"wall_mm": 6.7}),
 }
 #: Of the blocked force.
-BLOCKED: dict[str, tuple[str, dict[str, Any]]] = {
-    "as stated": ("", {}),
-    "mesh: cells of 4.5 mm": ("mesh", {"size_mm": 4.5}),
-    "law: Yeoh, dumb-bell from 50 mm": ("law", {"zero": "grips"}),
-    "law: Yeoh, all stresses × 0.9": ("law", {"factor": 0.9}),
-    "law: Gent": ("law", {"law": "gent"}),
-    "clamp: end face only": ("clamp", {"clamp_mm": 0.0}),
-    "film: stiffness / 100": ("film", {"modulus_MPa": 41.0}),
-    "contact: friction 0.5": ("contact", {"friction": 0.5}),
-    "contact: plate 2 mm below": ("contact", {"plate_mm": 2.0}),
+BLOCKED: dict[str, dict[str, Any]] = {
+    "as stated": {},
+    "mesh: cells of 2.5 mm": {"size_mm": 2.5},
+    "law: Gent": {"law": "gent"},
+    "clamp: end face only": {"clamp_mm": 0.0},
+    "contact: friction 0.5": {"friction": 0.5},
+    "contact: plate 2 mm below": {"plate_mm": 2.0},
 }
+#: Blind laws that are drawn for each actuator.
+BLIND_BENDERS = {5: ("as stated", "law: Gent", "law: Ogden, two terms", "law: neo-Hooke"), 7: ("as stated",)}
 
 
 def free(chambers: int, name: str, reach: tuple[float, float] = VARIED) -> Run:
@@ -57,9 +56,38 @@ def free(chambers: int, name: str, reach: tuple[float, float] = VARIED) -> Run:
     return Run(name=f"free c{chambers}, {name}", function=bends, values=values)
 
 
+def whole(chambers: int) -> Run:
+    """The curve as stated, far beyond the limit point."""
+    return free(chambers, "as stated", WHOLE_CURVE if chambers == 5 else VARIED)
+
+
+def calibrated_free(chambers: int, factor: float) -> Run:
+    """Free bending with all stresses scaled."""
+    reach = WHOLE_CURVE if chambers == 5 else VARIED
+    values = {"chambers": chambers, "top_kPa": reach[0], "past": reach[1], "how": {"factor": factor}}
+    return Run(name=f"free c{chambers}, calibrated", function=bends, values=values)
+
+
+def calibrated_blocked(chambers: int, factor: float) -> Run:
+    """Blocked force with all stresses scaled."""
+    values = {"chambers": chambers, "top_kPa": 50.0, "how": {"factor": factor}}
+    return Run(name=f"blocked c{chambers}, calibrated", function=pushes, values=values)
+
+
+def bender_runs() -> list[Run]:
+    """All runs of the bending actuators with laws as fitted."""
+    found = [free(5, name) for name in VARIATIONS] + [free(7, name) for name in BLIND_BENDERS[7]]
+    return [*found, whole(5), *(blocked(5, name) for name in BLOCKED), blocked(7, "as stated")]
+
+
+def calibrated_benders(factor: float) -> list[Run]:
+    """All runs of the bending actuators with all stresses scaled."""
+    return [each(chambers, factor) for each in (calibrated_free, calibrated_blocked) for chambers in CHAMBERS]
+
+
 def blocked(chambers: int, name: str) -> Run:
     """Blocked force with one thing varied."""
-    values = {"chambers": chambers, "top_kPa": 50.0, "how": BLOCKED[name][1]}
+    values = {"chambers": chambers, "top_kPa": 50.0, "how": BLOCKED[name]}
     return Run(name=f"blocked c{chambers}, {name}", function=pushes, values=values)
 
 

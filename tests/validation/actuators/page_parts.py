@@ -26,11 +26,14 @@ class Page:
     ----------
     ended : dict of str to Ended
         By the key of the run.
+    factor : float [-]
+        Of all stresses of the calibrated bending actuators.
     distances : list of (str, str, float)
         What was compared, with what, and the distance [-].
     """
 
     ended: dict[str, Ended]
+    factor: float = 1.0
     distances: list[tuple[str, str, float]] = field(default_factory=list)
 
     def of(self, run: Run) -> tg.Response:
