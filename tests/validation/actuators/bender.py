@@ -12,7 +12,6 @@ import numpy as np
 from ecoflex import WHOLE, material, scaled
 
 import turgor as tg
-from turgor.response import Column
 from turgor.source import Source
 from turgor.study.runs import Computed
 from turgor.units import MPa, deg, kPa, mm
@@ -79,7 +78,9 @@ def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Co
         solution = tg.solve(replace(model, loads=[air]), tg.Auto(past=past, at=at), throw=False)
     else:
         weight = tg.Stage("weight", loads=[tg.Gravity(given["gravity"])])
-        solution = tg.solve(model, tg.Stages([weight, tg.Stage("pressure", tg.Static(at=at), loads=[air])]), throw=False)
+        solution = tg.solve(
+            model, tg.Stages([weight, tg.Stage("pressure", tg.Static(at=at), loads=[air])]), throw=False
+        )
     length, height = float(model.mesh.points[:, 0].max()), float(model.mesh.points[:, 2].max())
     points = {"base_bottom": (0.0, 0.0, 0.0), "base_top": (0.0, 0.0, height), "tip_bottom": (length, 0.0, 0.0),
               "tip_middle": (length, 0.0, height / 2), "tip_top": (length, 0.0, height)}  # fmt: skip
@@ -102,7 +103,9 @@ def pushes(chambers: int, top_kPa: float, how: dict[str, Any]) -> Computed:
     """Blocked force: the tip on a plate that is level with the film, the clamped end held all around."""
     given = {**STATED, "clamp_mm": 5.0, **how}
     model = replace(model_of(chambers, given), loads=[tg.Pressure("cavity", top_kPa * kPa)])
-    blocked = tg.setups.blocked_force(model, direction="-z", friction=given["friction"], distance=given["plate_mm"] * mm)
+    blocked = tg.setups.blocked_force(
+        model, direction="-z", friction=given["friction"], distance=given["plate_mm"] * mm
+    )
     at = tuple(each / top_kPa for each in READ if each < top_kPa)
     solution = tg.solve(blocked, tg.Static(at=at), throw=False)
     found = tg.measure(solution, mesh_error=False)

@@ -80,4 +80,6 @@ def blocked_distance(response: tg.Response, chambers: int) -> tuple[float, float
     pressure, force = forces(response)
     used = data["pressure"] <= pressure.max() + 1e-6
     got = np.interp(data["pressure"][used], pressure, force)
-    return float(np.sqrt(np.mean((got - data["force"][used]) ** 2)) / np.ptp(data["force"][used])), float(pressure.max())
+    return float(np.sqrt(np.mean((got - data["force"][used]) ** 2)) / np.ptp(data["force"][used])), float(
+        pressure.max()
+    )

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 from measured_tables import DATA, table
-from meshes import box
 from scipy.optimize import least_squares
 
 import turgor as tg
+from meshes import box
 from turgor.meshing.cells import HEXAHEDRON
 from turgor.response import Column
 from turgor.source import Source

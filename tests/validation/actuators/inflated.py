@@ -128,7 +128,9 @@ def calibrated(law: str) -> Computed:
     """The law scaled so that the plain membrane fits at the middle weight; the other runs stay out."""
 
     def mean_off(factor: float) -> float:
-        return float(np.nanmean(off(lifts("membrane_01", WEIGHTS[1], law, factor=factor).response, "membrane_01", WEIGHTS[1])))
+        return float(
+            np.nanmean(off(lifts("membrane_01", WEIGHTS[1], law, factor=factor).response, "membrane_01", WEIGHTS[1]))
+        )
 
     factor = brentq(mean_off, 0.7, 1.6, xtol=0.003)
     return Computed(response=tg.Response(columns=(Column("factor", "", np.array([factor])),), source=SOURCE))

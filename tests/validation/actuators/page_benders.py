@@ -69,7 +69,9 @@ def _figure(page: Page) -> str:
             where.plot(pressure, angle, "--", color=color, lw=1.2, label=f"blind, {law}")
         pressure, angle = from_zero(page.of(calibrated_free(chambers, page.factor)))
         where.plot(pressure, angle, "-", color=COLORS[0], lw=1.6, label="calibrated")
-        where.set(title=f"{chambers} chambers", xlabel="pressure [kPa]", ylabel="angle [deg]", xlim=(10, 46), ylim=(0, None))
+        where.set(
+            title=f"{chambers} chambers", xlabel="pressure [kPa]", ylabel="angle [deg]", xlim=(10, 46), ylim=(0, None)
+        )
         where.legend(frameon=False, fontsize=7)
     return save(figure, "benders-free.svg")
 
@@ -89,7 +91,13 @@ def _free(page: Page) -> str:
             found = page.of(run)
             off = page.record(f"free bending, {chambers} chambers", said, soft_distance(found, chambers))
             rows.append(_row(said, *from_zero(found), chambers, off))
-    head = ["", *(f"{each:.0f} kPa [°]" for each in AT), "36 kPa [°]", "15° (5) or 25° (7) at [kPa]", "distance, 10 to 34 kPa"]
+    head = [
+        "",
+        *(f"{each:.0f} kPa [°]" for each in AT),
+        "36 kPa [°]",
+        "15° (5) or 25° (7) at [kPa]",
+        "distance, 10 to 34 kPa",
+    ]
     return lines_of(head, rows)
 
 
@@ -153,5 +161,3 @@ def _angles(page: Page) -> str:
     told = [angle_at(data["pressure"], less, each) for each in AT] + [pressure_at(data["pressure"], less, TURN[5])]
     rows.append([f"**measured**, less the {jump:.1f}° that appear before 10.5 kPa", *map(_change, told, base)])
     return lines_of(["how it is read", *(f"angle at {each:.0f} kPa" for each in AT), "pressure of 15°"], rows)
-
-

@@ -20,7 +20,9 @@ def _figure(page: Page) -> str:
         data = measured_blocked(chambers)
         where.errorbar(data["pressure"], data["force"], data["sd"], fmt="o", ms=3, color="black", label="measured")
         where.plot(*forces(page.of(blocked(chambers, "as stated"))), "--", color=COLORS[0], label="blind, Yeoh")
-        where.plot(*forces(page.of(calibrated_blocked(chambers, page.factor))), "-", color=COLORS[0], label="calibrated")
+        where.plot(
+            *forces(page.of(calibrated_blocked(chambers, page.factor))), "-", color=COLORS[0], label="calibrated"
+        )
         where.set(title=f"{chambers} chambers", xlabel="pressure [kPa]", ylabel="blocked force [N]", ylim=(0, None))
         where.legend(frameon=False, fontsize=7)
     return save(figure, "benders-blocked.svg")

@@ -3,39 +3,12 @@
 import numpy as np
 from cantilever import FOLDER, RECORDS, lifted, measured, rubber, runs, sinks
 from measured_tables import distance, table
-from page_parts import Page, lines_of, number
+from page_parts import Page, lines_of, number, percent, text
 
 from turgor.units import kPa
 
 #: Names of the recordings, in the order of the data.
 WEIGHT, LOAD = ("beam_gravity_V2_a", "beam_gravity_V2_b"), ("beam_load52_V2_a", "beam_load52_V2_b")
-
-TEXT = """## A cantilever of Dragon Skin 10
-
-A block of 100 × 30 × 30 mm, clamped at one end, hangs under its weight, then with 0.51 N at the upper edge of its tip
-(Soft Robotics Lab, ETH Zurich, 2021: `diffPD_sim2real`). Motion capture follows three markers 6 mm off the tip and three on
-the clamp. The model is a half of the block in 64 cells of 27 nodes, with markers where the authors say; its mesh error
-is {mesh}.
-
-How far the markers sink [mm], in the order upper, left, lower marker of the tip:
-
-{table}
-The second column of a calibrated row is a prediction: its modulus comes from the recordings without load alone.
-
-- **The library's records of one rubber differ by a factor of {factor:.1f} in the modulus**, and so do the deflections.
-  Nothing else in this experiment comes close. The best record is {best} off, the worst {worst}.
-- **One modulus from one run** (E = {modulus:.0f} kPa; the authors of the data fitted 264 kPa with a linear law) predicts the
-  loaded run within {held} of its largest value, no better than the best record does blind.
-- **The held start counts.** The beam is released from a hand. In the first frames the plane of the tip markers is tilted by
-  {tilt_weight:.1f}° in the recordings without load and by {tilt_load:.1f}° in those with load, so the displacements do not
-  count from one shape, and not from a straight one. From one rest to the other, which the hand cannot touch, the load
-  alone moves the tip by {alone:.1f} mm; the calibrated model says {alone_model:.1f} mm, the record of 255 kPa
-  {alone_blind:.1f} mm.
-- **Taking out the motion of the clamp can make it worse.** In `load52_V2_a` one marker on the clamp moves by 0.73 mm,
-  in its repetition by 0.01 mm. A rigid motion fitted to the three takes {out_a:.1f} mm off the tip in the first recording and
-  {out_b:.1f} mm in the second. Only the repetition tells that it is a marker that slipped.
-
-"""
 
 
 def _row(name: str, values: np.ndarray, *more: str) -> list[str]:
@@ -89,10 +62,11 @@ def _text(rows: list[list[str]], got: dict, means: dict, by_name: dict) -> str:
     out = [measured(of_clamp=False)[name][:, 2].mean() - measured(of_clamp=True)[name][:, 2].mean() for name in LOAD]
     held = np.max(np.abs(fit[1] - means[False][1])) / np.max(np.abs(means[False][1]))
     error = np.max(np.abs(fine - coarse), axis=1)
-    return TEXT.format(
+    return text("cantilever").format(
         table=lines_of(["", "weight", "weight and load", "distance (RMS, of the largest)"], rows),
         mesh=f"{error[0]:.2f} mm under the weight and {error[1]:.2f} mm with the load, at the edge that bears it",
-        factor=max(moduli) / min(moduli), best=f"{100 * min(offs.values()):.1f} %", worst=f"{100 * max(offs.values()):.0f} %",
+        factor=max(moduli) / min(moduli), best=percent(min(offs.values())),
+        worst=percent(max(offs.values()), 0),
         modulus=by_name["calibrated"].column("modulus")[0] / kPa, held=f"{100 * held:.1f} %",
         tilt_weight=_tilt(WEIGHT), tilt_load=_tilt(LOAD), out_a=-out[0], out_b=-out[1],
         alone=-lifted(of_clamp=False).mean(), alone_model=-(fit[1] - fit[0]).mean(),

@@ -4,51 +4,31 @@ import numpy as np
 from inflated import WEIGHTS, measured, off, pressures_at
 from measured_runs import BLIND_LAWS, FACTOR, MEMBRANE_VARIED, calibrated_membranes, lifted
 from measured_tables import distance
-from page_parts import COLORS, Page, lines_of, new_figure, number, save, signed
+from page_parts import COLORS, Page, lines_of, new_figure, number, save, signed, text
 
 from turgor.units import mm
-
-TEXT = """## Inflated membranes of Ecoflex 00-30
-
-A disc of 2 mm, clamped at a radius of 70 mm, lifts a plate of 25.4 mm radius with a weight on it (Campbell et al. 2025, [arXiv
-2504.01156](https://arxiv.org/abs/2504.01156)). Pressure against height is compared from 8 to 48 mm, above the noise of
-the sensor and below the stop of the stage. The model is axisymmetric; the rubber under the plate is bonded to it; the
-can is sealed while the weight is put on, and then filled by volume, because some curves have a maximum.
-
-![Pressure against height]({figure})
-
-Points: means of both sweeps, bars: half their difference. Dashed: blind, by the law that the authors of the data
-fitted to their own tensile test. Dotted: blind, by a two-term Ogden law fitted to the tests of another laboratory (below).
-Full: calibrated, all stresses times {factor:.3f}, from the plain membrane at 24.5 N alone.
-
-{table}
-Distances are RMS over the range of the measured pressures, counted from zero. All but one column of each calibrated row are predictions.
-
-What decides, for the plain membrane at 24.5 N (pressure of the authors' law, relative to the one above):
-
-{varied}
-- **The law beyond small stretches decides here too.** The rubber is stretched up to {stretch:.1f} times at 48 mm. Laws that fit
-  the same tests give different slopes: {slopes}.
-- **Say whether the weight of the moving stage counts.** It would change the pressure by more than all laws do.
-- The measured maximum of the pressure at 39.2 N is met: {maximum}.
-
-"""
 
 
 def part(page: Page) -> str:
     """The section, with its numbers."""
     factor = float(page.of(FACTOR).column("factor")[0])
-    fit = dict(zip([(m, w) for m in ("membrane_01", "membrane_02") for w in WEIGHTS], calibrated_membranes(factor), strict=True))
+    fit = dict(
+        zip(
+            [(m, w) for m in ("membrane_01", "membrane_02") for w in WEIGHTS], calibrated_membranes(factor), strict=True
+        )
+    )
     rows = []
     for law in BLIND_LAWS:
         rows.append(_row(page, f"plain, blind: {_name(law)}", [lifted("membrane_01", w, law) for w in WEIGHTS]))
     rows.append(_row(page, "plain, calibrated", [fit["membrane_01", w] for w in WEIGHTS]))
-    rows.append(_row(page, "two rings, blind: the authors' Gent", [lifted("membrane_02", w, "authors") for w in WEIGHTS]))
+    rows.append(
+        _row(page, "two rings, blind: the authors' Gent", [lifted("membrane_02", w, "authors") for w in WEIGHTS])
+    )
     rows.append(_row(page, "two rings, calibrated on the plain one", [fit["membrane_02", w] for w in WEIGHTS]))
     head = ["membrane and law", *(f"{weight:.1f} N" for weight in WEIGHTS)]
     last = page.of(lifted("membrane_01", WEIGHTS[1], "authors"))
     stretch = float(np.interp(48 * mm, last.column("height"), last.column("stretch_p99")))
-    return TEXT.format(
+    return text("membranes").format(
         figure=_figure(page, fit), factor=factor, table=lines_of(head, rows), varied=_varied(page), stretch=stretch,
         slopes=_slopes(page), maximum=_maximum(page),
     )  # fmt: skip
@@ -75,7 +55,9 @@ def _figure(page: Page, fit: dict) -> str:
     for where, membrane, title in zip(axes, ("membrane_01", "membrane_02"), ("plain", "two rings"), strict=True):
         for color, weight in zip(COLORS, WEIGHTS, strict=False):
             data = measured(membrane, weight)
-            where.errorbar(data["height"], data["pressure"], data["spread"], fmt="o", ms=3, color=color, label=f"{weight:.1f} N")
+            where.errorbar(
+                data["height"], data["pressure"], data["spread"], fmt="o", ms=3, color=color, label=f"{weight:.1f} N"
+            )
             curves = [("--", lifted(membrane, weight, "authors")), ("-", fit[membrane, weight])]
             curves += [(":", lifted(membrane, weight, "ogden-2"))] if membrane == "membrane_01" else []
             for style, run in curves:
@@ -95,7 +77,9 @@ def _varied(page: Page) -> str:
         change = pressures_at(page.of(run), heights) / pressures_at(stated, heights) - 1
         rows.append([name, *(f"{100 * each:+.1f} %" for each in change)])
     for law in BLIND_LAWS[1:]:
-        change = pressures_at(page.of(lifted("membrane_01", WEIGHTS[1], law)), heights) / pressures_at(stated, heights) - 1
+        change = (
+            pressures_at(page.of(lifted("membrane_01", WEIGHTS[1], law)), heights) / pressures_at(stated, heights) - 1
+        )
         rows.append([f"law: {_name(law)}", *(f"{100 * each:+.1f} %" for each in change)])
     data = measured("membrane_01", WEIGHTS[1])
     there = np.interp(heights, data["height"], data["pressure"]) / pressures_at(stated, heights) - 1
@@ -118,7 +102,8 @@ def _maximum(page: Page) -> str:
     """Highest and lowest pressure of the heaviest weight, measured and by the authors' law."""
     data = measured("membrane_01", WEIGHTS[2])
     got = pressures_at(page.of(lifted("membrane_01", WEIGHTS[2], "authors")), data["height"])
-    told = [f"{number(np.nanmax(each), 2)} kPa falling to {number(np.nanmin(each), 2)} kPa" for each in (data["pressure"], got)]
+    told = [
+        f"{number(np.nanmax(each), 2)} kPa falling to {number(np.nanmin(each), 2)} kPa"
+        for each in (data["pressure"], got)
+    ]
     return f"measured {told[0]}, the authors' law {told[1]}"
-
-

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import turgor as tg
-from turgor.pictures import COLORS
+from turgor.pictures import COLORS as COLORS
 from turgor.study.run_all import Ended
 from turgor.study.runs import Run
 
@@ -56,6 +56,11 @@ class Page:
         return percent(distance)
 
 
+def text(name: str) -> str:
+    """A part of the page, with the names of its numbers in braces."""
+    return (Path(__file__).parent / "text" / f"{name}.md").read_text(encoding="utf-8")
+
+
 def percent(value: float, digits: int = 1) -> str:
     """A share in percent."""
     return f"{100 * value:.{digits}f} %"
@@ -89,6 +94,3 @@ def new_figure(columns: int, height: float = 3.6) -> tuple[Figure, list]:
     """A figure with axes side by side."""
     figure = Figure(figsize=(4.0 * columns + 0.4, height), layout="constrained", facecolor="white")
     return figure, list(np.atleast_1d(figure.subplots(1, columns)))
-
-
-__all__ = ["COLORS", "DOCS", "IMAGES", "RECORDED", "Page", "lines_of", "new_figure", "number", "percent", "save", "signed"]

@@ -1,7 +1,7 @@
-"""The measured actuators of docs/measured-actuators.md: readers, and distances that may not drift from the recorded ones.
+"""The measured actuators of docs/measured-actuators.md: readers, and distances that may not drift from the page's.
 
-A distance is no error of turgor alone: law, film, clamp and rig have their share, as the page shows. So these tests fail
-only where a distance differs from the recorded one by more than two points in a hundred, in either direction.
+A distance is no error of turgor alone: law, film, clamp and rig have their share, as the page shows. So these tests
+fail only where a distance differs from the recorded one by more than two points in a hundred, in either direction.
 """
 
 import numpy as np
@@ -50,7 +50,9 @@ def test_markers_of_the_cantilever():
 
 def test_cantilever_is_as_far_off_as_recorded():
     tracks = measured(of_clamp=False)
-    means = [np.mean([tracks[f"beam_{name}_V2_{letter}"][:, 2] for letter in "ab"], axis=0) for name in ("gravity", "load52")]
+    means = [
+        np.mean([tracks[f"beam_{name}_V2_{letter}"][:, 2] for letter in "ab"], axis=0) for name in ("gravity", "load52")
+    ]
     run = cantilever_runs()[0]
     found = distance(sinks(run.function(**run.values).response), np.array(means))
     assert found == pytest.approx(recorded("cantilever", f"blind, {RECORDS[0]}"), abs=0.002)
@@ -90,7 +92,14 @@ def test_angle_of_a_line_and_where_it_is_reached():
 def test_membranes_and_their_rings():
     data = measured_membrane("membrane_01", WEIGHTS[2])
     assert data["pressure"][0] > data["pressure"].min() + 0.2, "it falls: a limit point"
-    assert [name for name, _, _ in bands("membrane_02")] == ["plate", "before_ring1", "ring1", "before_ring2", "ring2", "outer"]
+    assert [name for name, _, _ in bands("membrane_02")] == [
+        "plate",
+        "before_ring1",
+        "ring1",
+        "before_ring2",
+        "ring2",
+        "outer",
+    ]
 
 
 @pytest.mark.parametrize("law", ["yeoh", "ogden-2", "gent", "neo-hooke"])
@@ -116,7 +125,9 @@ def test_membrane_is_as_far_off_as_recorded():
     run = membrane_run("membrane_01", WEIGHTS[1], "authors")
     data = measured_membrane("membrane_01", WEIGHTS[1])
     found = distance(pressures_at(run.function(**run.values).response, data["height"]), data["pressure"])
-    assert found == pytest.approx(recorded(f"membrane, {WEIGHTS[1]:.1f} N", "plain, blind: the authors' Gent"), abs=DRIFT)
+    assert found == pytest.approx(
+        recorded(f"membrane, {WEIGHTS[1]:.1f} N", "plain, blind: the authors' Gent"), abs=DRIFT
+    )
 
 
 @pytest.mark.slow

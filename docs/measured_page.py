@@ -1,16 +1,16 @@
 """Run what docs/measured-actuators.md needs, keep it, and write the page with its pictures.
 
-Call it as ``python tests/validation/actuators/measured_page.py FOLDER``, or `make measured`. What has ended before is read
-from the folder. It also writes ``recorded_distances.csv`` beside itself, which the tests compare with.
+Call it as ``python docs/measured_page.py FOLDER``, or `make measured`. What has ended before is read from the folder.
+It also writes ``tests/validation/actuators/recorded_distances.csv``, which the tests compare with.
 """
 
 import csv
 import sys
 from pathlib import Path
 
-HERE = Path(__file__).parent
-TESTS = HERE.parents[1]
-sys.path[:0] = [str(each) for each in (HERE, TESTS, TESTS / "validation", TESTS / "verification")]
+TESTS = Path(__file__).parents[1] / "tests"
+SHARED = ("validation/actuators", "", "validation", "verification")
+sys.path[:0] = [str(TESTS / each) for each in SHARED]
 
 import cantilever  # noqa: E402
 import page_benders  # noqa: E402
@@ -26,8 +26,7 @@ from measured_runs import (  # noqa: E402
     free,
     membrane_runs,
 )
-from page_parts import DOCS, RECORDED, Page, lines_of, percent  # noqa: E402
-from page_text import BENDERS, HEAD, TAIL  # noqa: E402
+from page_parts import DOCS, RECORDED, Page, lines_of, percent, text  # noqa: E402
 
 from turgor.study.run_all import Ended, run_all  # noqa: E402
 from turgor.study.runs import Run  # noqa: E402
@@ -66,13 +65,13 @@ def write(page: Page) -> None:
     """Write the page and the recorded distances."""
     parts = [page_cantilever.part(page), page_membranes.part(page)]
     numbers = page_benders.part(page) | page_blocked.part(page)
-    parts.append(BENDERS.format(factor=page.factor, **numbers))
+    parts.append(text("benders").format(factor=page.factor, **numbers))
     seconds = sum(each.found.seconds for each in page.ended.values() if each.found)
     summary = lines_of(
         ["what", "model", "distance (RMS, of the range)"], [[a, b, percent(c)] for a, b, c in page.distances]
     )
-    text = HEAD.format(summary=summary) + "".join(parts) + TAIL.format(minutes=seconds / 60)
-    (DOCS / "measured-actuators.md").write_text(text, encoding="utf-8")
+    page_text = text("head").format(summary=summary) + "".join(parts) + text("tail").format(minutes=seconds / 60)
+    (DOCS / "measured-actuators.md").write_text(page_text, encoding="utf-8")
     with RECORDED.open("w", encoding="utf-8", newline="") as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(["what", "model", "distance"])
