@@ -21,7 +21,6 @@ from bender_data import TURN, from_zero, measured_free, pressure_at  # noqa: E40
 from measured_runs import (  # noqa: E402
     FACTOR,
     bender_runs,
-    calibrated_benders,
     calibrated_membranes,
     free,
     membrane_runs,
@@ -38,7 +37,7 @@ def main(folder: Path) -> None:
     page = Page(ended=ended)
     page = Page(ended=ended, factor=bender_factor(page))
     scale = float(page.of(FACTOR).column("factor")[0])
-    ended |= _run([*calibrated_membranes(scale), *calibrated_benders(page.factor)], folder)
+    ended |= _run(calibrated_membranes(scale), folder)
     write(page)
 
 

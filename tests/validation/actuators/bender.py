@@ -25,7 +25,7 @@ LINE = "base_bottom tip_bottom"
 READ = (10.0, 15.0, 20.0, 25.0, 30.0, 32.0, 34.0, 35.0, 36.0, 37.0, 38.0, 39.0, 40.0, 42.0, 44.0)
 #: What is modeled where nothing else is said. The film is a membrane of silk, as its authors model it.
 STATED: Mapping[str, Any] = {
-    "law": "yeoh", "upto": WHOLE, "zero": "authors", "factor": 1.0,
+    "law": "yeoh", "upto": WHOLE, "zero": "authors", "tests": "both", "factor": 1.0,
     "modulus_MPa": 4100.0, "thickness_mm": 0.5, "form": "wrinkles",
     "wall_mm": 7.0, "floor_mm": 0.5, "clamp_mm": 0.0, "friction": 0.0, "gravity": "none",
     "plate_mm": 0.0, "size_mm": 7.0, "picture_kPa": 0.0,
@@ -62,7 +62,7 @@ def layer(film: Mapping[str, Any]) -> tg.Membrane:
 def model_of(chambers: int, given: Mapping[str, Any]) -> tg.Model:
     """The actuator without loads."""
     mesh = tg.mesh(actuator(chambers, given).build(), size=given["size_mm"] * mm, cells="tetrahedra")
-    rubber = material(given["law"], given["upto"], given["zero"])
+    rubber = material(given["law"], given["upto"], given["zero"], given["tests"])
     materials: dict[str, Any] = {"body": replace(rubber, law=scaled(rubber.law, given["factor"]))}
     if given["form"] != "none":
         materials[LAYER] = layer(given)

@@ -10,8 +10,8 @@ from turgor.units import N, kPa
 
 #: Angle [deg] at which the pressure is compared, where the chambers have begun to balloon.
 TURN = {5: 15.0, 7: 25.0}
-#: Pressures before that [kPa], at which angles are compared.
-SOFT = (20.0, 34.0)
+#: Pressure before that [kPa], up to which angles are compared.
+SOFT = 34.0
 
 
 def measured_free(chambers: int) -> dict[str, np.ndarray]:
@@ -58,15 +58,14 @@ def angle_at(pressure: np.ndarray, angle: np.ndarray, wanted: float) -> float:
     return float(np.interp(wanted, pressure[: top + 1], angle[: top + 1], right=np.nan))
 
 
-def soft_distance(response: tg.Response, chambers: int, *, line: str = LINE, zero: float = 10.0) -> float:
-    """RMS difference of the angle from 10 to 34 kPa, over the measured range there [-]."""
+def soft_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> float:
+    """RMS difference of a curve of `from_zero` from 10 to 34 kPa, over the measured range of the angle there [-]."""
     data = measured_free(chambers)
-    used = data["pressure"] <= SOFT[1]
-    curve = from_zero(response, line=line, zero=zero)
+    used = data["pressure"] <= SOFT
     got = np.array([angle_at(*curve, each) for each in data["pressure"][used]])
     there = np.isfinite(got)
-    aim = data["angle"][used][there]
-    return float(np.sqrt(np.mean((got[there] - aim) ** 2)) / np.ptp(data["angle"][used]))
+    off = got[there] - data["angle"][used][there]
+    return float(np.sqrt(np.mean(off**2)) / np.ptp(data["angle"][used]))
 
 
 def forces(response: tg.Response) -> tuple[np.ndarray, np.ndarray]:
@@ -74,12 +73,10 @@ def forces(response: tg.Response) -> tuple[np.ndarray, np.ndarray]:
     return response.column("pressure") / kPa, response.column("blocked_force") / N
 
 
-def blocked_distance(response: tg.Response, chambers: int) -> tuple[float, float]:
-    """RMS difference of the force over its range, as far as the path goes [-], and how far that is [kPa]."""
+def blocked_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> tuple[float, float]:
+    """RMS difference of a curve of `forces` over the measured range [-] as far as it goes, and how far [kPa]."""
     data = measured_blocked(chambers)
-    pressure, force = forces(response)
+    pressure, force = curve
     used = data["pressure"] <= pressure.max() + 1e-6
-    got = np.interp(data["pressure"][used], pressure, force)
-    return float(np.sqrt(np.mean((got - data["force"][used]) ** 2)) / np.ptp(data["force"][used])), float(
-        pressure.max()
-    )
+    off = np.interp(data["pressure"][used], pressure, force) - data["force"][used]
+    return float(np.sqrt(np.mean(off**2)) / np.ptp(data["force"][used])), float(pressure.max())

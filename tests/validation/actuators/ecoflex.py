@@ -28,15 +28,15 @@ def dumbbell(zero: str) -> MaterialTest:
 
 
 @cache
-def fitted(law: str, upto: float = WHOLE, zero: str = "authors") -> Fit:
-    """A law fitted to the planar tests and the dumb-bell up to a stretch."""
-    planar = [thin(test, 40) for test in ecoflex_planar()]
+def fitted(law: str, upto: float = WHOLE, zero: str = "authors", tests: str = "both") -> Fit:
+    """A law fitted to the planar tests and the dumb-bell up to a stretch, or to the ``"dumb-bell"`` alone."""
+    planar = [] if tests == "dumb-bell" else [thin(test, 40) for test in ecoflex_planar()]
     return tg.fit(law, [thin(crop(dumbbell(zero), 1.0, upto), 80), *planar])
 
 
-def material(law: str, upto: float = WHOLE, zero: str = "authors") -> tg.Material:
+def material(law: str, upto: float = WHOLE, zero: str = "authors", tests: str = "both") -> tg.Material:
     """The rubber of a fit."""
-    return fitted(law, upto, zero).named(f"Ecoflex 00-30, {law}", density=DENSITY)
+    return fitted(law, upto, zero, tests).named(f"Ecoflex 00-30, {law}", density=DENSITY)
 
 
 def scaled(law: Any, factor: float) -> Any:

@@ -5,15 +5,18 @@ from typing import Any
 import numpy as np
 from bender import LINE
 from bender_data import TURN, angle_at, from_zero, measured_free, pressure_at, repeated_free, soft_distance
-from ecoflex import WHOLE, fitted
-from measured_runs import BLIND_BENDERS, VARIATIONS, calibrated_free, free, whole
+from bender_facts import decides_facts, free_facts, moduli
+from ecoflex import fitted
+from measured_runs import BLIND_BENDERS, VARIATIONS, free, whole
 from page_parts import COLORS, Page, lines_of, new_figure, number, save
+
+from turgor.study.runs import Run
 
 #: Pressures [kPa] in the tables.
 AT = (20.0, 30.0, 34.0)
 
 
-def part(page: Page) -> dict[str, str]:
+def part(page: Page) -> dict[str, Any]:
     """Tables, figures and numbers of the free bending, by the names that the text asks for."""
     return {
         "laws": _laws(page),
@@ -21,7 +24,23 @@ def part(page: Page) -> dict[str, str]:
         "free": _free(page),
         "decides": _decides(page),
         "angles": _angles(page),
+        **moduli(),
+        **free_facts(page, calibrated(page, free(7, "as stated"))),
+        **decides_facts(page),
     }
+
+
+def _longest(chambers: int, name: str) -> Run:
+    return whole() if (chambers, name) == (5, "as stated") else free(chambers, name)
+
+
+def calibrated(page: Page, run: Run) -> tuple[np.ndarray, np.ndarray]:
+    """Pressure [kPa] and angle [deg] of a run with all stresses times the factor of the page.
+
+    The film hardly stretches and no weight acts, so the pressures are proportional to the stresses.
+    """
+    pressure, angle = from_zero(page.of(run), zero=10.0 / page.factor)
+    return pressure * page.factor, angle
 
 
 def _laws(page: Page) -> str:
@@ -30,7 +49,9 @@ def _laws(page: Page) -> str:
     for name, (group, how) in VARIATIONS.items():
         if group not in ("", "law") or "factor" in how:
             continue
-        fit = fitted(how.get("law", "yeoh"), how.get("upto", WHOLE), how.get("zero", "authors"))
+        fit = fitted(
+            how.get("law", "yeoh"), how.get("upto", WHOLE), how.get("zero", "authors"), how.get("tests", "both")
+        )
         rows.append([
             "Yeoh" if not group else name.removeprefix("law: "),
             f"{min(fit.stretch_range):.2g} to {max(fit.stretch_range):.2g}",
@@ -46,7 +67,7 @@ def _off(fit: Any) -> list[str]:
     """Relative errors of a fit, in the dumb-bell and in the planar tests (root mean square)."""
     uniaxial = [each.relative for each in fit.quality if each.mode == "uniaxial"]
     planar = [each.relative for each in fit.quality if each.mode == "planar"]
-    return [f"{100 * np.sqrt(np.mean(np.square(each))):.0f} %" for each in (uniaxial, planar)]
+    return [f"{100 * np.sqrt(np.mean(np.square(each))):.0f} %" if each else "–" for each in (uniaxial, planar)]
 
 
 def _turn(page: Page, chambers: int, name: str) -> float:
@@ -63,11 +84,10 @@ def _figure(page: Page) -> str:
             again = repeated_free()
             where.plot(again["pressure"], again["angle"], "s", ms=4, mfc="none", color="black", label="measured, steps")
         for color, name in zip(COLORS, BLIND_BENDERS[chambers], strict=False):
-            run = whole(chambers) if name == "as stated" else free(chambers, name)
-            pressure, angle = from_zero(page.of(run))
+            pressure, angle = from_zero(page.of(_longest(chambers, name)))
             law = "Yeoh" if name == "as stated" else name.removeprefix("law: ")
             where.plot(pressure, angle, "--", color=color, lw=1.2, label=f"blind, {law}")
-        pressure, angle = from_zero(page.of(calibrated_free(chambers, page.factor)))
+        pressure, angle = calibrated(page, _longest(chambers, "as stated"))
         where.plot(pressure, angle, "-", color=COLORS[0], lw=1.6, label="calibrated")
         where.set(
             title=f"{chambers} chambers", xlabel="pressure [kPa]", ylabel="angle [deg]", xlim=(10, 46), ylim=(0, None)
@@ -86,11 +106,14 @@ def _free(page: Page) -> str:
             again = repeated_free()
             rows.append(_row("measured again, in steps", again["pressure"], again["angle"], chambers, ""))
         runs = [(f"blind, {_law(name)}", free(chambers, name)) for name in BLIND_BENDERS[chambers]]
-        told = "calibrated here" if chambers == 5 else "calibrated on 5 chambers"
-        for said, run in [*runs, (told, calibrated_free(chambers, page.factor))]:
-            found = page.of(run)
-            off = page.record(f"free bending, {chambers} chambers", said, soft_distance(found, chambers))
-            rows.append(_row(said, *from_zero(found), chambers, off))
+        for said, run in runs:
+            curve = from_zero(page.of(run))
+            off = page.record(f"free bending, {chambers} chambers", said, soft_distance(curve, chambers))
+            rows.append(_row(said, *curve, chambers, off))
+        said = "calibrated here" if chambers == 5 else "calibrated on 5 chambers"
+        curve = calibrated(page, _longest(chambers, "as stated"))
+        off = page.record(f"free bending, {chambers} chambers", said, soft_distance(curve, chambers))
+        rows.append(_row(said, *curve, chambers, off))
     head = [
         "",
         *(f"{each:.0f} kPa [°]" for each in AT),

@@ -2,11 +2,14 @@
 
 import numpy as np
 from inflated import WEIGHTS, measured, off, pressures_at
-from measured_runs import BLIND_LAWS, FACTOR, MEMBRANE_VARIED, calibrated_membranes, lifted
+from measured_runs import BLIND_LAWS, FACTOR, MEMBRANE_VARIED, MIDDLE, calibrated_membranes, lifted, membrane_varied
 from measured_tables import distance
 from page_parts import COLORS, Page, lines_of, new_figure, number, save, signed, text
 
 from turgor.units import mm
+
+#: Laws at the middle weight.
+MIDDLE_LAWS = (*BLIND_LAWS, "ogden-2")
 
 
 def part(page: Page) -> str:
@@ -26,7 +29,7 @@ def part(page: Page) -> str:
     )
     rows.append(_row(page, "two rings, calibrated on the plain one", [fit["membrane_02", w] for w in WEIGHTS]))
     head = ["membrane and law", *(f"{weight:.1f} N" for weight in WEIGHTS)]
-    last = page.of(lifted("membrane_01", WEIGHTS[1], "authors"))
+    last = page.of(lifted("membrane_01", MIDDLE, "authors"))
     stretch = float(np.interp(48 * mm, last.column("height"), last.column("stretch_p99")))
     return text("membranes").format(
         figure=_figure(page, fit), factor=factor, table=lines_of(head, rows), varied=_varied(page), stretch=stretch,
@@ -59,7 +62,7 @@ def _figure(page: Page, fit: dict) -> str:
                 data["height"], data["pressure"], data["spread"], fmt="o", ms=3, color=color, label=f"{weight:.1f} N"
             )
             curves = [("--", lifted(membrane, weight, "authors")), ("-", fit[membrane, weight])]
-            curves += [(":", lifted(membrane, weight, "ogden-2"))] if membrane == "membrane_01" else []
+            curves += [(":", lifted(membrane, weight, "yeoh"))] if membrane == "membrane_01" else []
             for style, run in curves:
                 height = np.linspace(0, 50, 60)
                 where.plot(height, pressures_at(page.of(run), height), style, color=color, lw=1.2)
@@ -69,19 +72,17 @@ def _figure(page: Page, fit: dict) -> str:
 
 
 def _varied(page: Page) -> str:
-    stated = page.of(lifted("membrane_01", WEIGHTS[1], "authors"))
+    stated = page.of(lifted("membrane_01", MIDDLE, "authors"))
     heights = np.array([10.0, 45.0])
     rows = []
-    for name, how in MEMBRANE_VARIED.items():
-        run = lifted("membrane_01", law="authors", **{"weight": WEIGHTS[1], **how})
+    for name in MEMBRANE_VARIED:
+        run = membrane_varied(name)
         change = pressures_at(page.of(run), heights) / pressures_at(stated, heights) - 1
         rows.append([name, *(f"{100 * each:+.1f} %" for each in change)])
-    for law in BLIND_LAWS[1:]:
-        change = (
-            pressures_at(page.of(lifted("membrane_01", WEIGHTS[1], law)), heights) / pressures_at(stated, heights) - 1
-        )
+    for law in MIDDLE_LAWS[1:]:
+        change = pressures_at(page.of(lifted("membrane_01", MIDDLE, law)), heights) / pressures_at(stated, heights) - 1
         rows.append([f"law: {_name(law)}", *(f"{100 * each:+.1f} %" for each in change)])
-    data = measured("membrane_01", WEIGHTS[1])
+    data = measured("membrane_01", MIDDLE)
     there = np.interp(heights, data["height"], data["pressure"]) / pressures_at(stated, heights) - 1
     rows.append(["**measured**", *(f"{100 * each:+.1f} %" for each in there)])
     return lines_of(["", *(f"at {height:.0f} mm" for height in heights)], rows)
@@ -90,10 +91,10 @@ def _varied(page: Page) -> str:
 def _slopes(page: Page) -> str:
     """Change of the pressure from 10 to 45 mm at the middle weight."""
     heights, said = np.array([10.0, 45.0]), []
-    data = measured("membrane_01", WEIGHTS[1])
+    data = measured("membrane_01", MIDDLE)
     low, high = np.interp(heights, data["height"], data["pressure"])
-    for law in BLIND_LAWS:
-        first, last = pressures_at(page.of(lifted("membrane_01", WEIGHTS[1], law)), heights)
+    for law in MIDDLE_LAWS:
+        first, last = pressures_at(page.of(lifted("membrane_01", MIDDLE, law)), heights)
         said.append(f"{_name(law)} {signed(last / first - 1)}")
     return f"from 10 to 45 mm the pressure changes by {signed(high / low - 1)} (measured), " + ", ".join(said)
 
