@@ -49,9 +49,8 @@ def _laws(page: Page) -> str:
     for name, (group, how) in VARIATIONS.items():
         if group not in ("", "law") or "factor" in how:
             continue
-        fit = fitted(
-            how.get("law", "yeoh"), how.get("upto", WHOLE), how.get("zero", "authors"), how.get("tests", "both")
-        )
+        given = {**STATED, **how}
+        fit = fitted(given["law"], given["upto"], given["zero"], given["tests"])
         rows.append([
             "Yeoh" if not group else name.removeprefix("law: "),
             f"{min(fit.stretch_range):.2g} to {max(fit.stretch_range):.2g}",
