@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-from bender import LINE
+from bender import LINE, STATED
 from bender_data import TURN, angle_at, from_zero, measured_free, pressure_at, repeated_free, soft_distance
 from bender_facts import decides_facts, free_facts, moduli
 from ecoflex import fitted
