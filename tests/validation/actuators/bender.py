@@ -28,7 +28,7 @@ STATED: Mapping[str, Any] = {
     "law": "yeoh", "upto": WHOLE, "zero": "authors", "tests": "both", "factor": 1.0,
     "modulus_MPa": 4100.0, "thickness_mm": 0.5, "form": "wrinkles",
     "wall_mm": 7.0, "floor_mm": 0.5, "clamp_mm": 0.0, "friction": 0.0, "gravity": "none",
-    "plate_mm": 0.0, "size_mm": 7.0, "picture_kPa": 0.0,
+    "plate_mm": 0.0, "size_mm": 7.0, "picture": False,
 }  # fmt: skip
 
 
@@ -89,14 +89,12 @@ def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Co
     found = tg.measure(solution, *others, *markers, mesh_error=False)
     kept = ["pressure", *(each.name for each in others), *(each.name for each in markers if each.name[-1] != "y")]
     response = tg.Response(columns=tuple(map(found.find, kept)), source=SOURCE, message=solution.message)
-    return Computed(response=response, picture=_drawn(solution, given["picture_kPa"]))
+    return Computed(response=response, picture=_drawn(solution, given))
 
 
-def _drawn(solution: tg.Solution, pressure_kPa: float) -> bytes:
-    """Picture of the first state from a pressure on; none where that is 0 or was not reached."""
-    pressures = [state.pressures.get("cavity", 0.0) / kPa for state in solution.states]
-    there = [number for number, pressure in enumerate(pressures) if 0 < pressure_kPa <= pressure]
-    return tg.picture(solution, state=there[0], width=900).png if there else b""
+def _drawn(solution: tg.Solution, given: Mapping[str, Any]) -> bytes:
+    """Picture of the last state, where one is wanted."""
+    return tg.picture(solution, width=900).png if given["picture"] else b""
 
 
 def pushes(chambers: int, top_kPa: float, how: dict[str, Any]) -> Computed:

@@ -9,7 +9,7 @@ import turgor as tg
 from turgor.units import N, kPa
 
 #: Angle [deg] at which the pressure is compared, where the chambers have begun to balloon.
-TURN = {5: 15.0, 7: 25.0}
+TURN = {5: 15.0, 7: 20.0}
 #: Pressure before that [kPa], up to which angles are compared.
 SOFT = 34.0
 

@@ -117,7 +117,7 @@ def _free(page: Page) -> str:
         "",
         *(f"{each:.0f} kPa [°]" for each in AT),
         "36 kPa [°]",
-        "15° (5) or 25° (7) at [kPa]",
+        "15° (5) or 20° (7) at [kPa]",
         "distance, 10 to 34 kPa",
     ]
     return lines_of(head, rows)

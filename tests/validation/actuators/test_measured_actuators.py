@@ -6,7 +6,7 @@ fail only where a distance differs from the recorded one by more than two points
 
 import numpy as np
 import pytest
-from bender import LINE, STATED, actuator, angles
+from bender import LINE, STATED, actuator, angles, bends
 from bender_data import (
     angle_at,
     blocked_distance,
@@ -143,3 +143,10 @@ def test_blocked_force_is_as_far_off_as_recorded():
     run = blocked(5, "as stated")
     found, _ = blocked_distance(forces(run.function(**run.values).response), 5)
     assert found == pytest.approx(recorded("blocked force, 5 chambers", "blind, Yeoh"), abs=DRIFT)
+
+
+@pytest.mark.slow
+def test_pressures_are_proportional_to_stresses():
+    """What the calibrated curves of the page rely on: a film this stiff adds no scale of its own (0.1 % measured)."""
+    full, softer = (bends(1, top, 1.2, how).response for top, how in ((20.0, {}), (18.0, {"factor": 0.9})))
+    assert angles(softer, LINE)[1][-1] == pytest.approx(angles(full, LINE)[1][-1], rel=0.005)
