@@ -14,7 +14,7 @@ RUN := $(VENV)/run.stamp
 DEV := $(VENV)/dev.stamp
 DOCS := $(VENV)/docs.stamp
 
-.PHONY: help setup demo test slow lint format verification actuators gallery reference docs dist bench robustness fuzz truth guidelines fast lock clean
+.PHONY: help setup demo test slow lint format verification actuators gallery reference docs dist bench robustness fuzz truth guidelines measured fast lock clean
 
 help:
 	@echo "make demo          run the fast PneuNet of examples/fast_pneunet.toml; the results go to runs/demo"
@@ -34,6 +34,7 @@ help:
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
 	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
 	@echo "make guidelines    run the guidelines of the literature (an hour of two cores); renews docs/guidelines.md"
+	@echo "make measured      compare with measured actuators (an hour of one core); renews docs/measured-actuators.md"
 	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
 	@echo "make lock          renew requirements/*.lock from pyproject.toml (needs uv)"
 	@echo "make clean         remove .venv, caches and what was built"
@@ -92,6 +93,9 @@ truth: $(RUN) requirements/truth.lock
 guidelines: $(DEV)
 	$(BIN)/turgor guidelines run --processes 2 --output runs/guidelines || true
 	$(BIN)/python docs/guidelines_page.py runs/guidelines
+
+measured: $(DEV)
+	$(BIN)/python docs/measured_page.py runs/measured
 
 fast: $(RUN) requirements/fast.lock
 	$(PIP) install -r requirements/fast.lock

@@ -26,7 +26,8 @@ steps. The claims are those of the review by Xavier, Fleming and Yong (2021), [d
 10.1002/aisy.202000187](https://doi.org/10.1002/aisy.202000187), sections 6.2, 7.2, 7.4 and 8.1 and its appendix;
 "review" in the tables means this paper. V20 and V21 are cases of the [verification](verification.md). The expected
 numbers for section 7.2 were computed for this project by independent semi-analytic or converged solvers. Each file
-says what it models and why its tolerance is what it is.
+says what it models and why its tolerance is what it is. Real actuators that were measured, with the distance of a blind
+prediction from them, are on [their own page](measured-actuators.md).
 
 The page is written by `pytest tests/validation/targets -m "slow or not slow" --write-validation`, and only when all
 targets pass. To repeat one, run `pytest tests/validation/<file> -m "slow or not slow"`.

@@ -1,0 +1,122 @@
+"""The bending actuators of Moseley et al. 2016: a block of Ecoflex 00-30 with a row of chambers, closed by a film.
+
+Axes: x from the held end to the tip, z up, the film at z = 0, the mirror plane at y = 0. Dimensions are those of the
+geometry script of the authors. A floor of rubber lies on the film, because a cavity needs walls of rubber.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from ecoflex import WHOLE, material, scaled
+
+import turgor as tg
+from turgor.source import Source
+from turgor.study.runs import Computed
+from turgor.units import MPa, deg, kPa, mm
+
+CHAMBER, HEIGHT, WIDTH, CHANNEL = 2 * mm, 8 * mm, 8 * mm, 2 * mm
+LAYER = "strain_limiting_layer"
+SOURCE = Source(text="turgor, half of the actuator")
+#: The angle of the authors: of the line from a point that stands still to the tip.
+LINE = "base_bottom tip_bottom"
+#: Pressures that a path hits exactly [kPa].
+READ = (10.0, 15.0, 20.0, 25.0, 30.0, 32.0, 34.0, 35.0, 36.0, 37.0, 38.0, 39.0, 40.0, 42.0, 44.0)
+#: What is modeled where nothing else is said. The film is a membrane of silk, as its authors model it.
+STATED: Mapping[str, Any] = {
+    "law": "yeoh", "upto": WHOLE, "zero": "authors", "tests": "both", "factor": 1.0,
+    "modulus_MPa": 4100.0, "thickness_mm": 0.5, "form": "wrinkles",
+    "wall_mm": 7.0, "floor_mm": 0.5, "clamp_mm": 0.0, "friction": 0.0, "gravity": "none",
+    "plate_mm": 0.0, "size_mm": 7.0, "picture": False,
+}  # fmt: skip
+
+
+def actuator(chambers: int, given: Mapping[str, Any]) -> tg.actuators.SlowPneuNet:
+    """Half of an actuator."""
+    wall, floor = given["wall_mm"] * mm, given["floor_mm"] * mm
+    return tg.actuators.SlowPneuNet(
+        chambers=chambers,
+        length=chambers * CHAMBER + (chambers + 1) * wall,
+        width=WIDTH + 2 * wall,
+        height=floor + HEIGHT + wall,
+        wall=wall,
+        side_wall=wall,
+        top_wall=wall,
+        end_wall=wall,
+        floor=floor,
+        base=0.0,
+        channel_width=CHANNEL,
+        channel_height=CHANNEL,
+        clamp_length=given["clamp_mm"] * mm,
+    )
+
+
+def layer(film: Mapping[str, Any]) -> tg.Membrane:
+    """The film: ``"wrinkles"`` bears tension only, ``"membrane"`` compression too, ``"shell"`` bends as a plate."""
+    silk = tg.Material(name="film", law=tg.laws.Hooke(E=film["modulus_MPa"] * MPa, nu=0.49))
+    how = {"wrinkles": {"compression": 0.0}, "membrane": {}, "shell": {"bending": True}}[film["form"]]
+    return tg.Membrane(silk, film["thickness_mm"] * mm, **how)
+
+
+def model_of(chambers: int, given: Mapping[str, Any]) -> tg.Model:
+    """The actuator without loads."""
+    mesh = tg.mesh(actuator(chambers, given).build(), size=given["size_mm"] * mm, cells="tetrahedra")
+    rubber = material(given["law"], given["upto"], given["zero"], given["tests"])
+    materials: dict[str, Any] = {"body": replace(rubber, law=scaled(rubber.law, given["factor"]))}
+    if given["form"] != "none":
+        materials[LAYER] = layer(given)
+    return tg.Model(mesh, materials, [tg.Fixed("fixed")], [])
+
+
+def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Computed:
+    """Free bending: places of points on base and tip while the pressure rises, past limit points."""
+    given = {**STATED, **how}
+    model = model_of(chambers, given)
+    air, at = tg.Pressure("cavity", top_kPa * kPa), tuple(each / top_kPa for each in READ if each < top_kPa)
+    if given["gravity"] == "none":
+        solution = tg.solve(replace(model, loads=[air]), tg.Auto(past=past, at=at), throw=False)
+    else:
+        weight = tg.Stage("weight", loads=[tg.Gravity(given["gravity"])])
+        solution = tg.solve(
+            model, tg.Stages([weight, tg.Stage("pressure", tg.Static(at=at), loads=[air])]), throw=False
+        )
+    length, height = float(model.mesh.points[:, 0].max()), float(model.mesh.points[:, 2].max())
+    points = {"base_bottom": (0.0, 0.0, 0.0), "base_top": (0.0, 0.0, height), "tip_bottom": (length, 0.0, 0.0),
+              "tip_middle": (length, 0.0, height / 2), "tip_top": (length, 0.0, height)}  # fmt: skip
+    markers = [each for name, place in points.items() for each in tg.measures.marker(name, place)]
+    others = (tg.bending_angle, tg.cavity_volume, tg.measures.principal_stretch_p99)
+    found = tg.measure(solution, *others, *markers, mesh_error=False)
+    kept = ["pressure", *(each.name for each in others), *(each.name for each in markers if each.name[-1] != "y")]
+    response = tg.Response(columns=tuple(map(found.find, kept)), source=SOURCE, message=solution.message)
+    return Computed(response=response, picture=_drawn(solution, given))
+
+
+def _drawn(solution: tg.Solution, given: Mapping[str, Any]) -> bytes:
+    """Picture of the last state, where one is wanted."""
+    return tg.picture(solution, width=900).png if given["picture"] else b""
+
+
+def pushes(chambers: int, top_kPa: float, how: dict[str, Any]) -> Computed:
+    """Blocked force: the tip on a plate that is level with the film, the clamped end held all around."""
+    given = {**STATED, "clamp_mm": 5.0, **how}
+    model = replace(model_of(chambers, given), loads=[tg.Pressure("cavity", top_kPa * kPa)])
+    blocked = tg.setups.blocked_force(
+        model, direction="-z", friction=given["friction"], distance=given["plate_mm"] * mm
+    )
+    at = tuple(each / top_kPa for each in READ if each < top_kPa)
+    solution = tg.solve(blocked, tg.Static(at=at), throw=False)
+    found = tg.measure(solution, mesh_error=False)
+    columns = tuple(map(found.find, ("pressure", "blocked_force")))
+    return Computed(response=tg.Response(columns=columns, source=SOURCE, message=solution.message))
+
+
+def angles(response: tg.Response, line: str) -> tuple[np.ndarray, np.ndarray]:
+    """Pressure [kPa] and angle [deg] along the path; the angle is of a line between two points, or ``"tangent"``."""
+    if line == "tangent":
+        angle = response.column("bending_angle")
+    else:
+        start, end = line.split()
+        along, up = (response.column(f"{end}_{axis}") - response.column(f"{start}_{axis}") for axis in "xz")
+        angle = np.unwrap(np.arctan2(-up, along))
+    return response.column("pressure") / kPa, (angle - angle[0]) / deg

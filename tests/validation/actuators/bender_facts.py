@@ -1,0 +1,117 @@
+"""Numbers in the text on the bending actuators."""
+
+import numpy as np
+from bender_data import (
+    TURN,
+    angle_at,
+    forces,
+    from_zero,
+    measured_blocked,
+    measured_free,
+    pressure_at,
+    repeated_free,
+)
+from ecoflex import dumbbell
+from fit_data import ecoflex_planar
+from measured_runs import VARIATIONS, blocked, free
+from page_parts import Page
+
+from turgor.units import kPa
+
+Curve = tuple[np.ndarray, np.ndarray]
+#: Where the tests of the rubber are compared, within the planar ones [-].
+COMPARED = 1.5
+#: Laws that are fitted to the same points as the Yeoh law of the first row.
+SAME_TESTS = ("neo-Hooke", "Gent", "Ogden, two terms")
+
+
+def moduli() -> dict[str, float]:
+    """Shear modulus that each test asks for at one stretch, as neo-Hookean rubber [kPa]."""
+    planar = np.mean([np.interp(COMPARED, test.stretch, test.nominal_stress) for test in ecoflex_planar()])
+    found = {"mu_planar": planar / (COMPARED - COMPARED**-3)}
+    for zero in ("authors", "grips"):
+        test = dumbbell(zero)
+        found[f"mu_{zero}"] = np.interp(COMPARED, test.stretch, test.nominal_stress) / (COMPARED - COMPARED**-2)
+    return {name: float(value / kPa) for name, value in found.items()}
+
+
+def _measured(chambers: int) -> Curve:
+    data = measured_free(chambers)
+    return data["pressure"], data["angle"]
+
+
+def free_facts(page: Page, seven: Curve) -> dict[str, float]:
+    """Numbers of the free bending; ``seven`` is the calibrated curve of 7 chambers."""
+    stated, aim = from_zero(page.of(free(5, "as stated"))), _measured(5)
+    again = repeated_free()
+    steps = again["pressure"], again["angle"]
+    return {
+        "turn5": pressure_at(*aim, TURN[5]),
+        "soft": 100 * (1 - angle_at(*stated, 30.0) / angle_at(*aim, 30.0)),
+        "late": 100 * (pressure_at(*stated, TURN[5]) / pressure_at(*aim, TURN[5]) - 1),
+        "steep_got": angle_at(*stated, 36.0),
+        "steep": angle_at(*aim, 36.0),
+        "seven_got": pressure_at(*seven, TURN[7]),
+        "seven": pressure_at(*_measured(7), TURN[7]),
+        "seven_again": pressure_at(*steps, TURN[7]),
+        "repeat": abs(angle_at(*_measured(7), 40.0) - angle_at(*steps, 40.0)),
+    }
+
+
+def _change(page: Page, name: str, pressure: float = 30.0) -> float:
+    """Change of the angle at a pressure by a variation [%]."""
+    before = angle_at(*from_zero(page.of(free(5, "as stated"))), pressure)
+    return 100 * (angle_at(*from_zero(page.of(free(5, name))), pressure) / before - 1)
+
+
+def _later(page: Page, name: str) -> float:
+    """Change of the pressure of 15° by a variation [%]."""
+    before = pressure_at(*from_zero(page.of(free(5, "as stated"))), TURN[5])
+    return 100 * (pressure_at(*from_zero(page.of(free(5, name))), TURN[5]) / before - 1)
+
+
+def decides_facts(page: Page) -> dict[str, float]:
+    """Numbers of the variations."""
+    mesh = "mesh: cells of 2.5 mm"
+    stated = page.of(free(5, "as stated"))
+    lines = ("base_bottom tip_top", "base_top tip_top", "tangent")
+    whole = angle_at(*from_zero(stated), 30.0)
+    read = [abs(angle_at(*from_zero(stated, line=line), 30.0) / whole - 1) for line in lines]
+    turns = {name: pressure_at(*from_zero(page.of(free(5, name))), TURN[5]) for name in VARIATIONS if "law" in name}
+    same = [pressure_at(*from_zero(stated), TURN[5]), *(turns[f"law: {name}"] for name in SAME_TESTS)]
+    return {
+        "film_soft": max(abs(_change(page, f"film: stiffness / {each}")) for each in (10, 100)),
+        "film_plate": _change(page, "film: bends as a plate of 0.5 mm"),
+        "reading": 100 * max(read),
+        "jump": float(measured_free(5)["angle"][1]),
+        "mesh": max(abs(_change(page, mesh, each)) for each in (20.0, 30.0, 34.0)),
+        "mesh_turn": _later(page, mesh),
+        "alone": turns["law: Yeoh, dumb-bell alone"],
+        "grips": turns["law: Yeoh, dumb-bell from 50 mm"],
+        "same_low": min(same),
+        "same_high": max(same),
+        "beyond": turns["law: Yeoh, tests up to stretch 2"],
+    }
+
+
+def blocked_facts(page: Page) -> dict[str, float | str]:
+    """Numbers of the blocked force."""
+
+    def at(name: str) -> float:
+        return float(np.interp(30.0, *forces(page.of(blocked(5, name)))))
+
+    turns = []
+    for chambers in (5, 7):
+        data = measured_blocked(chambers)
+        low = data["pressure"] <= 42.0
+        pressure, force = data["pressure"][low], data["force"][low]
+        steepest = int(np.argmax(np.diff(force) / np.diff(pressure)))
+        turns.append(f"{pressure[steepest]:.0f} to {pressure[steepest + 1]:.0f}")
+    aim = measured_blocked(5)
+    return {
+        "blocked_got": at("as stated"),
+        "blocked_aim": float(np.interp(30.0, aim["pressure"], aim["force"])),
+        "blocked_gap": at("contact: plate 5 mm below"),
+        "blocked_clamp": at("clamp: end face only"),
+        "blocked_turn": " and ".join(turns),
+    }
