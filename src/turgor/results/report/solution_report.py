@@ -9,6 +9,7 @@ from turgor.results.measures.measures import measure
 from turgor.results.pictures.path_pictures import CAPTIONS, path_figures
 from turgor.results.pictures.picture import Picture
 from turgor.results.plots.figures import png_of
+from turgor.results.report.headline import headline
 from turgor.results.report.page import Report, write_report
 from turgor.solvers.solution import Solution
 
@@ -26,7 +27,7 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
         What was measured along the path; by default the standard measures, without their mesh errors. Give
         ``tg.measure(solution)`` to have these.
     title : str, optional
-        Headline; by default the name of the mesh.
+        Headline; by default the name of the actuator and the largest pressure.
 
     Returns
     -------
@@ -52,7 +53,7 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
         raise TurgorError(f"the response has {len(shown)} rows, but the solution {len(of.states)} states.")
     name = of.model.mesh.name if title is None else title
     content = Report(
-        title=name,
+        title=headline(of) if title is None else title,
         solution=of,
         response=shown,
         findings=of.findings,

@@ -39,30 +39,30 @@ class ShownField:
     scale : float
         Value of the unit in SI.
     of : callable or None
-        Values of a state at the nodes of the mesh or of its regions. None for the displacement, which the page itself
-        finds from the positions.
+        Values of a state at the vertices of a surface, in SI. None for the displacement, which the page itself finds
+        from the positions.
     """
 
     key: str
     label: str
     unit: str
     scale: float
-    of: Callable[[StateFields], Array] | None
+    of: Callable[[StateFields, Surface], Array] | None
 
 
-def _principal(at: StateFields) -> Array:
-    return np.asarray(np.linalg.eigvalsh(at.cauchy_stress)[:, 2])
+def _principal(at: StateFields, on: Surface) -> Array:
+    return np.asarray(np.linalg.eigvalsh(on.pick(at.cauchy_stress))[:, 2])
 
 
 #: The fields in the order of the menu; the contact pressure is left out where nothing touches.
 FIELDS = (
-    ShownField(key=VON_MISES, label="von Mises stress", unit="kPa", scale=kPa, of=lambda at: at.von_mises),
-    ShownField(key="stretch", label="largest principal stretch", unit="", scale=1.0, of=lambda at: at.stretch),
+    ShownField(key=VON_MISES, label="von Mises stress", unit="kPa", scale=kPa, of=lambda at, on: on.pick(at.von_mises)),
+    ShownField(key="stretch", label="largest principal stretch", unit="", scale=1.0, of=lambda at, on: on.pick(at.stretch)),
     ShownField(
         key="principal_stress", label="largest principal Cauchy stress", unit="kPa", scale=kPa, of=_principal
     ),
     ShownField(
-        key=CONTACT_PRESSURE, label="contact pressure", unit="kPa", scale=kPa, of=lambda at: at.contact_pressure
+        key=CONTACT_PRESSURE, label="contact pressure", unit="kPa", scale=kPa, of=lambda at, on: on.pick(at.contact_pressure)
     ),
     ShownField(key="displacement", label="displacement", unit="mm", scale=mm, of=None),
 )
@@ -87,7 +87,7 @@ def shown_fields(states: Sequence[StateFields], surface: Surface) -> list[dict[s
     for at in states:
         for field in FIELDS:
             if field.of is not None:
-                values[field.key].append(surface.pick(field.of(at)) / field.scale)
+                values[field.key].append(field.of(at, surface) / field.scale)
         most[VON_MISES] = max(most[VON_MISES], volume_percentile(at.cells, at.cells.von_mises) / kPa)
         most["stretch"] = max(most["stretch"], volume_percentile(at.cells, at.cells.stretch))
     out = []
