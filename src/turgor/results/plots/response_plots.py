@@ -158,7 +158,9 @@ def _plot_lines(axes: Axes, response: Response, drive: str, names: list[str]) ->
         label = "all" if name == whole else part.replace("_", " ")
         plot_response(axes, response, drive, name, color=color, label=label)
     column = response.find(names[0])
-    axes.set_ylabel(column.label if whole else f"{column.name.rpartition('_')[2]} [{unit_text(column.unit)}]", color=INK)
+    axes.set_ylabel(
+        column.label if whole else f"{column.name.rpartition('_')[2]} [{unit_text(column.unit)}]", color=INK
+    )
     axes.legend(frameon=False, labelcolor=INK)
     return axes
 

@@ -45,10 +45,14 @@ def modeled_part(of: Mesh) -> str:
     """
     whole = "Numbers, curves and pictures are those of the whole actuator."
     if of.wedge is not None:
-        return f"One sector of {of.wedge.fold} about the axis {of.wedge.axis} was computed; the others repeat it. {whole}"
-    planes = [f"{'xyz'[axis]} = {1e3 * place + 0:.4g}{' mm' if abs(place) > 1e-9 else ''}" for axis, place in of.mirror_planes]
+        return (
+            f"One sector of {of.wedge.fold} about the axis {of.wedge.axis} was computed; the others repeat it. {whole}"
+        )
+    planes = [
+        f"{'xyz'[axis]} = {1e3 * place + 0:.4g}{' mm' if abs(place) > 1e-9 else ''}" for axis, place in of.mirror_planes
+    ]
     if not planes:
         return ""
     share = {1: "One half", 2: "A quarter", 3: "An eighth"}[len(planes)]
     each = "plane" if len(planes) == 1 else "planes"
-    return f"{share} of the actuator was computed; the mirror {each} {' and '.join(planes)} give the rest. {whole}"
+    return f"{share} of the actuator was computed; the mirror {each} {' and '.join(planes)} {'gives' if len(planes) == 1 else 'give'} the rest. {whole}"

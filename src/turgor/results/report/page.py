@@ -27,7 +27,7 @@ from turgor.results.report.error_text import last_with_error
 from turgor.results.report.headline import modeled_part
 from turgor.results.report.material_plots import law_plot
 from turgor.results.report.references import references
-from turgor.results.report.response_table import parted, response_table
+from turgor.results.report.response_table import is_zero, parted, response_table
 from turgor.results.report.templated import rendered
 from turgor.results.report.tidy import tidy
 from turgor.results.viewer.scene import scene_of
@@ -130,7 +130,6 @@ def _context(report: Report) -> dict[str, object]:
         "contact": describe.contact(model),
         "mesh": describe.mesh(model.mesh, report.quality),
         "dimensions": dimensions,
-        "half": -(-len(dimensions) // 2),
         "materials": [(text, law_plot(text.made_of)) for text in describe.materials(model)],
         "steps": list(solution.steps),
         "path_summary": _path_summary(solution),
@@ -183,8 +182,8 @@ def _mesh_errors(response: Response) -> list[tuple[str, str]]:
     rows = []
     for column in response.quantities:
         errors, value = response.mesh_error(column.name), float(column.values[-1])
-        if errors is not None and errors[-1] > 0:
-            share = f" ({100 * errors[-1] / abs(value):.2g} %)" if value else ""
+        if errors is not None and errors[-1] > 0 and not is_zero(column):
+            share = f" ({100 * errors[-1] / abs(value):.2g} %)" if errors[-1] < abs(value) else ""
             rows.append((column.words, f"{_last(response, column)}{share}"))
     return rows
 
@@ -222,9 +221,7 @@ def _definitions(response: Response, contacts: set[str]) -> list[tuple[str, str]
     """Names and definitions of the columns that ready-made measures filled."""
     parts = {part for name in headlines(response.names) for part in with_parts(response, name)}
     known = {*MEASURES, *parts, *contacts}
-    return [
-        (column.words, find_measure(column.name).definition) for column in response.columns if column.name in known
-    ]
+    return [(column.words, find_measure(column.name).definition) for column in response.columns if column.name in known]
 
 
 def _path_summary(solution: Solution) -> str:

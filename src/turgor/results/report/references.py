@@ -62,7 +62,10 @@ def references(model: Model, version: str) -> list[str]:
     list of str
         Each once.
     """
-    said = [f"The turgor developers, turgor: finite element modeling of soft fluidic actuators{_version(version)}", REVIEW]
+    said = [
+        f"The turgor developers, turgor: finite element modeling of soft fluidic actuators{_version(version)}",
+        REVIEW,
+    ]
     used = [each.material if isinstance(each, Membrane) else each for each in model.materials.values()]
     used += [fibers.material for fibers in model.reinforcements]
     for material in used:

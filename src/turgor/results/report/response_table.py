@@ -33,7 +33,7 @@ def response_table(response: Response) -> dict[str, Any]:
     count = len(response)
     rows = shown_rows(count)
     drives = {drive_of(response), *(column.name for column in pressures_in(response))}
-    wanted = [c for c in response.quantities if c.name in drives or (c.name != "load_factor" and not _zero(c))]
+    wanted = [c for c in response.quantities if c.name in drives or (c.name != "load_factor" and not is_zero(c))]
     columns = [
         list(response.stages) if column.name == "stage" and response.stages else _written(response, column)
         for column in wanted
@@ -85,8 +85,8 @@ def shown_rows(count: int) -> list[int]:
     return [*range(0, count - 1, step), count - 1]
 
 
-def _zero(column: Column) -> bool:
-    """Whether a column is zero throughout, as far as a page would show."""
+def is_zero(column: Column) -> bool:
+    """Tell whether a column is zero throughout, as far as a page would show."""
     return bool((np.abs(column.in_unit) < NOT_SHOWN).all())
 
 

@@ -57,12 +57,16 @@ def _principal(at: StateFields, on: Surface) -> Array:
 #: The fields in the order of the menu; the contact pressure is left out where nothing touches.
 FIELDS = (
     ShownField(key=VON_MISES, label="von Mises stress", unit="kPa", scale=kPa, of=lambda at, on: on.pick(at.von_mises)),
-    ShownField(key="stretch", label="largest principal stretch", unit="", scale=1.0, of=lambda at, on: on.pick(at.stretch)),
     ShownField(
-        key="principal_stress", label="largest principal Cauchy stress", unit="kPa", scale=kPa, of=_principal
+        key="stretch", label="largest principal stretch", unit="", scale=1.0, of=lambda at, on: on.pick(at.stretch)
     ),
+    ShownField(key="principal_stress", label="largest principal Cauchy stress", unit="kPa", scale=kPa, of=_principal),
     ShownField(
-        key=CONTACT_PRESSURE, label="contact pressure", unit="kPa", scale=kPa, of=lambda at, on: on.pick(at.contact_pressure)
+        key=CONTACT_PRESSURE,
+        label="contact pressure",
+        unit="kPa",
+        scale=kPa,
+        of=lambda at, on: on.pick(at.contact_pressure),
     ),
     ShownField(key="displacement", label="displacement", unit="mm", scale=mm, of=None),
 )

@@ -50,7 +50,6 @@ class Surface:
         return np.asarray(values[self.node if len(values) == self.count else self.row])
 
 
-
 def surface_of(rest: StateFields) -> Surface:
     """Find the surface that the viewer draws: the skin without cuts, of the modeled part.
 

@@ -125,7 +125,7 @@ def viewer_style() -> str:
 def viewer_scripts() -> str:
     """Return the scripts of the viewer and of the library that it draws with, as one text."""
     own = "".join(_text(f"page/{name}") for name in SCRIPTS)
-    return f"{_text('vendor/three.min.js')}\n(() => {{\n\"use strict\";\n{own}}})();\n"
+    return f'{_text("vendor/three.min.js")}\n(() => {{\n"use strict";\n{own}}})();\n'
 
 
 def _text(name: str) -> str:

@@ -71,7 +71,7 @@ def test_report_has_the_pictures_the_response_and_the_mesh(tmp_path, path):
     assert "<title>A finger</title>" in text
     assert len(re.findall("data:image/png;base64", text)) == 2
     assert "Undeformed" in text
-    assert "bending angle [deg]" in text
+    assert "bending angle [°]" in text
     assert "264 ten-node tetrahedra" in text
 
 

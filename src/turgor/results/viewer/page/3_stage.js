@@ -50,16 +50,17 @@ class Stage {
     this.draw();
   }
 
-  // Aim at a box (least and greatest corner) so that it fills the picture.
-  frame(low, high) {
-    this.low = low;
-    this.high = high;
+  // Aim at points (x, y, z after each other) so that they fill the picture.
+  frame(cloud) {
+    this.cloud = cloud;
+    const box = new THREE.Box3().setFromArray(cloud);
+    this.center = box.getCenter(new THREE.Vector3());
+    this.radius = box.min.distanceTo(box.max) / 2;
     this.look(AZIMUTH, ELEVATION);
   }
 
   look(azimuth, elevation) {
-    this.center = this.low.clone().add(this.high).multiplyScalar(0.5);
-    const radius = (this.radius = this.low.distanceTo(this.high) / 2);
+    const radius = this.radius;
     const away = new THREE.Vector3(
       Math.sin(azimuth) * Math.cos(elevation),
       -Math.cos(azimuth) * Math.cos(elevation),
@@ -68,35 +69,36 @@ class Stage {
     this.camera.position.copy(this.center).addScaledVector(away, 4 * radius);
     this.camera.near = -20 * radius;
     this.camera.far = 30 * radius;
-    this.controls.target.copy(this.center);
-    this.camera.lookAt(this.center);
     this.camera.zoom = 1;
+    this.camera.lookAt(this.center);
     this.camera.updateMatrixWorld();
-    this.#span();
+    const seen = this.#seen();
+    const shift = seen.getCenter(new THREE.Vector3()).setZ(0).transformDirection(this.camera.matrixWorld);
+    const way = seen.getCenter(new THREE.Vector3()).setZ(0).length();
+    this.camera.position.addScaledVector(shift, way);
+    this.controls.target.copy(this.center).addScaledVector(shift, way);
+    this.across = (seen.max.x - seen.min.x) / 2;
+    this.upward = (seen.max.y - seen.min.y) / 2;
     this.fit();
     this.controls.update();
     this.draw();
   }
 
-  // Half width and height of the box as the camera sees it.
-  #span() {
-    const seen = new THREE.Box3();
-    for (const x of [this.low.x, this.high.x]) {
-      for (const y of [this.low.y, this.high.y]) {
-        for (const z of [this.low.z, this.high.z]) {
-          seen.expandByPoint(new THREE.Vector3(x, y, z).applyMatrix4(this.camera.matrixWorldInverse));
-        }
-      }
+  // Box of the points as the camera sees them.
+  #seen() {
+    const box = new THREE.Box3();
+    const place = new THREE.Vector3();
+    for (let k = 0; k < this.cloud.length; k += 3) {
+      box.expandByPoint(place.fromArray(this.cloud, k).applyMatrix4(this.camera.matrixWorldInverse));
     }
-    this.across = (seen.max.x - seen.min.x) / 2;
-    this.upward = (seen.max.y - seen.min.y) / 2;
+    return box;
   }
 
   fit() {
     const { clientWidth: width, clientHeight: height } = this.box;
     if (!width || !height || !this.across) return;
     this.renderer.setSize(width, height);
-    const half = 1.1 * Math.max(this.upward, (this.across * height) / width);
+    const half = 1.06 * Math.max(this.upward, (this.across * height) / width);
     this.camera.top = half;
     this.camera.bottom = -half;
     this.camera.right = (half * width) / height;

@@ -68,12 +68,14 @@ class Body {
     this.stage.draw();
   }
 
-  // Cut away what lies beyond a plane across an axis (0, 1, 2, or -1 for none) at a place [m].
+  // Cut away one side of a plane across an axis (0, 1, 2, or -1 for none) at a place [m]: the one towards the camera of
+  // the first view, or the other.
   cut(axis, place, turned) {
     const on = axis >= 0;
     if (on) {
-      this.plane.normal.set(0, 0, 0).setComponent(axis, turned ? 1 : -1);
-      this.plane.constant = turned ? -place : place;
+      const kept = (axis === 1) !== turned ? 1 : -1;
+      this.plane.normal.set(0, 0, 0).setComponent(axis, kept);
+      this.plane.constant = -kept * place;
     }
     for (const material of [this.surface, this.inks.sharp, this.inks.cells, ...(this.threadInk ? [this.threadInk] : [])]) {
       material.clippingPlanes = on ? [this.plane] : null;

@@ -1,6 +1,7 @@
 // Viewer: reads the scene, builds the picture, and connects it with the controls.
 
 const PLAY = 160; // milliseconds between two steps
+const CLOUD = 6000; // points that the picture is fitted to
 
 class Viewer {
   constructor(root, values) {
@@ -24,9 +25,10 @@ class Viewer {
     this.skin = new Skin(triangles, surface.triangles.shape, cut, surface.mirrors, surface.sides, images.length);
     this.body = new Body(this.stage, this.skin, this.values);
     if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions));
-    if (obstacles) this.body.addObstacles(await unpackedIndex(obstacles.triangles), await unpackedSteps(obstacles.positions));
+    const places = obstacles && (await unpackedSteps(obstacles.positions));
+    if (obstacles) this.body.addObstacles(await unpackedIndex(obstacles.triangles), places);
     this.rest = positions.at(0);
-    this.#frame();
+    this.#frame(places);
     new Overlay(this.stage, picture);
     new Probe(this.stage, this.body, picture, (share) => this.#told(share));
     this.#controls();
@@ -37,16 +39,25 @@ class Viewer {
     this.stage.now();
   }
 
-  // The box of all steps and all images.
-  #frame() {
-    const { low, span } = this.values.surface.positions;
-    const box = new THREE.Box3();
-    for (const matrix of this.stage.matrices) {
-      const part = new THREE.Box3(new THREE.Vector3(...low), new THREE.Vector3(...low.map((l, i) => l + span[i])));
-      box.union(part.applyMatrix4(matrix));
+  // Aim at some points of all steps and images, and at obstacles as far as they are near.
+  #frame(obstacles) {
+    const cloud = [];
+    const place = new THREE.Vector3();
+    const { steps, points } = this.positions;
+    const stride = Math.max(1, Math.ceil((steps * points * this.stage.matrices.length) / CLOUD));
+    for (let step = 0; step < steps; step++) {
+      const at = this.positions.at(step);
+      for (let v = step % stride; v < points; v += stride) {
+        for (const matrix of this.stage.matrices) cloud.push(...place.fromArray(at, 3 * v).applyMatrix4(matrix).toArray());
+      }
     }
-    this.box = box;
-    this.stage.frame(box.min, box.max);
+    this.box = new THREE.Box3().setFromArray(cloud);
+    if (obstacles) {
+      const near = this.box.clone().expandByScalar(0.25 * this.box.min.distanceTo(this.box.max) / 2);
+      const at = obstacles.at(obstacles.steps - 1);
+      for (let v = 0; v < at.length; v += 3) cloud.push(...near.clampPoint(place.fromArray(at, v), place).toArray());
+    }
+    this.stage.frame(cloud);
   }
 
   #told(share) {
