@@ -15,6 +15,7 @@ from turgor.results.pictures.obstacle_skin import obstacle_skin
 from turgor.results.pictures.picture import caption
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.viewer.curves import curves_of
+from turgor.results.viewer.inside import Inside, inside_of
 from turgor.results.viewer.packing import pack_index, pack_steps
 from turgor.results.viewer.shown_fields import FIELDS, shown_fields
 from turgor.results.viewer.surface import SIDES, Surface, surface_of
@@ -24,6 +25,9 @@ Array = NDArray[np.float64]
 
 #: Steps that the viewer shows at most, and bytes of all steps before they shrink (to about 60 % on the page).
 MOST_STEPS, MOST_BYTES = 40, 10_000_000
+
+#: Bytes of a vertex in a step: its position, and a value of every field.
+BYTES = 2 * (3 + sum(field.of is not None for field in FIELDS))
 
 #: Points of all threads beyond which each thread is drawn through every second, third … point.
 MOST_THREAD_POINTS = 20_000
@@ -75,11 +79,13 @@ def scene_of(solution: Solution, response: Response | None = None) -> Scene:
     surface = surface_of(StateFields(solution.states[0], facts))
     steps = chosen_steps(len(solution.states), len(surface.node))
     states = [StateFields(solution.states[k], facts) for k in steps]
+    inside = inside_of(states[0], len(states), BYTES)
     values = {
         "steps": [{"state": k, "label": _label(solution, response, k)} for k in steps],
         "surface": _surface(states, surface, facts),
         "images": [_matrix(image) for image in facts.images],
-        "fields": shown_fields(states, surface),
+        "fields": shown_fields(states, surface, inside),
+        "inside": None if inside is None else _inside(states, inside),
         "obstacles": _obstacles(states),
         "threads": _threads(states),
         "curves": None if response is None else curves_of(response, steps),
@@ -102,8 +108,7 @@ def chosen_steps(count: int, vertices: int) -> list[int]:
     >>> chosen_steps(4, 1000), len(chosen_steps(500, 1000)), len(chosen_steps(500, 100_000))
     ([0, 1, 2, 3], 40, 7)
     """
-    each = 2 * vertices * (3 + sum(field.of is not None for field in FIELDS))
-    most = max(2, min(MOST_STEPS, MOST_BYTES // each))
+    most = max(2, min(MOST_STEPS, MOST_BYTES // (BYTES * vertices)))
     if count <= most:
         return list(range(count))
     return [int(k) for k in np.unique(np.rint(np.linspace(0, count - 1, most)))]
@@ -132,6 +137,13 @@ def _surface(states: Sequence[StateFields], surface: Surface, facts: MeshFacts) 
         "cut": pack_index(surface.cut),
         "mirrors": [plane.axis for plane in facts.mirrors],
         "positions": pack_steps(np.stack([at.points[surface.node] for at in states])),
+    }
+
+
+def _inside(states: Sequence[StateFields], inside: Inside) -> dict[str, Any]:
+    return {
+        "tetrahedra": pack_index(inside.tetrahedra),
+        "positions": pack_steps(np.stack([at.points[inside.node] for at in states])),
     }
 
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from turgor.engine.percentiles import PERCENTILE, volume_percentile
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.pictures.colors import CONTACT_PRESSURE, RUBBER, VON_MISES, color_map
+from turgor.results.viewer.inside import Inside
 from turgor.results.viewer.packing import pack_steps
 from turgor.results.viewer.surface import Surface
 from turgor.units import kPa, mm
@@ -47,10 +48,10 @@ class ShownField:
     label: str
     unit: str
     scale: float
-    of: Callable[[StateFields, Surface], Array] | None
+    of: Callable[[StateFields, Surface | Inside], Array] | None
 
 
-def _principal(at: StateFields, on: Surface) -> Array:
+def _principal(at: StateFields, on: Surface | Inside) -> Array:
     return np.asarray(np.linalg.eigvalsh(on.pick(at.cauchy_stress))[:, 2])
 
 
@@ -72,7 +73,7 @@ FIELDS = (
 )
 
 
-def shown_fields(states: Sequence[StateFields], surface: Surface) -> list[dict[str, Any]]:
+def shown_fields(states: Sequence[StateFields], surface: Surface, inside: Inside | None) -> list[dict[str, Any]]:
     """Put the fields of some states into the form that the viewer reads.
 
     Parameters
@@ -80,43 +81,49 @@ def shown_fields(states: Sequence[StateFields], surface: Surface) -> list[dict[s
     states : sequence of StateFields
         The steps of the viewer.
     surface : Surface
+    inside : Inside or None
+        What the face of a cut is made from.
 
     Returns
     -------
     list of dict
         For each field its words, the ends of its color bar in its unit, its colors and its packed values.
     """
-    values = {field.key: [] for field in FIELDS if field.of is not None}
+    known = [field for field in FIELDS if field.of is not None]
+    on: list[Surface | Inside] = [surface] if inside is None else [surface, inside]
+    values: dict[str, list[list[Array]]] = {field.key: [[] for _ in on] for field in known}
     most = dict.fromkeys((VON_MISES, "stretch"), 0.0)
     for at in states:
-        for field in FIELDS:
-            if field.of is not None:
-                values[field.key].append(field.of(at, surface) / field.scale)
+        for field in known:
+            for place, found in zip(on, values[field.key], strict=True):
+                found.append(field.of(at, place) / field.scale)
         most[VON_MISES] = max(most[VON_MISES], volume_percentile(at.cells, at.cells.von_mises) / kPa)
         most["stretch"] = max(most["stretch"], volume_percentile(at.cells, at.cells.stretch))
+        at.__dict__.pop("cells", None)  # the largest field by far; nothing below needs it
     out = []
-    for field in FIELDS:
-        if field.of is None:
-            out.append(_entry(field, (0.0, _farthest(states) / field.scale), None))
+    for field in known:
+        every = [np.stack(found) for found in values[field.key]]
+        if field.key == CONTACT_PRESSURE and not every[0].any():
             continue
-        every = np.stack(values[field.key])
-        if field.key == CONTACT_PRESSURE and not every.any():
-            continue
-        out.append(_entry(field, _ends(field, every, most), every))
-    return out
+        out.append(_entry(field, _ends(field, every[0], most), every))
+    farthest = max(float(np.linalg.norm(at.displacement, axis=1).max()) for at in states)
+    return [*out, *(_entry(field, (0.0, farthest / field.scale), []) for field in FIELDS if field.of is None)]
 
 
-def _entry(field: ShownField, ends: tuple[float, float], values: Array | None) -> dict[str, Any]:
+def _entry(field: ShownField, ends: tuple[float, float], values: list[Array]) -> dict[str, Any]:
+    """One field: its words, and its values on the surface and inside."""
     share = f"{PERCENTILE} % of the {'volume' if field.key in (VON_MISES, 'stretch') else 'surface'} lie within the bar"
+    packed = [pack_steps(each[..., None]) for each in values]
     return {
         "key": field.key,
         "label": field.label,
         "unit": field.unit,
         "low": ends[0],
         "high": ends[1] if ends[1] > ends[0] else ends[0] + 1.0,
-        "note": "" if values is None else share,
+        "note": share if values else "",
         "colors": _colors(field.key),
-        "data": None if values is None else pack_steps(values[..., None]),
+        "data": packed[0] if packed else None,
+        "inside": packed[1] if len(packed) > 1 else None,
     }
 
 
@@ -128,11 +135,6 @@ def _ends(field: ShownField, values: Array, most: dict[str, float]) -> tuple[flo
         return 0.0, float(np.percentile(values[values > 0], PERCENTILE))
     low, high = np.percentile(values, (100 - PERCENTILE, PERCENTILE))
     return float(low), float(high)
-
-
-def _farthest(states: Sequence[StateFields]) -> float:
-    """Largest displacement of any node in any step [m]."""
-    return max(float(np.linalg.norm(at.displacement, axis=1).max()) for at in states)
 
 
 def _colors(key: str) -> str:

@@ -14,7 +14,8 @@ from turgor.solvers.solution import Solution
 
 #: Scripts of the viewer in the order in which they stand in a page.
 SCRIPTS = (
-    "1_unpack.js", "2_skin.js", "3_stage.js", "4_body.js", "5_chart.js", "6_linked.js", "7_overlay.js", "8_viewer.js",
+    "1_unpack.js", "2_skin.js", "3_stage.js", "4_body.js", "5_section.js", "6_chart.js", "7_linked.js", "8_overlay.js",
+    "9_viewer.js",
 )  # fmt: skip
 
 #: Height of the viewer in a notebook [pixels].

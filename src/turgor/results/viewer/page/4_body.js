@@ -82,6 +82,7 @@ class Body {
       material.needsUpdate = true;
     }
     this.cap.set(on, axis, place);
+    this.open = on;
     this.stage.draw();
   }
 
@@ -142,11 +143,10 @@ class Cap {
     ];
     const material = new THREE.MeshBasicMaterial({
       color: RUBBER, side: THREE.DoubleSide, stencilWrite: true, stencilRef: 0, stencilFunc: THREE.NotEqualStencilFunc,
-      stencilFail: THREE.ReplaceStencilOp, stencilZFail: THREE.ReplaceStencilOp, stencilZPass: THREE.ReplaceStencilOp,
+      polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2,
     });
     this.face = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), material);
     this.face.renderOrder = 2;
-    this.face.onAfterRender = (renderer) => renderer.clearStencil();
     stage.scene.add(this.face);
     this.set(false, 0, 0);
   }

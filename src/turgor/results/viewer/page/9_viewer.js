@@ -3,6 +3,16 @@
 const PLAY = 160; // milliseconds between two steps
 const CLOUD = 6000; // points that the picture is fitted to
 
+// Length of the way from one place of each vertex to another [mm].
+function moved(points, rest) {
+  const out = new Float32Array(points.length / 3);
+  for (let v = 0; v < out.length; v++) {
+    const way = [0, 1, 2].map((i) => points[3 * v + i] - rest[3 * v + i]);
+    out[v] = 1000 * Math.hypot(...way);
+  }
+  return out;
+}
+
 class Viewer {
   constructor(root, values) {
     this.root = root;
@@ -13,7 +23,7 @@ class Viewer {
   }
 
   async start() {
-    const { surface, fields, threads, obstacles, images } = this.values;
+    const { surface, inside, fields, threads, obstacles, images } = this.values;
     const [triangles, cut, positions] = await Promise.all([
       unpackedIndex(surface.triangles), unpackedIndex(surface.cut), unpackedSteps(surface.positions),
     ]);
@@ -27,6 +37,7 @@ class Viewer {
     if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions));
     const places = obstacles && (await unpackedSteps(obstacles.positions));
     if (obstacles) this.body.addObstacles(await unpackedIndex(obstacles.triangles), places);
+    this.section = new Section(this.stage, this.skin, inside ? await this.#open(inside, fields) : []);
     this.rest = positions.at(0);
     this.#frame(places);
     new Overlay(this.stage, picture);
@@ -37,6 +48,28 @@ class Viewer {
     this.field(0);
     this.show(this.values.steps.length - 1);
     this.stage.now();
+  }
+
+  async #open(inside, fields) {
+    this.depth = await unpackedSteps(inside.positions);
+    this.within = await Promise.all(fields.map((field) => field.inside && unpackedSteps(field.inside)));
+    return unpackedIndex(inside.tetrahedra);
+  }
+
+  // The face of the cut at this step, colored by the field.
+  #face() {
+    const points = this.body.open && this.depth?.at(this.step);
+    this.section.material.map = this.body.surface.map;
+    this.section.material.needsUpdate = true;
+    this.section.set(this.body.open && this.body.plane, points, points && this.#shares(points));
+  }
+
+  #shares(points) {
+    const { low, high } = this.shown;
+    const within = this.within[this.number];
+    const rest = within ? null : this.depth.at(0);
+    const values = within ? within.at(this.step) : moved(points, rest);
+    return values.map((value) => (value - low) / (high - low));
   }
 
   // Aim at some points of all steps and images, and at obstacles as far as they are near.
@@ -100,17 +133,8 @@ class Viewer {
 
   #color() {
     const data = this.data[this.number];
-    this.skin.color(data ? data.at(this.step) : this.#displacement(), this.shown.low, this.shown.high);
-  }
-
-  // Length of the displacement of each vertex [mm].
-  #displacement() {
-    const out = new Float32Array(this.points.length / 3);
-    for (let v = 0; v < out.length; v++) {
-      const way = [0, 1, 2].map((i) => this.points[3 * v + i] - this.rest[3 * v + i]);
-      out[v] = 1000 * Math.hypot(...way);
-    }
-    return out;
+    this.skin.color(data ? data.at(this.step) : moved(this.points, this.rest), this.shown.low, this.shown.high);
+    this.#face();
   }
 
   #controls() {
@@ -165,6 +189,7 @@ class Viewer {
     const share = Number(this.find("place").value) / 1000;
     const [low, high] = [this.box.min, this.box.max].map((corner) => corner.toArray()[Math.max(axis, 0)]);
     this.body.cut(axis, low + share * (high - low), this.find("turned").checked);
+    this.#face();
     this.find("where").textContent = axis < 0 ? "" : `${"xyz"[axis]} = ${written(1000 * (low + share * (high - low)), 3)} mm`;
   }
 
