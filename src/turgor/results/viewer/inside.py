@@ -13,7 +13,7 @@ Ints = NDArray[np.int64]
 
 #: Bytes of positions and fields of all steps, before they shrink, up to which the tetrahedra have all nodes of the
 #: cells, and up to which there are any.
-FINE_BYTES, MOST_BYTES = 4_000_000, 6_000_000
+FINE_BYTES, MOST_BYTES = 2_000_000, 3_000_000
 
 #: Tetrahedra of a cell by its nodes: of ten-node tetrahedra, whose middle nodes count, and of the corners of hexahedra.
 _FINE = ((0, 4, 6, 7), (4, 1, 5, 8), (6, 5, 2, 9), (7, 8, 9, 3), (6, 8, 4, 5), (6, 8, 5, 9), (6, 8, 9, 7), (6, 8, 7, 4))

@@ -23,8 +23,11 @@ from turgor.solvers.solution import Solution
 
 Array = NDArray[np.float64]
 
-#: Steps that the viewer shows at most, and bytes of all steps before they shrink (to about 60 % on the page).
-MOST_STEPS, MOST_BYTES = 40, 10_000_000
+#: Steps that the viewer shows at most, and bytes of all steps before they are packed (about as many on the page).
+MOST_STEPS, MOST_BYTES = 40, 8_000_000
+
+#: Letters of the scene as text beyond which every second step is left out.
+MOST_TEXT = 8_000_000
 
 #: Bytes of a vertex in a step: its position, and a value of every field.
 BYTES = 2 * (3 + sum(field.of is not None for field in FIELDS))
@@ -78,9 +81,19 @@ def scene_of(solution: Solution, response: Response | None = None) -> Scene:
     facts = MeshFacts(solution.model.mesh)
     surface = surface_of(StateFields(solution.states[0], facts))
     steps = chosen_steps(len(solution.states), len(surface.node))
+    values = _values(solution, response, surface, steps)
+    while len(steps) > 2 and _letters(values) > MOST_TEXT:
+        steps = [*steps[:-1:2], steps[-1]]
+        values = _values(solution, response, surface, steps)
+    return Scene(values=values, steps=tuple(steps), notes=_notes(len(solution.states), steps, surface))
+
+
+def _values(solution: Solution, response: Response | None, surface: Surface, steps: Sequence[int]) -> dict[str, Any]:
+    """What the page reads of some states of a solution."""
+    facts = MeshFacts(solution.model.mesh)
     states = [StateFields(solution.states[k], facts) for k in steps]
     inside = inside_of(states[0], len(states), BYTES)
-    values = {
+    return {
         "steps": [{"state": k, "label": _label(solution, response, k)} for k in steps],
         "surface": _surface(states, surface, facts),
         "images": [_matrix(image) for image in facts.images],
@@ -90,7 +103,15 @@ def scene_of(solution: Solution, response: Response | None = None) -> Scene:
         "threads": _threads(states),
         "curves": None if response is None else curves_of(response, steps),
     }
-    return Scene(values=values, steps=tuple(steps), notes=_notes(len(solution.states), steps, surface))
+
+
+def _letters(value: Any) -> int:
+    """Number of letters of all texts in a value of lists and dictionaries."""
+    if isinstance(value, dict):
+        return sum(map(_letters, value.values()))
+    if isinstance(value, list | tuple):
+        return sum(map(_letters, value))
+    return len(value) if isinstance(value, str) else 0
 
 
 def chosen_steps(count: int, vertices: int) -> list[int]:

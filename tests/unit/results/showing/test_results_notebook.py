@@ -111,7 +111,7 @@ def test_what_the_pages_say(values):
         "Go on.",
         "G01 warning: Thin &lt;walls&gt;. Refine.",
         "bending angle [°]",
-        "57.296",
+        "57.30",
     ):
         assert said in solution
     assert "pressure [kPa]" in values["response"]._repr_html_()

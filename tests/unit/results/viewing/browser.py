@@ -53,14 +53,18 @@ class Opened:
 
 
 @contextmanager
-def opened(driver, file: Path, *, webgl: bool = True) -> Iterator[Opened]:
-    """Open a file in a browser that a driver of playwright starts, with or without WebGL."""
+def opened(driver, file: Path, *, webgl: bool = True, frame: bool = False) -> Iterator[Opened]:
+    """Open a file in a browser that a driver of playwright starts, with or without WebGL; wait for the viewer in it.
+
+    With ``frame`` the viewer is in the first frame of the page.
+    """
     options = ["--no-sandbox", *(SOFTWARE_GL if webgl else ("--disable-3d-apis", "--disable-gpu"))]
     browser = driver.chromium.launch(executable_path=CHROMIUM, args=options)
     try:
         shown = Opened(browser.new_page(viewport={"width": 1100, "height": 800}))
         shown.page.goto(file.resolve().as_uri())
-        shown.page.wait_for_function("(v => v?.viewer || v?.dataset.failed)(document.querySelector('.viewer'))")
+        inside = shown.page.frames[-1] if frame else shown.page
+        inside.wait_for_function("(v => v?.viewer || v?.dataset.failed)(document.querySelector('.viewer'))")
         yield shown
     finally:
         browser.close()

@@ -139,6 +139,24 @@ def test_a_long_path_says_what_is_left_out(half):
     assert found.notes == ("The viewer shows 40 of 100 states, to keep the page small.",)
 
 
+def test_a_scene_that_is_too_large_leaves_out_steps(half, monkeypatch):
+    path = replace(half, states=tuple(half.states[k % 3] for k in range(9)))
+    whole = sum(len(each["data"]["data"]) for each in scene_of(path).values["fields"] if each["data"])
+    monkeypatch.setattr("turgor.results.viewer.scene.MOST_TEXT", whole)
+    found = scene_of(path)
+    assert len(found.steps) < 9
+    assert found.steps[0] == 0 and found.steps[-1] == 8
+
+
+def test_the_face_of_a_cut_has_all_of_the_body(half, scene):
+    """The tetrahedra inside fill the volume of the modeled part, whichever step."""
+    corners = unpack(scene.values["inside"]["positions"])[:, unpack(scene.values["inside"]["tetrahedra"])]
+    sides = corners[:, :, 1:] - corners[:, :, :1]
+    volume = np.abs(np.linalg.det(sides)).sum(axis=1) / 6
+    L, W, H = cases.LENGTH, cases.WIDTH / 2, cases.HEIGHT
+    np.testing.assert_allclose(volume, L * W * H - L / 2 * W / 2 * H / 3, rtol=2e-3)
+
+
 def test_a_page_needs_no_other_and_a_notebook_shows_it(half, tmp_path):
     shown = tg.pictures.viewer(half)
     file = shown.save(tmp_path / "v.html")
