@@ -1,7 +1,7 @@
 """Renew the WebGL library of the viewer: `python release/three_js.py [VERSION]` (needs npm).
 
-It takes three.js (MIT) and the bundler esbuild (MIT) from npm and writes one script with the parts that the viewer uses,
-which a page can hold and open without a server. The license is written beside it.
+It takes three.js (MIT) and the bundler esbuild (MIT) from npm and writes one script with the parts that the viewer
+uses, which a page can hold and open without a server. The license is written beside it.
 """
 
 import shutil
@@ -17,12 +17,12 @@ THREE, ESBUILD = "0.187.0", "0.28.2"
 
 #: What the viewer uses; a script of the page names these as ``THREE.Mesh`` and so on.
 PARTS = (
-    "AlwaysStencilFunc, AmbientLight, BackSide, Box3, BufferAttribute, BufferGeometry, Color, DataTexture, "
-    "DecrementWrapStencilOp, DirectionalLight, DoubleSide, FrontSide, Group, IncrementWrapStencilOp, LineBasicMaterial, "
-    "LineSegments, LinearFilter, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, NotEqualStencilFunc, "
-    "OrthographicCamera, Plane, PlaneGeometry, Raycaster, ReplaceStencilOp, RGBAFormat, Scene, SRGBColorSpace, Vector2, "
-    "Vector3, WebGLRenderer"
-)
+    "AlwaysStencilFunc", "AmbientLight", "BackSide", "Box3", "BufferAttribute", "BufferGeometry", "DataTexture",
+    "DecrementWrapStencilOp", "DirectionalLight", "DoubleSide", "FrontSide", "IncrementWrapStencilOp",
+    "LineBasicMaterial", "LineSegments", "LinearFilter", "Matrix4", "Mesh", "MeshBasicMaterial",
+    "MeshLambertMaterial", "NotEqualStencilFunc", "OrthographicCamera", "Plane", "PlaneGeometry", "Raycaster",
+    "RGBAFormat", "SRGBColorSpace", "Scene", "Vector2", "Vector3", "WebGLRenderer",
+)  # fmt: skip
 
 
 def renew(version: str) -> Path:
@@ -33,7 +33,7 @@ def renew(version: str) -> Path:
             ["npm", "install", "--no-audit", "--no-fund", f"three@{version}", f"esbuild@{ESBUILD}"], cwd=at, check=True
         )
         (at / "entry.js").write_text(
-            f'export {{ {PARTS} }} from "three";\n'
+            f'export {{ {", ".join(PARTS)} }} from "three";\n'
             'export { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";\n',
             encoding="utf-8",
         )

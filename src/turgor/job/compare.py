@@ -98,9 +98,14 @@ def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparis
 def comparison_sections(folder: Path, computed: Response) -> tuple[tuple[str, str, str], ...]:
     """Return title, text and picture (SVG) of each comparison, for the report of a run; see `comparisons_of`."""
     return tuple(
-        (f"Against {name}", " ".join([_sentence(found.summary()), *found.notes]), svg_of(comparison_figure(found)))
+        (f"Against {name}", _words(found), svg_of(comparison_figure(found)))
         for name, found in comparisons_of(folder, computed)
     )
+
+
+def _words(found: Comparison) -> str:
+    """Differences and notes in sentences, with the signs of a printed page."""
+    return " ".join([_sentence(found.summary()), *found.notes]).replace(" deg", "°")
 
 
 def _write(folder: Path, name: str, found: Comparison) -> list[Path]:

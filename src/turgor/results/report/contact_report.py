@@ -80,8 +80,8 @@ def _row(result: ContactResult) -> list[str]:
     else:
         force = [_number(part) for part in (*result.force, float(np.linalg.norm(result.force)))]
     return [
-        _name(result), *force, _number(result.area / mm**2), _number(result.pressure / kPa), _number(result.penetration / um),
-        f"{100 * result.share:.0f}",
+        _name(result), *force, _number(result.area / mm**2), _number(result.pressure / kPa),
+        _number(result.penetration / um), f"{100 * result.share:.0f}",
     ]  # fmt: skip
 
 

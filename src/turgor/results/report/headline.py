@@ -5,7 +5,7 @@ import re
 from turgor.meshing.mesh import Mesh
 from turgor.model.loads import Pressure
 from turgor.solvers.solution import Solution
-from turgor.units import kPa
+from turgor.units import kPa, mm
 
 #: End of the name of a mesh that is a part of the actuator.
 _PART = re.compile(r", (half|quarter|eighth)$")
@@ -48,11 +48,13 @@ def modeled_part(of: Mesh) -> str:
         return (
             f"One sector of {of.wedge.fold} about the axis {of.wedge.axis} was computed; the others repeat it. {whole}"
         )
-    planes = [
-        f"{'xyz'[axis]} = {1e3 * place + 0:.4g}{' mm' if abs(place) > 1e-9 else ''}" for axis, place in of.mirror_planes
-    ]
+    planes = [_plane(axis, place) for axis, place in of.mirror_planes]
     if not planes:
         return ""
     share = {1: "One half", 2: "A quarter", 3: "An eighth"}[len(planes)]
-    each = "plane" if len(planes) == 1 else "planes"
-    return f"{share} of the actuator was computed; the mirror {each} {' and '.join(planes)} {'gives' if len(planes) == 1 else 'give'} the rest. {whole}"
+    which = f"plane {planes[0]} gives" if len(planes) == 1 else f"planes {' and '.join(planes)} give"
+    return f"{share} of the actuator was computed; the mirror {which} the rest. {whole}"
+
+
+def _plane(axis: int, place: float) -> str:
+    return f"{'xyz'[axis]} = {f'{place / mm:.4g} mm' if abs(place) > 1e-6 * mm else '0'}"

@@ -1,8 +1,8 @@
 """Packing: arrays as short text that a browser unpacks.
 
-An array of numbers is quantized to 16 bits of its range, each step is written as the difference to the step before, the low
-bytes come first and the high bytes after them, and deflate shrinks the result. Nearby steps differ little, so that most of
-the high bytes are zero.
+An array of numbers is quantized to 16 bits of its range, each step is written as the difference to the step before, the
+low bytes come first and the high bytes after them, and deflate shrinks the result. Nearby steps differ little, so that
+most of the high bytes are zero.
 """
 
 import zlib

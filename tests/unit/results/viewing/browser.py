@@ -21,8 +21,8 @@ SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--igno
 class Opened:
     """A page in the browser, with what it asked for and complained about.
 
-    ``page`` is the page of playwright, ``requests`` are addresses outside the file, ``complaints`` errors and warnings of
-    the console.
+    ``page`` is the page of playwright, ``requests`` are addresses outside the file, ``complaints`` errors and warnings
+    of the console.
     """
 
     def __init__(self, page):

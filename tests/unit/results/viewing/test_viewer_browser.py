@@ -2,14 +2,15 @@
 
 import re
 from io import BytesIO
+from itertools import pairwise
 
 import numpy as np
 import pytest
 import results_cases as cases
+from browser import needs_browser, opened
 from PIL import Image
 
 import turgor as tg
-from browser import needs_browser, opened
 from turgor.response import Column, Response
 from turgor.results.measures.measures import bending_angle, measure, tip_displacement
 
@@ -121,7 +122,7 @@ def test_the_menu_changes_colors_and_the_bar(shown):
         pictures.append(image(shown.pixels()))
     shown.change("field", "0")
     assert bars == ["von_mises", "stretch", "displacement"]
-    for a, b in zip(pictures, pictures[1:], strict=False):
+    for a, b in pairwise(pictures):
         assert (np.abs(a - b).max(axis=2) > 20).mean() > 0.03
 
 

@@ -154,7 +154,7 @@ def test_the_face_of_a_cut_has_all_of_the_body(half, scene):
     sides = corners[:, :, 1:] - corners[:, :, :1]
     volume = np.abs(np.linalg.det(sides)).sum(axis=1) / 6
     L, W, H = cases.LENGTH, cases.WIDTH / 2, cases.HEIGHT
-    np.testing.assert_allclose(volume, L * W * H - L / 2 * W / 2 * H / 3, rtol=2e-3)
+    np.testing.assert_allclose(volume, L * W * H - L / 2 * W / 2 * H / 3, rtol=1e-2)  # straight sides
 
 
 def test_a_page_needs_no_other_and_a_notebook_shows_it(half, tmp_path):
@@ -163,7 +163,7 @@ def test_a_page_needs_no_other_and_a_notebook_shows_it(half, tmp_path):
     text = file.read_text(encoding="utf-8")
     assert file.stat().st_size < 900_000
     assert not re.search(r"<(script|link|img|iframe)[^>]*\b(src|href)=", text)
-    assert {url for url in re.findall(r"https?://[\w./-]+", text)} <= {
+    assert set(re.findall(r"https?://[\w./-]+", text)) <= {
         "http://www.w3.org/1999/xhtml", "http://www.w3.org/2000/svg",
     }  # fmt: skip
     values = re.search(r'<script type="application/json">(.*?)</script>', text, re.DOTALL)[1]
