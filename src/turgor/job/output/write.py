@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 
-from turgor.job.compare import comparison_sections
+from turgor.job.compare import comparison_sections, measured_points
 from turgor.job.output.folder import (
     CONTACT,
     DEFORMED,
@@ -112,6 +112,7 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
         files={name: CONTENTS[name] for name in beside},
         job=lock_text(job, outcome.written_by),
         comparisons=comparison_sections(outcome.folder, outcome.response),
+        measured=measured_points(outcome.folder, outcome.response),
         created=datetime.now().astimezone().strftime("%Y-%m-%d %H:%M %Z"),
     )
 

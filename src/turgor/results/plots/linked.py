@@ -1,5 +1,6 @@
 """Linked plots: where the points of the lines of a plot lie, so that a page can mark one of them."""
 
+import numpy as np
 from matplotlib.figure import Figure
 
 Place = tuple[float, float] | None
@@ -32,7 +33,7 @@ def places_of_points(figure: Figure, rows: int) -> list[list[Place]]:
     out: list[list[Place]] = []
     for axes in figure.axes:
         for line in axes.get_lines():
-            data = line.get_xydata()
+            data = np.asarray(line.get_xydata())
             if len(data) == rows:
                 shares = figure.transFigure.inverted().transform(axes.transData.transform(data))
                 out.append([_place(x, y) for x, y in shares.tolist()])

@@ -30,6 +30,7 @@ from turgor.results.report.references import references
 from turgor.results.report.response_table import is_zero, parted, response_table
 from turgor.results.report.templated import rendered
 from turgor.results.report.tidy import tidy
+from turgor.results.viewer.curves import Measured
 from turgor.results.viewer.scene import scene_of
 from turgor.results.viewer.viewer import viewer_markup, viewer_scripts, viewer_style
 from turgor.solvers.procedures.stages import Stages
@@ -72,6 +73,8 @@ class Report:
         Title, text and picture (SVG) of each comparison with an experiment.
     job : str
         Text of the job file that repeats the run.
+    measured : tuple of Measured
+        Points of experiments, drawn with the curve beside the viewer.
     """
 
     title: str
@@ -87,6 +90,7 @@ class Report:
     created: str = ""
     comparisons: tuple[tuple[str, str, str], ...] = ()
     job: str = ""
+    measured: tuple[Measured, ...] = ()
 
 
 def write_report(path: str | Path, report: Report) -> None:
@@ -149,7 +153,7 @@ def _viewer(report: Report) -> dict[str, object]:
     if not report.solution.states:
         return {"viewer": "", "viewer_style": "", "viewer_scripts": "", "viewer_notes": []}
     linked = report.response if len(report.response) == len(report.solution.states) else None
-    scene = scene_of(report.solution, linked)
+    scene = scene_of(report.solution, linked, report.measured)
     return {
         "viewer": viewer_markup(scene),
         "viewer_style": viewer_style(),

@@ -14,7 +14,7 @@ from turgor.results.fields.state_fields import Image, MeshFacts, StateFields
 from turgor.results.pictures.obstacle_skin import obstacle_skin
 from turgor.results.pictures.picture import caption
 from turgor.results.pictures.state_picture import picture_title
-from turgor.results.viewer.curves import curves_of
+from turgor.results.viewer.curves import Measured, curves_of
 from turgor.results.viewer.inside import Inside, inside_of
 from turgor.results.viewer.packing import pack_index, pack_steps
 from turgor.results.viewer.shown_fields import FIELDS, shown_fields
@@ -55,7 +55,7 @@ class Scene:
     notes: tuple[str, ...]
 
 
-def scene_of(solution: Solution, response: Response | None = None) -> Scene:
+def scene_of(solution: Solution, response: Response | None = None, measured: Sequence[Measured] = ()) -> Scene:
     """Collect what the viewer draws: surface, fields, fibers, obstacles and curves at evenly spaced states.
 
     Parameters
@@ -64,6 +64,8 @@ def scene_of(solution: Solution, response: Response | None = None) -> Scene:
         With one state at least.
     response : Response, optional
         Measures at every state; gives the curves and the words of each step.
+    measured : sequence of Measured
+        Experiments, drawn with the curves.
 
     Returns
     -------
@@ -85,6 +87,7 @@ def scene_of(solution: Solution, response: Response | None = None) -> Scene:
     while len(steps) > 2 and _letters(values) > MOST_TEXT:
         steps = [*steps[:-1:2], steps[-1]]
         values = _values(solution, response, surface, steps)
+    values["curves"] = None if response is None else curves_of(response, steps, measured)
     return Scene(values=values, steps=tuple(steps), notes=_notes(len(solution.states), steps, surface))
 
 
@@ -101,7 +104,6 @@ def _values(solution: Solution, response: Response | None, surface: Surface, ste
         "inside": None if inside is None else _inside(states, inside),
         "obstacles": _obstacles(states),
         "threads": _threads(states),
-        "curves": None if response is None else curves_of(response, steps),
     }
 
 
@@ -156,6 +158,7 @@ def _surface(states: Sequence[StateFields], surface: Surface, facts: MeshFacts) 
         "triangles": pack_index(surface.triangles),
         "sides": SIDES,
         "cut": pack_index(surface.cut),
+        "centers": pack_index(surface.centers),
         "mirrors": [plane.axis for plane in facts.mirrors],
         "positions": pack_steps(np.stack([at.points[surface.node] for at in states])),
     }

@@ -89,19 +89,19 @@ def shown_fields(states: Sequence[StateFields], surface: Surface, inside: Inside
     list of dict
         For each field its words, the ends of its color bar in its unit, its colors and its packed values.
     """
-    known = [field for field in FIELDS if field.of is not None]
+    known = [(field, field.of) for field in FIELDS if field.of is not None]
     on: list[Surface | Inside] = [surface] if inside is None else [surface, inside]
-    values: dict[str, list[list[Array]]] = {field.key: [[] for _ in on] for field in known}
+    values: dict[str, list[list[Array]]] = {field.key: [[] for _ in on] for field, _ in known}
     most = dict.fromkeys((VON_MISES, "stretch"), 0.0)
     for at in states:
-        for field in known:
+        for field, of in known:
             for place, found in zip(on, values[field.key], strict=True):
-                found.append(field.of(at, place) / field.scale)
+                found.append(of(at, place) / field.scale)
         most[VON_MISES] = max(most[VON_MISES], volume_percentile(at.cells, at.cells.von_mises) / kPa)
         most["stretch"] = max(most["stretch"], volume_percentile(at.cells, at.cells.stretch))
         at.__dict__.pop("cells", None)  # the largest field by far; nothing below needs it
     out = []
-    for field in known:
+    for field, _ in known:
         every = [np.stack(found) for found in values[field.key]]
         if field.key == CONTACT_PRESSURE and not every[0].any():
             continue

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.meshing.cells import HEXAHEDRON
 from turgor.meshing.mesh import TRIANGLE_EDGES
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.pictures.skin import drawn_triangles, visible_skin
@@ -32,6 +33,8 @@ class Surface:
         Bit k is set where the vertex lies on the k-th cut face of the mesh.
     count : int
         Nodes of the mesh.
+    centers : (c,) int array
+        Vertices in the middle of a four-sided side of a cell; no edge of a cell goes through them.
     """
 
     triangles: Ints
@@ -39,6 +42,7 @@ class Surface:
     row: Ints
     cut: Ints
     count: int
+    centers: Ints
 
     @property
     def coarse(self) -> bool:
@@ -89,6 +93,7 @@ def _numbered(rest: StateFields, nodes: Ints, patch: Ints, region: Ints) -> Surf
         row=rest.facts.region_nodes.of(node, behind),
         cut=cut,
         count=count,
+        centers=np.flatnonzero(np.isin(node, mesh.cells[:, HEXAHEDRON.corners + len(HEXAHEDRON.edges) :])),
     )
 
 

@@ -42,7 +42,8 @@ function slopesAt([r, s], sides) {
 }
 
 class Skin {
-  constructor(triangles, shape, cut, mirrors, sides, images) {
+  constructor(triangles, { shape, cut, centers, mirrors, sides, images }) {
+    this.centers = new Set(centers);
     this.nodes = shape[1];
     this.triangles = triangles;
     this.faces = shape[0];
@@ -150,8 +151,9 @@ class Skin {
     }
     const every = [...found.values()];
     const onCut = ({ nodes }) => nodes.reduce((bits, v) => bits & this.cut[v], ~0) !== 0;
+    const cells = every.filter(({ nodes }) => !this.centers.has(nodes[1]));
     const sharp = every.filter((side) => side.count === 1 && !onCut(side));
-    return { cells: linesThrough(every), sharp: linesThrough(sharp) };
+    return { cells: linesThrough(cells), sharp: linesThrough(sharp) };
   }
 }
 

@@ -74,7 +74,8 @@ class Chart {
       return high > low ? [low, high] : [low - 1, high + 1];
     };
     const spread = column.error ? column.values.flatMap((y, k) => [y - (column.error[k] ?? 0), y + (column.error[k] ?? 0)]) : [];
-    const [xs, ys] = [ends(known.map(([x]) => x)), ends([...known.map(([, y]) => y), ...spread])];
+    const rig = column.measured.flatMap(({ x, y }) => x.map((value, k) => [value, y[k]])).filter((at) => !at.includes(null));
+    const [xs, ys] = [0, 1].map((i) => ends([...known, ...rig].map((at) => at[i]).concat(i ? spread : [])));
     const frame = (this.frame = { left: 48, right: width - 10, top: 8, bottom: height - 38 });
     this.x = (x) => frame.left + ((x - xs[0]) / (xs[1] - xs[0])) * (frame.right - frame.left);
     this.y = (y) => frame.bottom - ((y - ys[0]) / (ys[1] - ys[0])) * (frame.bottom - frame.top);
@@ -86,6 +87,11 @@ class Chart {
     for (const k of this.curves.steps) {
       const [x, y] = [this.curves.x.values[k], column.values[k]];
       if (x !== null && y !== null) svg("circle", { cx: this.x(x), cy: this.y(y), r: 2.2, class: "v-dot" }, drawn);
+    }
+    for (const [x, y] of rig) svg("circle", { cx: this.x(x), cy: this.y(y), r: 3, class: "v-measured" }, drawn);
+    if (rig.length) {
+      const names = column.measured.map(({ name }) => name).join(", ");
+      svg("text", { x: frame.left + 8, y: frame.top + 12, class: "v-number v-said" }, drawn, `measured: ${names}`);
     }
     this.marker = svg("circle", { r: 6, class: "v-marker" }, drawn);
     drawn.addEventListener("click", (event) => this.#clicked(event));

@@ -24,15 +24,18 @@ class Viewer {
 
   async start() {
     const { surface, inside, fields, threads, obstacles, images } = this.values;
-    const [triangles, cut, positions] = await Promise.all([
-      unpackedIndex(surface.triangles), unpackedIndex(surface.cut), unpackedSteps(surface.positions),
+    const [triangles, cut, centers, positions] = await Promise.all([
+      unpackedIndex(surface.triangles), unpackedIndex(surface.cut), unpackedIndex(surface.centers),
+      unpackedSteps(surface.positions),
     ]);
     this.positions = positions;
     this.data = await Promise.all(fields.map((field) => field.data && unpackedSteps(field.data)));
     const picture = this.find("picture");
     this.root.hidden = false;
     this.stage = new Stage(picture, this.values);
-    this.skin = new Skin(triangles, surface.triangles.shape, cut, surface.mirrors, surface.sides, images.length);
+    this.skin = new Skin(triangles, {
+      shape: surface.triangles.shape, cut, centers, mirrors: surface.mirrors, sides: surface.sides, images: images.length,
+    });
     this.body = new Body(this.stage, this.skin, this.values);
     if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions));
     const places = obstacles && (await unpackedSteps(obstacles.positions));
