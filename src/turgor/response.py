@@ -35,11 +35,27 @@ _KINDS = (
     ("J", "mJ"), ("kg", "g"), ("s", "ms"),
 )  # fmt: skip
 
+#: Signs of units beside an axis and in a table, where they differ from those in files.
+_SIGNS: Mapping[str, str] = MappingProxyType(
+    {"deg": "°", "um": "µm", "m2": "m²", "mm2": "mm²", "m3": "m³", "Nm": "N m"}
+)
+
 #: Columns that the representation of a response names.
 MOST_TOLD = 6
 
 #: End of the name of the column that holds the estimated mesh error of another one.
 MESH_ERROR = "_mesh_error"
+
+
+def unit_text(unit: str) -> str:
+    """Write a unit of a column as it stands beside an axis.
+
+    Examples
+    --------
+    >>> unit_text("mm2"), unit_text("deg"), unit_text("kPa")
+    ('mm²', '°', 'kPa')
+    """
+    return _SIGNS.get(unit, unit)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,14 +112,17 @@ class Column:
 
     @property
     def label(self) -> str:
-        """Name and unit as they stand beside an axis, such as ``"bending angle [deg]"``.
+        """Name and unit as they stand beside an axis, such as ``"bending angle [°]"``."""
+        return f"{self.words} [{unit_text(self.unit)}]" if self.unit else self.words
 
-        The ending ``_p99`` says what 99 % of the volume stay below: ``"von Mises stress (99 % of volume) [kPa]"``.
+    @property
+    def words(self) -> str:
+        """Name in words.
+
+        The ending ``_p99`` says what 99 % of the volume stay below: ``"von Mises stress (99 % of volume)"``.
         """
-        words = (
-            self.name.replace("_", " ").replace("von mises", "von Mises stress").replace(" p99", " (99 % of volume)")
-        )
-        return f"{words} [{self.unit}]" if self.unit else words
+        words = self.name.replace("_", " ").replace("von mises", "von Mises stress")
+        return words.replace(" p99", " (99 % of volume)")
 
     @property
     def in_unit(self) -> NDArray[np.float64]:

@@ -124,6 +124,16 @@ def test_plots_from_python(tmp_path, monkeypatch, capsys):
     assert (tmp_path / "fields" / "state.pvd").is_file()
 
 
+def test_report_and_viewer(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    model = names(tg.Pressure("cavity", 2 * kPa))["model"]
+    tg.solve(model, tg.Static(max_step=0.5), folder=tmp_path / "finger-results")
+    for _ in after_each_block("report", {}):
+        pass
+    for file in ("finger.html", "viewer.html"):
+        assert 'class="viewer"' in (tmp_path / file).read_text(encoding="utf-8")
+
+
 def test_relaxation_and_softening():
     found = next(after_each_block("viscoelasticity", {}))
     stress = found["test"].nominal_stress

@@ -42,7 +42,7 @@ def test_values_show_a_page_and_a_short_line(shown, value):
 
 def test_the_last_pages_say_what_came_out(shown):
     assert "solved to the end" in shown["solution"][0]["text/html"]
-    assert "bending angle [deg]" in shown["response"][0]["text/html"]
+    assert "bending angle [°]" in shown["response"][0]["text/html"]
 
 
 def test_units_of_the_columns(shown):

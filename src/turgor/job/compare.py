@@ -14,6 +14,7 @@ from turgor.response import Column, Response
 from turgor.results.drive import drive_of
 from turgor.results.files.response_csv import read_response
 from turgor.results.plots.figures import svg_of, write_figure
+from turgor.results.viewer.curves import Measured
 from turgor.source import Source
 
 
@@ -98,9 +99,25 @@ def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparis
 def comparison_sections(folder: Path, computed: Response) -> tuple[tuple[str, str, str], ...]:
     """Return title, text and picture (SVG) of each comparison, for the report of a run; see `comparisons_of`."""
     return tuple(
-        (f"Against {name}", " ".join([_sentence(found.summary()), *found.notes]), svg_of(comparison_figure(found)))
+        (f"Against {name}", _words(found), svg_of(comparison_figure(found)))
         for name, found in comparisons_of(folder, computed)
     )
+
+
+def measured_points(folder: Path, computed: Response) -> tuple[Measured, ...]:
+    """Return the measured points of each comparison, for the curves beside the viewer; see `comparisons_of`."""
+    return tuple(
+        Measured(
+            name=name, x=found.x, y=found.y,
+            across=found.measured.column(found.measured_x), upward=found.measured.column(found.measured_y),
+        )
+        for name, found in comparisons_of(folder, computed)
+    )  # fmt: skip
+
+
+def _words(found: Comparison) -> str:
+    """Differences and notes in sentences, with the signs of a printed page."""
+    return " ".join([_sentence(found.summary()), *found.notes]).replace(" deg", "°")
 
 
 def _write(folder: Path, name: str, found: Comparison) -> list[Path]:

@@ -4,7 +4,7 @@ from typing import Any
 
 from turgor.laboratory.compare import Comparison
 from turgor.laboratory.runs import SPREAD
-from turgor.response import Column
+from turgor.response import Column, unit_text
 from turgor.results.plots.figures import PlotFigure
 from turgor.results.plots.response_plots import BLUE, COLORS, plot_response
 from turgor.results.plots.styling import INK, QUIET, style_axes
@@ -40,7 +40,7 @@ def comparison_figure(found: Comparison, title: str = "") -> PlotFigure:
     lower.axhline(0.0, color=QUIET, lw=0.8)
     lower.plot(drive.in_unit, rows.columns[3].in_unit, ".", color=COLORS[1], ms=3)
     lower.set_xlabel(found.computed.find(found.x).label, color=INK)
-    lower.set_ylabel(f"difference [{y.unit}]", color=INK)
+    lower.set_ylabel(f"difference [{unit_text(y.unit)}]", color=INK)
     style_axes(lower)
     if title:
         figure.suptitle(title, x=0.01, ha="left", color=INK, fontsize=13)

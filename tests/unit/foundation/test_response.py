@@ -25,7 +25,7 @@ def test_columns_are_si_and_shown_in_their_unit():
     response = table(pressure=("kPa", [0, 50 * kPa]), bending_angle=("deg", [0, 90 * deg]))
     assert response.column("pressure")[1] == 50e3
     assert response.find("bending_angle").in_unit == pytest.approx([0, 90])
-    assert response.find("bending_angle").label == "bending angle [deg]"
+    assert response.find("bending_angle").label == "bending angle [°]"
     assert len(response) == 2
 
 

@@ -26,7 +26,7 @@ from turgor.results.pictures.beside.obstacle_skin import obstacle_skin
 from turgor.results.pictures.obstacle_shapes import outline
 from turgor.results.pictures.state_picture import shared_view, write_picture
 from turgor.results.plots.response_plots import contact_figure
-from turgor.results.report.contact_report import CONTACT_HEADS, contact_plot, contact_rows
+from turgor.results.report.contact_report import CONTACT_HEADS, contact_plot, contact_section
 from turgor.results.report.page import Report, write_report
 from turgor.solvers.solution import Touch
 from turgor.source import Source
@@ -346,7 +346,7 @@ def test_contact_pressure_is_no_drive():
 
 
 def test_rows_of_the_report(path):
-    rows = {row[0]: dict(zip(CONTACT_HEADS, row, strict=True)) for row in contact_rows(path)}
+    rows = {row[0]: dict(zip(CONTACT_HEADS, row, strict=True)) for row in contact_section(path)["contact_rows"]}
     assert list(rows) == ["the actuator with itself", "ground", "ball"]
     ground = rows["ground"]
     assert [ground[f"force {axis} [N]"] for axis in "xyz"] == ["−0.400", "0", "−1.40"]
@@ -356,7 +356,7 @@ def test_rows_of_the_report(path):
     assert (rows["the actuator with itself"]["force x [N]"], rows["the actuator with itself"]["force [N]"]) == (
         "–", "0.500",
     )  # fmt: skip
-    assert contact_rows(cases.solution([cases.state(path.model)])) == []
+    assert contact_section(cases.solution([cases.state(path.model)]))["contact_rows"] == []
 
 
 def test_plot_has_forces_and_areas_against_pressure():

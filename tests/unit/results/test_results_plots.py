@@ -37,7 +37,7 @@ def test_axes_are_given_and_returned_with_units():
     (line,) = axes.get_lines()
     np.testing.assert_allclose(line.get_xdata(), [0, 20, 50])
     np.testing.assert_allclose(line.get_ydata(), [0, 30, 90])
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("pressure [kPa]", "bending angle [deg]")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("pressure [kPa]", "bending angle [°]")
 
 
 def test_unknown_column_names_the_near_match():
@@ -49,7 +49,7 @@ def test_figure_shows_what_is_there_against_the_drive():
     figure = response_figure(response(Column("load_factor", "", [0, 0.4, 1]), PRESSURE, ANGLE, STRESS), "finger")
     labels = [(a.get_xlabel(), a.get_ylabel()) for a in figure.axes]
     assert labels == [
-        ("pressure [kPa]", "bending angle [deg]"),
+        ("pressure [kPa]", "bending angle [°]"),
         ("pressure [kPa]", "maximum von Mises stress [kPa]"),
     ]
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 
-from turgor.job.compare import comparison_sections
+from turgor.job.compare import comparison_sections, measured_points
 from turgor.job.output.folder import (
     CONTACT,
     DEFORMED,
@@ -28,6 +28,7 @@ from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.figures import write_figure
 from turgor.results.plots.response_plots import write_plot
 from turgor.results.report.describe_procedure import ending
+from turgor.results.report.headline import headline
 from turgor.results.report.page import Picture, Report, write_report
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution
@@ -95,7 +96,7 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
     job, solution = outcome.job, outcome.solution
     beside = {str(file.relative_to(outcome.folder)): file for file in files}
     return Report(
-        title=solution.model.mesh.name,
+        title=headline(solution),
         solution=solution,
         response=outcome.response,
         findings=outcome.findings,
@@ -109,7 +110,9 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
         versions={**outcome.written_by, "threads": job.threads or ""},
         repeat=f"turgor run {LOCK} --output {job.name}-again",
         files={name: CONTENTS[name] for name in beside},
+        job=lock_text(job, outcome.written_by),
         comparisons=comparison_sections(outcome.folder, outcome.response),
+        measured=measured_points(outcome.folder, outcome.response),
         created=datetime.now().astimezone().strftime("%Y-%m-%d %H:%M %Z"),
     )
 

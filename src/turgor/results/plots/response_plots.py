@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from turgor.errors import TurgorError
 from turgor.model.contact import SELF
-from turgor.response import Column, Response
+from turgor.response import Column, Response, unit_text
 from turgor.results.drive import drive_of, face_of, pressures_in
 from turgor.results.measures.headlines import HEADLINE, headlines, with_parts
 from turgor.results.plots.figures import PlotFigure, check_ending, svg_of, write_figure
@@ -142,7 +142,7 @@ def contact_figure(response: Response) -> Figure | None:
         for name in names:
             label = "walls of the actuator" if name == SELF else name.replace("_", " ")
             plot_response(axes, response, drive_of(response), name + end, color=colors[name], label=label)
-        unit = response.find(names[0] + end).unit.replace("mm2", "mm²")
+        unit = unit_text(response.find(names[0] + end).unit)
         axes.set_ylabel(f"{kinds[end]} [{unit}]", color=INK)
         axes.legend(frameon=False, labelcolor=INK)
     return figure
@@ -158,7 +158,9 @@ def _plot_lines(axes: Axes, response: Response, drive: str, names: list[str]) ->
         label = "all" if name == whole else part.replace("_", " ")
         plot_response(axes, response, drive, name, color=color, label=label)
     column = response.find(names[0])
-    axes.set_ylabel(column.label if whole else f"{column.name.rpartition('_')[2]} [{column.unit}]", color=INK)
+    axes.set_ylabel(
+        column.label if whole else f"{column.name.rpartition('_')[2]} [{unit_text(column.unit)}]", color=INK
+    )
     axes.legend(frameon=False, labelcolor=INK)
     return axes
 

@@ -12,15 +12,15 @@ from turgor.results.plots.response_plots import contact_figure
 from turgor.solvers.solution import Solution
 from turgor.units import kPa, mm, um
 
-#: Heads of the columns of `contact_rows`.
+#: Heads of the columns of the table.
 CONTACT_HEADS = (
     "contact", "force x [N]", "force y [N]", "force z [N]", "force [N]", "area [mm²]", "largest pressure [kPa]",
     "deepest penetration [µm]", "of the tolerance [%]",
 )  # fmt: skip
 
 
-def contact_rows(solution: Solution) -> list[list[str]]:
-    """Say what each contact does at the last state, a row each, in the order of `CONTACT_HEADS`.
+def contact_section(solution: Solution) -> dict[str, object]:
+    """Collect what a report says about contact: a table with a row for each contact, who does not touch, and plots.
 
     Parameters
     ----------
@@ -28,10 +28,19 @@ def contact_rows(solution: Solution) -> list[list[str]]:
 
     Returns
     -------
-    list of lists of str
-        Empty where there is no contact.
+    dict
+        Empty rows where there is no contact.
     """
-    return [_row(result) for result in contact_results(solution.states[-1])] if solution.states else []
+    found = contact_results(solution.states[-1]) if solution.states else ()
+    plot = contact_plot(solution)
+    apart = [_name(result) for result in found if result.area == 0]
+    return {
+        "contact_heads": CONTACT_HEADS,
+        "contact_rows": [_row(result) for result in found if result.area > 0],
+        "contact_apart": apart,
+        "contact_plot": plot,
+        "contact_panels": plot.count('id="axes_'),
+    }
 
 
 def contact_columns(model: Model) -> set[str]:
@@ -70,11 +79,14 @@ def _row(result: ContactResult) -> list[str]:
         force = ["–", "–", "–", _number(result.pressing)]
     else:
         force = [_number(part) for part in (*result.force, float(np.linalg.norm(result.force)))]
-    name = "the actuator with itself" if result.name == SELF else result.name.replace("_", " ")
     return [
-        name, *force, _number(result.area / mm**2), _number(result.pressure / kPa), _number(result.penetration / um),
-        f"{100 * result.share:.0f}",
+        _name(result), *force, _number(result.area / mm**2), _number(result.pressure / kPa),
+        _number(result.penetration / um), f"{100 * result.share:.0f}",
     ]  # fmt: skip
+
+
+def _name(result: ContactResult) -> str:
+    return "the actuator with itself" if result.name == SELF else result.name.replace("_", " ")
 
 
 def _number(value: float) -> str:

@@ -34,6 +34,7 @@ from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial
 from turgor.results.report.describe_points import point_text, rig_text
+from turgor.results.report.references import law_source
 from turgor.setups.blocked_tip import HeldTip, Plate
 from turgor.units import GPa, MPa, deg, kPa, mm
 
@@ -42,7 +43,10 @@ Rows = list[tuple[str, str]]
 
 @dataclass(frozen=True, slots=True)
 class MaterialText:
-    """A material in words: where it is used, its name, its law, its values, its source and what is doubtful."""
+    """A material in words: where it is used, its name, its law, its values, its source and what is doubtful.
+
+    ``made_of`` is the material itself; None for threads.
+    """
 
     where: str
     name: str
@@ -50,6 +54,7 @@ class MaterialText:
     values: Rows
     source: str
     doubts: tuple[str, ...]
+    made_of: Material | None = None
 
 
 def loads(model: Model) -> list[str]:
@@ -276,7 +281,8 @@ def material(names: list[str], used: Material | Membrane) -> MaterialText:
         values.append(("fitted to stretches", f"{held.stretch_range[0]:g} to {held.stretch_range[1]:g}"))
     values += describe_history(held.viscoelasticity, held.stress_softening)
     formula = (inspect.getdoc(type(held.law)) or type(held.law).__name__).splitlines()[0]
-    return MaterialText(where, held.name, formula, values, str(held.source), held.source.doubts)
+    values += [("law published in", law_source(held.law))] if law_source(held.law) else []
+    return MaterialText(where, held.name, formula, values, str(held.source), held.source.doubts, held)
 
 
 def coefficients(law: Any) -> Rows:

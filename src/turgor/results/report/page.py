@@ -1,5 +1,6 @@
 """Report: one self-contained HTML page with the question, the results, and the findings about them."""
 
+import json
 import struct
 from base64 import b64encode
 from collections.abc import Mapping
@@ -11,18 +12,27 @@ from turgor.engine.percentiles import PERCENTILE
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.quality.cell_quality import MeshQuality
-from turgor.response import Column, Response
+from turgor.response import Column, Response, unit_text
 from turgor.results.drive import drive_of, pressures_in
 from turgor.results.measures.field_measures import BY_REGION
 from turgor.results.measures.headlines import headlines, in_regions, with_parts
 from turgor.results.measures.measures import MEASURES, find_measure
 from turgor.results.pictures.picture import Picture as Picture
-from turgor.results.plots.response_plots import response_svg
+from turgor.results.plots.figures import svg_of
+from turgor.results.plots.linked import places_of_points
+from turgor.results.plots.response_plots import response_figure
 from turgor.results.report import describe, describe_procedure
-from turgor.results.report.contact_report import CONTACT_HEADS, contact_columns, contact_plot, contact_rows
+from turgor.results.report.contact_report import contact_columns, contact_section
 from turgor.results.report.error_text import last_with_error
-from turgor.results.report.response_table import response_table
+from turgor.results.report.headline import modeled_part
+from turgor.results.report.material_plots import law_plot
+from turgor.results.report.references import references
+from turgor.results.report.response_table import is_zero, parted, response_table
 from turgor.results.report.templated import rendered
+from turgor.results.report.tidy import tidy
+from turgor.results.viewer.curves import Measured
+from turgor.results.viewer.scene import scene_of
+from turgor.results.viewer.viewer import viewer_markup, viewer_scripts, viewer_style
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, Timing
 
@@ -61,6 +71,10 @@ class Report:
         When it was made; nothing is said if it is empty.
     comparisons : tuple of (str, str, str)
         Title, text and picture (SVG) of each comparison with an experiment.
+    job : str
+        Text of the job file that repeats the run.
+    measured : tuple of Measured
+        Points of experiments, drawn with the curve beside the viewer.
     """
 
     title: str
@@ -75,10 +89,14 @@ class Report:
     files: Mapping[str, str] = field(default_factory=dict)
     created: str = ""
     comparisons: tuple[tuple[str, str, str], ...] = ()
+    job: str = ""
+    measured: tuple[Measured, ...] = ()
 
 
 def write_report(path: str | Path, report: Report) -> None:
-    """Write a report as one HTML file that needs no other: pictures, plot and style are inside.
+    """Write a report as one HTML file that needs no other: viewer, pictures, plots and style are inside.
+
+    Where the browser has no WebGL, and in print, the still pictures take the place of the viewer.
 
     Parameters
     ----------
@@ -94,27 +112,21 @@ def write_report(path: str | Path, report: Report) -> None:
 def _context(report: Report) -> dict[str, object]:
     """Everything the template names, as text, lists and pairs."""
     solution, model = report.solution, report.solution.model
-    response = report.response
-    dimensions = list(report.dimensions.items())
     staged = isinstance(solution.procedure, Stages)
+    dimensions = [(name.replace("_", " "), tidy(value)) for name, value in report.dimensions.items()]
     return {
         "title": report.title,
+        "part": modeled_part(model.mesh),
         "status": describe_procedure.ending(solution.status),
         "good": solution.complete and all(finding.severity is not Severity.ERROR for finding in report.findings),
         "message": solution.message,
         "advice": solution.advice,
         "findings": list(report.findings),
-        "numbers": _numbers(response),
-        "percentile": PERCENTILE if {each.name for each in BY_REGION} & set(response.names) else 0,
+        **_viewer(report),
+        **_response(report),
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
         "picture_width": _picture_width(report.pictures),
-        "plot": response_svg(response) if len(response) > 1 else "",
-        "response": response_table(response),
-        "errors_known": any(response.mesh_error(column.name) is not None for column in response.quantities),
-        "definitions": _definitions(response, contact_columns(model)),
-        "contact_heads": CONTACT_HEADS,
-        "contact_rows": contact_rows(solution),
-        "contact_plot": contact_plot(solution),
+        **contact_section(solution),
         "loads": describe.loads(model),
         "loads_head": "Loads from the first stage on" if staged else "Loads at load factor 1",
         "staged": staged,
@@ -122,17 +134,62 @@ def _context(report: Report) -> dict[str, object]:
         "contact": describe.contact(model),
         "mesh": describe.mesh(model.mesh, report.quality),
         "dimensions": dimensions,
-        "half": -(-len(dimensions) // 2),
-        "materials": describe.materials(model),
+        "materials": [(text, law_plot(text.made_of)) for text in describe.materials(model)],
         "steps": list(solution.steps),
         "path_summary": _path_summary(solution),
         "procedure": describe_procedure.procedure(solution.procedure),
-        "versions": [(name, str(value)) for name, value in report.versions.items()],
+        "versions": [(name.replace("_", " "), str(value)) for name, value in report.versions.items() if value != ""],
+        "references": references(model, str(report.versions.get("turgor", ""))),
         "repeat": report.repeat,
+        "job": report.job,
         "files": list(report.files.items()),
         "created": report.created,
         "comparisons": list(report.comparisons),
     }
+
+
+def _viewer(report: Report) -> dict[str, object]:
+    """The viewer as markup, style and scripts, and what it leaves out."""
+    if not report.solution.states:
+        return {"viewer": "", "viewer_style": "", "viewer_scripts": "", "viewer_notes": []}
+    linked = report.response if len(report.response) == len(report.solution.states) else None
+    scene = scene_of(report.solution, linked, report.measured)
+    return {
+        "viewer": viewer_markup(scene),
+        "viewer_style": viewer_style(),
+        "viewer_scripts": viewer_scripts(),
+        "viewer_notes": list(scene.notes),
+    }
+
+
+def _response(report: Report) -> dict[str, object]:
+    """The response: numbers at the end, plots, tables, definitions and mesh errors."""
+    response, plot, places = report.response, "", "[]"
+    if len(response) > 1:
+        figure = response_figure(response)
+        plot = svg_of(figure)
+        places = json.dumps(places_of_points(figure, len(response)))
+    table = response_table(response)
+    return {
+        "numbers": _numbers(response),
+        "percentile": PERCENTILE if {each.name for each in BY_REGION} & set(response.names) else 0,
+        "plot": plot,
+        "places": places if len(response) == len(report.solution.states) else "",
+        "response": {**table, "parts": parted(table)},
+        "mesh_errors": _mesh_errors(response),
+        "definitions": _definitions(response, contact_columns(report.solution.model)),
+    }
+
+
+def _mesh_errors(response: Response) -> list[tuple[str, str]]:
+    """Mesh errors of the last state, with their share of the value."""
+    rows = []
+    for column in response.quantities:
+        errors, value = response.mesh_error(column.name), float(column.values[-1])
+        if errors is not None and errors[-1] > 0 and not is_zero(column):
+            share = f" ({100 * errors[-1] / abs(value):.2g} %)" if errors[-1] < abs(value) else ""
+            rows.append((column.words, f"{_last(response, column)}{share}"))
+    return rows
 
 
 def _picture_width(pictures: tuple[Picture, ...]) -> int:
@@ -153,28 +210,22 @@ def _numbers(response: Response) -> list[tuple[str, str]]:
     for name in [*drives, *(name for name in headlines(response.names) if name not in drives)]:
         column, regions = response.find(name), in_regions(response, name)
         cavities = [] if regions else with_parts(response, name)[1:]
-        numbers.append((_last(response, column), f"{_words(column)}; {regions}" if regions else _words(column)))
-        numbers += [(_last(response, each), _words(each)) for each in map(response.find, cavities)]
+        numbers.append((_last(response, column), f"{column.words}; {regions}" if regions else column.words))
+        numbers += [(_last(response, each), each.words) for each in map(response.find, cavities)]
     return numbers
 
 
 def _last(response: Response, column: Column) -> str:
-    """Value of the last state with its mesh error and unit; degrees have their sign."""
-    return last_with_error(response, column).replace(" deg", "°")
+    """Value of the last state with its mesh error and the sign of its unit."""
+    number = last_with_error(response, column).removesuffix(column.unit).rstrip().replace("-", "−")
+    return f"{number}{'' if column.unit in ('', 'deg') else ' '}{unit_text(column.unit)}"
 
 
 def _definitions(response: Response, contacts: set[str]) -> list[tuple[str, str]]:
     """Names and definitions of the columns that ready-made measures filled."""
     parts = {part for name in headlines(response.names) for part in with_parts(response, name)}
     known = {*MEASURES, *parts, *contacts}
-    return [
-        (_words(column), find_measure(column.name).definition) for column in response.columns if column.name in known
-    ]
-
-
-def _words(column: Column) -> str:
-    """Name of a column without its unit."""
-    return column.label.split(" [")[0]
+    return [(column.words, find_measure(column.name).definition) for column in response.columns if column.name in known]
 
 
 def _path_summary(solution: Solution) -> str:

@@ -5,16 +5,22 @@ from pathlib import Path
 from turgor.errors import TurgorError
 from turgor.meshing.quality.cell_quality import quality
 from turgor.response import Response
+from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.measures.measures import measure
-from turgor.results.pictures.path_pictures import CAPTIONS, path_figures
+from turgor.results.pictures.path_pictures import CAPTIONS
 from turgor.results.pictures.picture import Picture
+from turgor.results.pictures.state_picture import picture_title, shared_view, state_figure
 from turgor.results.plots.figures import png_of
+from turgor.results.report.headline import headline
 from turgor.results.report.page import Report, write_report
 from turgor.solvers.solution import Solution
 
+#: Width of the still picture [pixels].
+STILL = 1000
+
 
 def report(of: Solution, path: str | Path, *, response: Response | None = None, title: str | None = None) -> Path:
-    """Write a report about a solution: one HTML file with pictures, the response, materials, findings and the mesh.
+    """Write a report about a solution: one HTML file with a viewer, the response, materials, findings and the mesh.
 
     Parameters
     ----------
@@ -26,7 +32,7 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
         What was measured along the path; by default the standard measures, without their mesh errors. Give
         ``tg.measure(solution)`` to have these.
     title : str, optional
-        Headline; by default the name of the mesh.
+        Headline; by default the name of the actuator and the largest pressure.
 
     Returns
     -------
@@ -52,18 +58,25 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
         raise TurgorError(f"the response has {len(shown)} rows, but the solution {len(of.states)} states.")
     name = of.model.mesh.name if title is None else title
     content = Report(
-        title=name,
+        title=headline(of) if title is None else title,
         solution=of,
         response=shown,
         findings=of.findings,
         quality=quality(of.model.mesh),
-        pictures=_pictures(of, shown, name),
+        pictures=(_picture(of, shown, name),) if of.states else (),
     )
     write_report(path, content)
     return path
 
 
-def _pictures(of: Solution, response: Response, name: str) -> tuple[Picture, ...]:
-    """The pictures of the path with what is to be seen on each."""
-    figures = path_figures(of, response, name)
-    return tuple(Picture(caption=CAPTIONS[kind], png=png_of(figure)) for kind, figure in figures)
+def _picture(of: Solution, response: Response, name: str) -> Picture:
+    """The last state with the outline of the first, for print and for browsers without WebGL."""
+    facts = MeshFacts(of.model.mesh)
+    first, last = StateFields(of.states[0], facts), StateFields(of.states[-1], facts)
+    figure = state_figure(
+        last,
+        shared_view([first, last], STILL),
+        title=picture_title(response, -1, name),
+        ghost=first if len(of.states) > 1 else None,
+    )
+    return Picture(caption=CAPTIONS["deformed"], png=png_of(figure))

@@ -110,8 +110,8 @@ def test_what_the_pages_say(values):
         "Reached 50 kPa.",
         "Go on.",
         "G01 warning: Thin &lt;walls&gt;. Refine.",
-        "bending angle [deg]",
-        "57.296",
+        "bending angle [°]",
+        "57.30",
     ):
         assert said in solution
     assert "pressure [kPa]" in values["response"]._repr_html_()
@@ -171,7 +171,7 @@ def test_pieces_of_markup_are_escaped():
 def test_a_response_plots_itself(values):
     response = values["response"]
     panels = response.plot().axes
-    assert [axes.get_ylabel() for axes in panels][:2] == ["bending angle [deg]", "cavity volume [mL]"]
+    assert [axes.get_ylabel() for axes in panels][:2] == ["bending angle [°]", "cavity volume [mL]"]
     figure = response.plot("bending_angle", x="cavity_volume")
     assert figure.axes[0].get_xlabel() == "cavity volume [mL]"
     assert figure._repr_png_().startswith(b"\x89PNG")

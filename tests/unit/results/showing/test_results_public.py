@@ -69,9 +69,10 @@ def test_report_has_the_pictures_the_response_and_the_mesh(tmp_path, path):
     assert tg.report(path, tmp_path / "report.html", title="A finger") == tmp_path / "report.html"
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "<title>A finger</title>" in text
-    assert len(re.findall("data:image/png;base64", text)) == 2
-    assert "Undeformed" in text
-    assert "bending angle [deg]" in text
+    assert len(re.findall("data:image/png;base64", text)) == 1
+    assert "At the last state" in text
+    assert 'class="viewer"' in text
+    assert "bending angle [°]" in text
     assert "264 ten-node tetrahedra" in text
 
 

@@ -1,0 +1,132 @@
+// Stage: renderer, camera, light, and the groups that are drawn for every image of the modeled part.
+
+const INK = 0x262b34;
+const AZIMUTH = (20 * Math.PI) / 180; // the direction of the still pictures
+const ELEVATION = (18 * Math.PI) / 180;
+
+class Stage {
+  constructor(box, values) {
+    this.box = box;
+    this.renderer = new THREE.WebGLRenderer({ antialias: true, stencil: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    this.renderer.setClearColor(0xffffff, 1);
+    this.renderer.localClippingEnabled = true;
+    box.append(this.renderer.domElement);
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
+    this.camera.up.set(0, 0, 1);
+    this.matrices = values.images.map((rows) => new THREE.Matrix4().set(...rows));
+    this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.enableZoom = false; // until the picture was clicked, so that the page scrolls past it
+    this.controls.addEventListener("change", () => this.draw());
+    box.addEventListener("pointerdown", () => (this.controls.enableZoom = true));
+    box.addEventListener("pointerleave", () => (this.controls.enableZoom = false));
+    this.ambient = new THREE.AmbientLight(0xffffff, 1);
+    this.lamp = new THREE.DirectionalLight(0xffffff, 1);
+    this.scene.add(this.ambient, this.lamp, this.lamp.target);
+    this.light(true);
+    this.frames = 0;
+    this.listeners = [];
+    this.waiting = false;
+    new ResizeObserver(() => this.fit()).observe(box);
+  }
+
+  // Show an object once for each image of the modeled part.
+  repeat(make) {
+    return this.matrices.map((matrix, k) => {
+      const made = make(k);
+      made.matrixAutoUpdate = false;
+      made.matrix.copy(matrix);
+      made.matrixWorldNeedsUpdate = true;
+      this.scene.add(made);
+      return made;
+    });
+  }
+
+  // With light the colors are a little darker where the surface turns away; without, they are those of the bar.
+  light(on) {
+    this.ambient.intensity = Math.PI * (on ? 0.55 : 1);
+    this.lamp.intensity = Math.PI * (on ? 0.48 : 0);
+    this.draw();
+  }
+
+  // Aim at points (x, y, z after each other) so that they fill the picture.
+  frame(cloud) {
+    this.cloud = cloud;
+    const box = new THREE.Box3().setFromArray(cloud);
+    this.center = box.getCenter(new THREE.Vector3());
+    this.radius = box.min.distanceTo(box.max) / 2;
+    this.look(AZIMUTH, ELEVATION);
+  }
+
+  look(azimuth, elevation) {
+    const radius = this.radius;
+    const away = new THREE.Vector3(
+      Math.sin(azimuth) * Math.cos(elevation),
+      -Math.cos(azimuth) * Math.cos(elevation),
+      Math.sin(elevation),
+    );
+    this.camera.position.copy(this.center).addScaledVector(away, 4 * radius);
+    this.camera.near = -20 * radius;
+    this.camera.far = 30 * radius;
+    this.camera.zoom = 1;
+    this.camera.lookAt(this.center);
+    this.camera.updateMatrixWorld();
+    const seen = this.#seen();
+    const shift = seen.getCenter(new THREE.Vector3()).setZ(0).transformDirection(this.camera.matrixWorld);
+    const way = seen.getCenter(new THREE.Vector3()).setZ(0).length();
+    this.camera.position.addScaledVector(shift, way);
+    this.controls.target.copy(this.center).addScaledVector(shift, way);
+    this.across = (seen.max.x - seen.min.x) / 2;
+    this.upward = (seen.max.y - seen.min.y) / 2;
+    this.fit();
+    this.controls.update();
+    this.draw();
+  }
+
+  // Box of the points as the camera sees them.
+  #seen() {
+    const box = new THREE.Box3();
+    const place = new THREE.Vector3();
+    for (let k = 0; k < this.cloud.length; k += 3) {
+      box.expandByPoint(place.fromArray(this.cloud, k).applyMatrix4(this.camera.matrixWorldInverse));
+    }
+    return box;
+  }
+
+  fit() {
+    const { clientWidth: width, clientHeight: height } = this.box;
+    if (!width || !height || !this.across) return;
+    this.renderer.setSize(width, height);
+    const half = 1.06 * Math.max(this.upward, (this.across * height) / width);
+    this.camera.top = half;
+    this.camera.bottom = -half;
+    this.camera.right = (half * width) / height;
+    this.camera.left = -this.camera.right;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  // Length of a pixel [m].
+  get pixel() {
+    return (this.camera.top - this.camera.bottom) / this.camera.zoom / Math.max(1, this.box.clientHeight);
+  }
+
+  // Draw at the next frame of the browser; several calls before it give one drawing.
+  draw() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.now();
+    });
+  }
+
+  now() {
+    this.lamp.position.copy(this.camera.position);
+    this.lamp.target.position.copy(this.controls.target);
+    this.renderer.render(this.scene, this.camera);
+    this.frames++;
+    this.listeners.forEach((told) => told());
+  }
+}

@@ -1,0 +1,226 @@
+// Viewer: reads the scene, builds the picture, and connects it with the controls.
+
+const PLAY = 160; // milliseconds between two steps
+const CLOUD = 6000; // points that the picture is fitted to
+
+// Length of the way from one place of each vertex to another [mm].
+function moved(points, rest) {
+  const out = new Float32Array(points.length / 3);
+  for (let v = 0; v < out.length; v++) {
+    const way = [0, 1, 2].map((i) => points[3 * v + i] - rest[3 * v + i]);
+    out[v] = 1000 * Math.hypot(...way);
+  }
+  return out;
+}
+
+class Viewer {
+  constructor(root, values) {
+    this.root = root;
+    this.values = values;
+    this.find = (name) => root.querySelector(`[data-v="${name}"]`);
+    this.step = -1;
+    this.linked = [];
+  }
+
+  async start() {
+    const { surface, inside, fields, threads, obstacles, images } = this.values;
+    const [triangles, cut, centers, positions] = await Promise.all([
+      unpackedIndex(surface.triangles), unpackedIndex(surface.cut), unpackedIndex(surface.centers),
+      unpackedSteps(surface.positions),
+    ]);
+    this.positions = positions;
+    this.data = await Promise.all(fields.map((field) => field.data && unpackedSteps(field.data)));
+    const picture = this.find("picture");
+    this.root.hidden = false;
+    this.stage = new Stage(picture, this.values);
+    this.skin = new Skin(triangles, {
+      shape: surface.triangles.shape, cut, centers, mirrors: surface.mirrors, sides: surface.sides, images: images.length,
+    });
+    this.body = new Body(this.stage, this.skin, this.values);
+    if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions));
+    const places = obstacles && (await unpackedSteps(obstacles.positions));
+    if (obstacles) this.body.addObstacles(await unpackedIndex(obstacles.triangles), places);
+    this.section = new Section(this.stage, this.skin, inside ? await this.#open(inside, fields) : []);
+    this.rest = positions.at(0);
+    this.#frame(places);
+    new Overlay(this.stage, picture);
+    new Probe(this.stage, this.body, picture, (share) => this.#told(share));
+    this.#controls();
+    this.show(0);
+    this.body.keepRest();
+    this.field(0);
+    this.show(this.values.steps.length - 1);
+    this.stage.now();
+  }
+
+  async #open(inside, fields) {
+    this.depth = await unpackedSteps(inside.positions);
+    this.within = await Promise.all(fields.map((field) => field.inside && unpackedSteps(field.inside)));
+    return unpackedIndex(inside.tetrahedra);
+  }
+
+  // The face of the cut at this step, colored by the field.
+  #face() {
+    const points = this.body.open && this.depth?.at(this.step);
+    this.section.material.map = this.body.surface.map;
+    this.section.material.needsUpdate = true;
+    this.section.set(this.body.open && this.body.plane, points, points && this.#shares(points));
+  }
+
+  #shares(points) {
+    const { low, high } = this.shown;
+    const within = this.within[this.number];
+    const rest = within ? null : this.depth.at(0);
+    const values = within ? within.at(this.step) : moved(points, rest);
+    return values.map((value) => (value - low) / (high - low));
+  }
+
+  // Aim at some points of all steps and images, and at obstacles as far as they are near.
+  #frame(obstacles) {
+    const cloud = [];
+    const place = new THREE.Vector3();
+    const { steps, points } = this.positions;
+    const stride = Math.max(1, Math.ceil((steps * points * this.stage.matrices.length) / CLOUD));
+    for (let step = 0; step < steps; step++) {
+      const at = this.positions.at(step);
+      for (let v = step % stride; v < points; v += stride) {
+        for (const matrix of this.stage.matrices) cloud.push(...place.fromArray(at, 3 * v).applyMatrix4(matrix).toArray());
+      }
+    }
+    this.box = new THREE.Box3().setFromArray(cloud);
+    if (obstacles) {
+      const near = this.box.clone().expandByScalar(0.25 * this.box.min.distanceTo(this.box.max) / 2);
+      const at = obstacles.at(obstacles.steps - 1);
+      for (let v = 0; v < at.length; v += 3) cloud.push(...near.clampPoint(place.fromArray(at, v), place).toArray());
+    }
+    this.stage.frame(cloud);
+  }
+
+  #told(share) {
+    const field = this.shown;
+    const value = field.low + share * (field.high - field.low);
+    return `${field.label} ${written(value, 3)} ${field.unit}`.trim();
+  }
+
+  // Show a step of the path.
+  show(step) {
+    if (step === this.step) return;
+    this.step = step;
+    this.points = this.positions.at(step);
+    this.skin.move(this.points);
+    this.body.moveThreads?.(step);
+    this.body.moveObstacles?.(step);
+    if (this.shown) this.#color();
+    const { state, label } = this.values.steps[step];
+    this.find("slider").value = step;
+    this.find("label").textContent = label;
+    this.linked.forEach((each) => each.mark(state));
+    this.stage.draw();
+  }
+
+  // Show the step nearest to a state of the solution.
+  choose(state) {
+    const away = this.values.steps.map((each) => Math.abs(each.state - state));
+    this.show(away.indexOf(Math.min(...away)));
+  }
+
+  field(number) {
+    this.number = number;
+    this.shown = this.values.fields[number];
+    drawBar(this.find("bar"), this.shown);
+    this.find("note").textContent = this.shown.note;
+    this.body.paint(this.shown.colors);
+    this.#color();
+    this.stage.draw();
+  }
+
+  #color() {
+    const data = this.data[this.number];
+    this.skin.color(data ? data.at(this.step) : moved(this.points, this.rest), this.shown.low, this.shown.high);
+    this.#face();
+  }
+
+  #controls() {
+    const slider = this.find("slider");
+    slider.max = this.values.steps.length - 1;
+    slider.addEventListener("input", () => this.show(Number(slider.value)));
+    this.find("play").addEventListener("click", () => this.play(!this.timer));
+    const menu = this.find("field");
+    this.values.fields.forEach((field, k) => menu.append(new Option(field.unit ? `${field.label} [${field.unit}]` : field.label, k)));
+    menu.addEventListener("change", () => this.field(Number(menu.value)));
+    const toggles = {
+      cells: (on) => this.body.show("cells", on),
+      ghost: (on) => this.body.show("ghost", on),
+      clear: (on) => this.body.transparent(on),
+      light: (on) => this.stage.light(on),
+      obstacles: (on) => this.#visible(this.body.obstacles, on),
+      threads: (on) => this.#visible(this.body.threads, on),
+    };
+    for (const [name, change] of Object.entries(toggles)) {
+      this.find(name).addEventListener("change", (event) => change(event.target.checked));
+    }
+    for (const name of ["obstacles", "threads"]) this.find(name).parentElement.hidden = !this.body[name];
+    for (const name of ["axis", "turned", "place"]) this.find(name).addEventListener("input", () => this.cut());
+    const views = { start: [AZIMUTH, ELEVATION], front: [0, 0], side: [Math.PI / 2, 0], top: [0, Math.PI / 2 - 1e-4] };
+    for (const [name, way] of Object.entries(views)) this.find(name).addEventListener("click", () => this.stage.look(...way));
+    if (this.values.curves) this.#chart();
+    else this.find("curves").hidden = true;
+  }
+
+  #visible(objects, on) {
+    objects.forEach((each) => (each.visible = on));
+    this.stage.draw();
+  }
+
+  #chart() {
+    const { y } = this.values.curves;
+    const chart = new Chart(this.find("chart"), this.values.curves, (state) => this.choose(state));
+    const menu = this.find("column");
+    y.forEach((column, k) => menu.append(new Option(words(column.label), k)));
+    menu.addEventListener("change", () => chart.draw(y[Number(menu.value)]));
+    chart.draw(y[0]);
+    this.linked.push(chart);
+    const known = this.values.steps.map((each) => each.state);
+    for (const figure of document.querySelectorAll("figure[data-lines]")) {
+      this.linked.push(new LinkedPlot(figure, (state) => this.choose(state), known));
+    }
+  }
+
+  cut() {
+    const axis = Number(this.find("axis").value);
+    for (const name of ["place", "turned"]) this.find(name).disabled = axis < 0;
+    const share = Number(this.find("place").value) / 1000;
+    const [low, high] = [this.box.min, this.box.max].map((corner) => corner.toArray()[Math.max(axis, 0)]);
+    this.body.cut(axis, low + share * (high - low), this.find("turned").checked);
+    this.#face();
+    this.find("where").textContent = axis < 0 ? "" : `${"xyz"[axis]} = ${written(1000 * (low + share * (high - low)), 3)} mm`;
+  }
+
+  play(on) {
+    clearInterval(this.timer);
+    this.timer = null;
+    this.find("play").textContent = on ? "❚❚" : "▶";
+    this.find("play").setAttribute("aria-label", on ? "stop" : "play");
+    if (!on) return;
+    const count = this.values.steps.length;
+    if (this.step === count - 1) this.show(0);
+    this.timer = setInterval(() => (this.step < count - 1 ? this.show(this.step + 1) : this.play(false)), PLAY);
+  }
+}
+
+async function startViewers() {
+  for (const root of document.querySelectorAll(".viewer")) {
+    const values = JSON.parse(root.querySelector("script[type='application/json']").textContent);
+    try {
+      const viewer = new Viewer(root, values);
+      await viewer.start();
+      root.viewer = viewer;
+      document.documentElement.classList.add("live"); // the still pictures step back
+    } catch (error) {
+      root.hidden = true; // no WebGL: the still pictures stay
+      root.dataset.failed = String(error);
+    }
+  }
+}
+
+startViewers();
