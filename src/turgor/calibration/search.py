@@ -11,12 +11,20 @@ from turgor.calibration.objective import Objective
 
 Array = NDArray[np.float64]
 
-#: The search ends where one more step would lower half the sum of squares by less than this share of it …
-RELATIVE_GAIN = 1e-3
-#: … or, where the spread of the measurement is known, by less than this: a tenth of a standard error …
-ABSOLUTE_GAIN = 5e-3
+#: The search ends where one more step would gain less than a fifth of a standard error: this share of the variance of
+#: the differences, in half the sum of squares …
+LEAST_GAIN = 0.02
 #: … or would move every coordinate by less than this: 0.02 % of a positive parameter.
 SMALLEST_STEP = 2e-4
+
+#: Relative gain at which the search between two fresh Jacobians ends.
+RELATIVE_GAIN = 1e-3
+
+#: Runs that change next to nothing, the first point included, after which it ends as well: a fresh Jacobian knows more.
+MOST_IDLE = 2
+
+#: What changes next to nothing may be higher by this many of the least gains.
+IDLE_GAINS = 20
 
 #: Fresh Jacobians at most.
 MOST_ROUNDS = 12
@@ -45,6 +53,10 @@ class Found:
 
 class _SpentError(Exception):
     """All runs are used up."""
+
+
+class _IdleError(Exception):
+    """The last runs gained next to nothing."""
 
 
 def search(objective: Objective, start: Array, most: int) -> Found:
@@ -76,8 +88,10 @@ def search(objective: Objective, start: Array, most: int) -> Found:
             break
         if np.array_equal(to, at):
             return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
-        at, residuals = to, objective.residuals(to)
+        before, at, residuals = residuals, to, objective.residuals(to)
         jacobian = objective.jacobian(at)
+        if _cost(before) - _cost(residuals) < _least_gain(objective, residuals):  # rough, as meshes that change are
+            return Found(at=at, residuals=residuals, jacobian=jacobian, converged=True)
         if len(objective.evaluations.ended) >= most:
             break
     done = _no_step_left(objective, at, residuals, jacobian)
@@ -87,14 +101,20 @@ def search(objective: Objective, start: Array, most: int) -> Found:
 def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:
     """Return the lowest point that Broyden updates of a Jacobian lead to; None where no run is left."""
     low, high = objective.limits
-    best: dict[str, Any] = {"at": at, "cost": _cost(objective.residuals(at))}
+    here = objective.residuals(at)
+    best: dict[str, Any] = {"at": at, "cost": _cost(here), "idle": 0}
 
     def residuals(to: Array) -> Array:
         if len(objective.evaluations.ended) >= most:
             raise _SpentError
         found = objective.residuals(to)
-        if _cost(found) < best["cost"]:
+        gain = best["cost"] - _cost(found)
+        if gain > 0:
             best.update(at=to.copy(), cost=_cost(found))
+        least = _least_gain(objective, here)
+        best["idle"] += -IDLE_GAINS * least < gain < least
+        if best["idle"] > MOST_IDLE:
+            raise _IdleError
         return found
 
     spent = False
@@ -109,6 +129,8 @@ def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> A
             residuals, np.clip(begun, low, high), jac=follow, bounds=(low, high),
             ftol=RELATIVE_GAIN, xtol=SMALLEST_STEP, gtol=None, max_nfev=8 + 2 * len(at),
         )  # fmt: skip
+    except _IdleError:
+        pass
     except _SpentError:
         spent = True
     return None if spent and best["at"] is at else np.asarray(best["at"])
@@ -139,10 +161,15 @@ class _Broyden:
 def _no_step_left(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> bool:
     """Whether the best step of the linear problem within the bounds gains next to nothing."""
     step = _linear_step(objective, at, residuals, jacobian)
-    cost = _cost(residuals)
-    gain = cost - _cost(residuals + jacobian @ step)
-    least = 0.0 if objective.assumed else ABSOLUTE_GAIN
-    return bool(gain < max(RELATIVE_GAIN * cost, least) or np.abs(step).max() < SMALLEST_STEP)
+    gain = _cost(residuals) - _cost(residuals + jacobian @ step)
+    return bool(gain < _least_gain(objective, residuals) or np.abs(step).max() < SMALLEST_STEP)
+
+
+def _least_gain(objective: Objective, residuals: Array) -> float:
+    """Gain that is not worth a step: small against the scatter of the differences, or their known spread."""
+    freedom = max(len(residuals) - len(objective.parameters), 1)
+    variance = 2 * _cost(residuals) / freedom
+    return LEAST_GAIN * (variance if objective.assumed else max(variance, 1.0))
 
 
 def _linear_step(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> Array:

@@ -17,7 +17,7 @@ from turgor.job.read import read_job
 from turgor.response import Response
 from turgor.solvers.solve import solve
 from turgor.study.evaluations import rounded
-from turgor.units import UNITS, split_quantity
+from turgor.units import UNITS, parse_quantity, split_quantity
 
 #: Sections of a job whose numbers are no quantities of the actuator.
 _LEFT_OUT = ("written_by", "output", "engine", "name")
@@ -48,6 +48,11 @@ class JobNumber:
     def factor(self) -> float:
         """Value of the unit in SI."""
         return unit_value(self.unit)
+
+    @property
+    def dimension(self) -> str:
+        """What the number measures, such as ``"length"``; ``"number"`` for a pure one."""
+        return next((name for name, units in UNITS.items() if self.unit in units), "number")
 
     def text(self, value: float) -> float | str:
         """Return an SI value in the form of a job file."""
@@ -141,6 +146,34 @@ def find_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
     if numbers[key].whole:
         raise TurgorError(f"'{key}' is a whole number, {numbers[key].value:g}, which cannot vary by little.")
     return numbers[key]
+
+
+def read_number(text: str, number: JobNumber, where: str) -> float:
+    """Read another value of a number, with its unit.
+
+    Parameters
+    ----------
+    text : str
+    number : JobNumber
+    where : str
+        Beginning of messages.
+
+    Returns
+    -------
+    float
+        In SI units.
+
+    Raises
+    ------
+    TurgorError
+        If the unit is missing or measures something else.
+    """
+    try:
+        return parse_quantity(text.strip(), number.dimension) if number.unit else float(text)
+    except TurgorError as error:
+        raise TurgorError(f"{where}: {error}") from None
+    except ValueError:
+        raise TurgorError(f"{where}: '{text.strip()}' is not a number.") from None
 
 
 def solved_job(job: str, digest: str, numbers: Mapping[str, float]) -> Response:
