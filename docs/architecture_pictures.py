@@ -35,6 +35,7 @@ ROOMS = (
     "laboratory",
     "job",
     "study",
+    "calibration",
     "guidelines",
     "cli",
 )

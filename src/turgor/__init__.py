@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from turgor import sections as sections
     from turgor import setups as setups
     from turgor import solutions as solutions
+    from turgor import studies as studies
     from turgor import supports as supports
     from turgor.adaptivity.measure import measure as measure
     from turgor.adaptivity.mesh_to import mesh_to as mesh_to

@@ -178,6 +178,29 @@ def format_quantity(value: float, unit: str) -> str:
     return f"{value!r} {next(iter(units))}"
 
 
+def split_quantity(text: str) -> tuple[float, str] | None:
+    """Split a number and its unit, whatever it measures.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    (float, str) or None
+        The number as it stands there, and its unit; None where the text is no number with a known unit.
+
+    Examples
+    --------
+    >>> split_quantity("0.12 MPa"), split_quantity("cavity")
+    ((0.12, 'MPa'), None)
+    """
+    match = _NUMBER_AND_UNIT.fullmatch(text.translate(_SAME_SIGN).strip())
+    if match is None or not any(match[2] in units for units in UNITS.values()):
+        return None
+    return float(match[1]), match[2]
+
+
 def _wrong_unit(text: str, unit: str, dimension: str) -> TurgorError:
     for other, units in UNITS.items():
         if unit in units:

@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 #: Rooms in the order of import: a room may import from itself and from those before it.
 ROOMS = (
     "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers",
-    "setups", "section", "results", "adaptivity", "laboratory", "job", "study", "guidelines", "cli",
+    "setups", "section", "results", "adaptivity", "laboratory", "job", "study", "calibration",
+    "guidelines", "cli",
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
@@ -32,6 +33,7 @@ PUBLIC = (
     "rods",
     "sections",
     "solutions",
+    "studies",
     "supports",
 )
 

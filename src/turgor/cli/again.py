@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Debug, Json
+from turgor.cli.options import Debug, Json, name_and_unit
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run, finished or not.")]
 
@@ -74,7 +74,7 @@ def compare_command(
         from turgor.cli.answers.results import compared_result
         from turgor.job.compare import Asked, compare_folder
 
-        units = dict(_pair(each) for each in unit or ())
+        units = dict(name_and_unit(each) for each in unit or ())
         found, files = compare_folder(run, experiment, Asked(y=y, x=x, units=units, only_loading=only_loading))
         typer.echo(found.summary()[:1].upper() + found.summary()[1:])
         for note in found.notes:
@@ -83,13 +83,3 @@ def compare_command(
             typer.echo(f"Written: {', '.join(map(str, files))}. 'turgor report {run}' adds it to the report.")
         answer.give(partial(compared_result, found, files))
         raise typer.Exit(DONE)
-
-
-def _pair(text: str) -> tuple[str, str]:
-    """Split ``pressure=kPa``."""
-    from turgor.errors import TurgorError
-
-    name, sign, unit = (part.strip() for part in text.partition("="))
-    if not sign or not name or not unit:
-        raise TurgorError(f"--unit is '{text}'; write the name of a column and its unit, such as --unit pressure=kPa.")
-    return name, unit

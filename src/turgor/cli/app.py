@@ -12,6 +12,7 @@ import typer
 
 from turgor import __version__
 from turgor.cli.again import compare_command, measure_command, report_command
+from turgor.cli.analyses.calibrate import calibrate_command
 from turgor.cli.analyses.guidelines import guidelines_app
 from turgor.cli.analyses.section import section_command
 from turgor.cli.answers.document import document
@@ -83,6 +84,7 @@ app.command("init")(init_command)
 app.command("report")(report_command)
 app.command("measure")(measure_command)
 app.command("compare")(compare_command)
+app.command("calibrate")(calibrate_command)
 app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
 app.command("export")(export_command)

@@ -50,6 +50,25 @@ def asked_job(job: Path, changes: Sequence[str] | None) -> "Job":
     return read_job(job, parse_changes(changes or ()))
 
 
+def name_and_unit(text: str) -> tuple[str, str]:
+    """Split what ``--unit`` states, such as ``pressure=kPa``.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    (str, str)
+    """
+    from turgor.errors import TurgorError
+
+    name, sign, unit = (part.strip() for part in text.partition("="))
+    if not sign or not name or not unit:
+        raise TurgorError(f"--unit is '{text}'; write the name of a column and its unit, such as --unit pressure=kPa.")
+    return name, unit
+
+
 def command_of(options: Callable[..., Options], run: Callable[[Options], None]) -> Callable[..., None]:
     """Make a command of typer from a dataclass: each field is an argument or an option, according to its annotation.
 

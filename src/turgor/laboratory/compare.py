@@ -135,7 +135,7 @@ def compare(computed: Response, measured: Response, y: str | None = None, *, x: 
     ours, theirs = _columns(computed, measured, x, driving=True)
     name, other = _columns(computed, measured, y, driving=False, besides=(ours, theirs))
     notes = _named_differently(ours, theirs) + _named_differently(name, other)
-    curve, told = _first_branch(computed, ours)
+    curve, told = first_branch(computed, ours)
     notes += told
     drive, values = measured.column(theirs), measured.column(other)
     known = np.isfinite(drive) & np.isfinite(values)
@@ -198,6 +198,31 @@ def best_shift(computed: Response, x: str, y: str, measured: Array) -> tuple[flo
     return float(tried[best]), float(found[best])
 
 
+def first_branch(response: Response, x: str) -> tuple[Response, tuple[str, ...]]:
+    """Return the part of a path before its drive turns, and what to say about it.
+
+    Parameters
+    ----------
+    response : Response
+    x : str
+        What drives.
+
+    Returns
+    -------
+    part : Response
+    notes : tuple of str
+        Empty where the drive does not turn.
+    """
+    turns = branches(response.column(x))
+    if len(turns) <= 1:
+        return response, ()
+    first, last = turns[0]
+    part = tuple(Column(c.name, c.unit, c.values[first : last + 1]) for c in response.columns)
+    at = _in(response.find(x), float(response.column(x)[last]))
+    note = f"The computed {_words(x)} turns at {at}; what follows is not compared."
+    return Response(columns=part, source=response.source), (note,)
+
+
 def _columns(
     computed: Response, measured: Response, asked: str | None, *, driving: bool, besides: tuple[str, str] = ("", "")
 ) -> tuple[str, str]:
@@ -256,18 +281,6 @@ def _named_differently(ours: str, theirs: str) -> tuple[str, ...]:
     if ours == theirs:
         return ()
     return (f"The measured '{theirs}' is compared with '{ours}': make sure that both are defined alike.",)
-
-
-def _first_branch(response: Response, x: str) -> tuple[Response, tuple[str, ...]]:
-    """The part of a path before its drive turns, and what to say about it."""
-    turns = branches(response.column(x))
-    if len(turns) <= 1:
-        return response, ()
-    first, last = turns[0]
-    part = tuple(Column(c.name, c.unit, c.values[first : last + 1]) for c in response.columns)
-    at = _in(response.find(x), float(response.column(x)[last]))
-    note = f"The computed {_words(x)} turns at {at}; what follows is not compared."
-    return Response(columns=part, source=response.source), (note,)
 
 
 def _rms(values: Array) -> float:

@@ -11,6 +11,7 @@ from pathlib import Path
 from time import process_time
 
 from turgor.errors import TurgorError
+from turgor.response import Response
 from turgor.study.runs import Computed, Run, keep, kept
 
 #: Variables that give each worker one thread: of the kernels, the linear solver and the libraries below NumPy.
@@ -114,12 +115,30 @@ def _one_thread() -> None:
 
 def _compute(run: Run, folder: Path) -> str:
     """Compute and keep one run; return why it failed."""
+    ended = compute(run)
+    if ended.found is not None:
+        keep(run, ended.found, folder)
+    return ended.problem
+
+
+def compute(run: Run) -> Ended:
+    """Compute one run in this process, and keep nothing.
+
+    Parameters
+    ----------
+    run : Run
+
+    Returns
+    -------
+    Ended
+        With the sentence that says why, where the run failed.
+    """
     begun = process_time()
     try:
         found = run.function(**run.values)
     except TurgorError as error:
-        return str(error)
+        return Ended(run=run, found=None, problem=str(error))
     except Exception:  # what a study's own function does is not known here; the others go on
-        return traceback.format_exc().strip()
-    keep(run, replace(found, seconds=found.seconds or process_time() - begun), folder)
-    return ""
+        return Ended(run=run, found=None, problem=traceback.format_exc().strip())
+    computed = Computed(response=found) if isinstance(found, Response) else found
+    return Ended(run=run, found=replace(computed, seconds=computed.seconds or process_time() - begun))

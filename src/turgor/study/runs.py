@@ -46,7 +46,7 @@ class Run:
     name : str
         Short name, unique in the study, such as ``"8 chambers"``.
     function : callable
-        Function of a module, which another process can import. It returns a `Computed`.
+        Function of a module, which another process can import. It returns a `Response`, or a `Computed`.
     values : mapping of str to number, str, bool, None or a list of these
         Its keyword arguments.
 
@@ -63,7 +63,7 @@ class Run:
     """
 
     name: str
-    function: Callable[..., Computed]
+    function: Callable[..., Computed | Response]
     values: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:

@@ -1,0 +1,222 @@
+"""Calibration of job files: free keys and priors as text, and trials whose function solves the job."""
+
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import tomlkit
+
+from turgor.calibration.objective import with_prior
+from turgor.calibration.parameter import Parameter
+from turgor.calibration.trial import Trial
+from turgor.errors import TurgorError, unknown
+from turgor.job.job import Job
+from turgor.job.text.changes import changed
+from turgor.response import Response
+from turgor.study.job_runs import (
+    JobNumber,
+    changes_of,
+    digest_of,
+    find_number,
+    read_number,
+    solved_job,
+    write_whole_job,
+)
+
+#: The job at the start with every value, and the one with the values that were found.
+START, CALIBRATED = "start.toml", "calibrated.toml"
+
+#: Folder of the runs.
+RUNS = "runs"
+
+#: Steps of the finite differences: of numbers that change the mesh, and of others.
+MESHED_STEP, STEP = 0.03, 0.01
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobFile:
+    """A job whose numbers can be changed.
+
+    Parameters
+    ----------
+    file : Path
+        A job file with every value.
+    numbers : mapping of str to JobNumber
+        Its numbers by key.
+    """
+
+    file: Path
+    numbers: Mapping[str, JobNumber]
+
+    @property
+    def values(self) -> dict[str, str]:
+        """Arguments of `solved_job` besides the numbers."""
+        return {"job": str(self.file), "digest": digest_of(self.file)}
+
+    def trial(
+        self, measured: Response, *, y: str | None = None, x: str | None = None, spread: float | None = None
+    ) -> Trial:
+        """Return an experiment with this job as its model."""
+        return Trial(
+            measured=measured, function=solved_job, y=y, x=x, spread=spread, values=self.values, gather="numbers"
+        )
+
+    def write(self, values: Mapping[str, float], file: Path, comment: str) -> None:
+        """Write the job with other numbers, in SI units by key."""
+        content = tomllib.loads(self.file.read_text(encoding="utf-8"))
+        known = {keys: value for keys, value in values.items() if keys.split(",")[0] in self.numbers}
+        text = tomlkit.dumps(changed(content, {}, changes_of(content, known)))
+        file.write_text("".join(f"# {line}\n" for line in comment.splitlines()) + f"\n{text}", encoding="utf-8")
+
+
+def job_file(job: Job, folder: Path) -> JobFile:
+    """Write a job with every value into a folder, where runs of it are kept.
+
+    Parameters
+    ----------
+    job : Job
+    folder : Path
+        Made if there is none; one that holds something else is refused.
+
+    Returns
+    -------
+    JobFile
+
+    Raises
+    ------
+    TurgorError
+        If the folder holds files of something else.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise TurgorError(f"--output is '{folder}', which is a file; name a folder.")
+    if folder.is_dir() and any(folder.iterdir()) and not (folder / START).is_file():
+        raise TurgorError(f"--output is '{folder}', which holds files of something else; name another folder.")
+    return JobFile(file=folder / START, numbers=write_whole_job(job, folder / START))
+
+
+def free_parameters(texts: Iterable[str], priors: Iterable[str], job: JobFile) -> tuple[Parameter, ...]:
+    """Read free keys such as ``"materials.body.C10=0.1 MPa:0.05 MPa:0.3 MPa"`` and their priors.
+
+    Parameters
+    ----------
+    texts : iterable of str
+        ``KEY``, ``KEY=START``, ``KEY:LOWER:UPPER`` or ``KEY=START:LOWER:UPPER``. Several keys with commas between them
+        have one value. The value of the job is the start by default.
+    priors : iterable of str
+        ``KEY=MEAN+-DEVIATION``; the deviation may be in percent.
+    job : JobFile
+
+    Returns
+    -------
+    tuple of Parameter
+
+    Raises
+    ------
+    TurgorError
+        If a key is unknown or a value cannot be read.
+    """
+    found = [_parameter(text, job) for text in texts]
+    known = {each.name: each for each in found}
+    read = {}
+    for text in priors:
+        keys, sign, value = (part.strip() for part in text.partition("="))
+        if not sign:
+            raise TurgorError(
+                f"--prior is '{text}'; write KEY=MEAN+-DEVIATION, such as materials.body.C10='0.1 MPa +- 5 %'."
+            )
+        name = _keys(keys, job)
+        if name not in known:
+            raise unknown("parameter with a prior", name, known)
+        read[name] = mean_and_deviation(value, find_number(job.numbers, name.split(",")[0]), f"--prior {keys}")
+    return with_prior(found, read)
+
+
+def mean_and_deviation(text: str, number: JobNumber, where: str) -> tuple[float, float]:
+    """Read ``"0.12 MPa +- 5 %"``; without a mean it is the number of the job.
+
+    Parameters
+    ----------
+    text : str
+    number : JobNumber
+        Whose unit the value has.
+    where : str
+        Beginning of messages.
+
+    Returns
+    -------
+    (float, float) [SI]
+
+    Raises
+    ------
+    TurgorError
+        If it cannot be read.
+    """
+    first, sign, second = text.replace("±", "+-").partition("+-")
+    mean, deviation = (first, second) if sign else ("", first)
+    middle = read_number(mean, number, where) if mean.strip() else number.value
+    if deviation.strip().endswith("%"):
+        try:
+            return middle, abs(middle) * float(deviation.strip().removesuffix("%")) / 100
+        except ValueError:
+            raise TurgorError(f"{where}: '{deviation.strip()}' is no share in percent; write it as '5 %'.") from None
+    return middle, read_number(deviation, number, where)
+
+
+def left_as_they_are(parameters: Sequence[Parameter], job: JobFile) -> tuple[str, ...]:
+    """Say which regions have the same constant as a free one, but keep it.
+
+    Parameters
+    ----------
+    parameters : sequence of Parameter
+    job : JobFile
+
+    Returns
+    -------
+    tuple of str
+    """
+    free = {key for each in parameters for key in each.name.split(",")}
+    notes = []
+    for key in sorted(free):
+        parts = key.split(".")
+        if parts[0] != "materials" or key not in job.numbers:
+            continue
+        alike = [
+            other
+            for other, number in job.numbers.items()
+            if other not in free
+            and other.startswith("materials.")
+            and other.split(".")[2:] == parts[2:]
+            and number.value == job.numbers[key].value
+        ]
+        for other in alike:
+            notes.append(f"{other} has the same value and stays as it is; to free both, write --free {key},{other}")
+    return tuple(notes)
+
+
+def _parameter(text: str, job: JobFile) -> Parameter:
+    before, sign, after = text.partition("=")
+    keys, *limits = [part.strip() for part in (after if sign else before).split(":")]
+    start = keys if sign else ""
+    name = _keys(before if sign else keys, job)
+    if len(limits) not in (0, 2):
+        raise TurgorError(f"--free is '{text}'; write KEY, KEY=START, or KEY=START:LOWER:UPPER.")
+    number = find_number(job.numbers, name.split(",")[0])
+    where = f"--free {name}"
+    low, high = (read_number(each, number, where) for each in limits) if limits else (None, None)
+    return Parameter(
+        name=name,
+        start=read_number(start, number, where) if start else number.value,
+        lower=low,
+        upper=high,
+        unit=number.unit,
+        step=MESHED_STEP if name.startswith("actuator.") else STEP,
+    )
+
+
+def _keys(text: str, job: JobFile) -> str:
+    keys = [each.strip() for each in text.split(",")]
+    units = {find_number(job.numbers, key).dimension for key in keys}
+    if len(units) > 1:
+        raise TurgorError(f"--free is '{text}': {' and '.join(sorted(units))} cannot have one value.")
+    return ",".join(keys)

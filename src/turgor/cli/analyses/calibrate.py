@@ -1,0 +1,133 @@
+"""Command ``turgor calibrate``: numbers of a job found from experiments."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+
+if TYPE_CHECKING:
+    from turgor.response import Response
+    from turgor.study.run_all import Ended
+
+Texts = list[str] | None
+
+
+def _often(name: str, metavar: str, text: str) -> typer.models.OptionInfo:
+    option: typer.models.OptionInfo = typer.Option(name, metavar=metavar, help=text, show_default=False)
+    return option
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Options:
+    job: JobFile
+    experiments: Annotated[list[Path], typer.Argument(metavar="EXPERIMENT...", help="Tables of a laboratory.")]
+    free: Annotated[
+        Texts,
+        _often(
+            "--free",
+            "KEY[=START[:LOWER:UPPER]]",
+            "A number of the job to find, such as materials.body.C10; as often as needed.",
+        ),
+    ] = None
+    prior: Annotated[Texts, _often("--prior", "KEY=MEAN+-DEVIATION", "What is known of a free number.")] = None
+    rig: Annotated[
+        Texts, _often("--rig", "NAME", "Offset or scale of a measured column to find, such as pressure_offset.")
+    ] = None
+    hold_out: Annotated[
+        list[Path] | None, _often("--hold-out", "EXPERIMENT", "An experiment to predict, not to fit.")
+    ] = None
+    y: Annotated[
+        str | None, typer.Option("--y", help="What to compare: NAME, or NAME=NAME THERE.", show_default=False)
+    ] = None
+    x: Annotated[str | None, typer.Option("--x", help="What drives; in the same manner.", show_default=False)] = None
+    unit: Annotated[Texts, _often("--unit", "NAME=UNIT", "Unit of a column whose header has none.")] = None
+    spread: Annotated[str, typer.Option(help="Standard deviation of a measured value, such as '1 deg'.")] = ""
+    only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False
+    processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
+    most_solves: Annotated[int | None, typer.Option(help="Runs after which the search ends.", show_default=False)] = (
+        None
+    )
+    output: Annotated[
+        Path | None, typer.Option(help="Folder of results; by default NAME-calibration.", show_default=False)
+    ] = None
+    changes: Changes = None
+    as_json: Json = False
+    debug: Debug = False
+
+
+def _run(asked: _Options) -> None:
+    """Find numbers of a job from experiments, with their errors, and say what is not determined.
+
+    Killed and called again, it goes on: nothing is computed twice.
+    """
+    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+        from turgor.calibration.calibrate import calibrate, kept_in
+        from turgor.calibration.job_files import CALIBRATED, RUNS, free_parameters, job_file, left_as_they_are
+        from turgor.calibration.write import write_calibration
+        from turgor.cli.answers.studies import calibration_result
+
+        measured = [_measured(file, asked) for file in (*asked.experiments, *(asked.hold_out or ()))]
+        job = asked_job(asked.job, asked.changes)
+        folder = asked.output if asked.output is not None else Path(f"{job.name}-calibration")
+        base = job_file(job, folder)
+        free = free_parameters(asked.free or (), asked.prior or (), base)
+        for note in left_as_they_are(free, base):
+            typer.echo(note, err=True)
+        spread = _spread(asked, measured)
+        trials = [base.trial(each, y=asked.y, x=asked.x, spread=spread) for each in measured]
+        count = len(asked.experiments)
+        found = calibrate(
+            trials[:count],
+            free,
+            rig=asked.rig or (),
+            hold_out=trials[count:],
+            most_solves=asked.most_solves,
+            evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=_progress),
+        )
+        files = [*write_calibration(found, folder), folder / CALIBRATED]
+        base.write(found.values, files[-1], f"Calibrated:\n{found.summary()}")
+        typer.echo(found.summary())
+        typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
+        answer.give(lambda: calibration_result(found, files))
+        raise typer.Exit(DONE if found.converged else NOT_CONVERGED)
+
+
+calibrate_command = command_of(_Options, _run)
+
+
+def _measured(file: Path, asked: _Options) -> "Response":
+    from turgor.cli.options import name_and_unit
+    from turgor.laboratory.read_experiment import read_experiment
+    from turgor.laboratory.runs import loading
+    from turgor.results.drive import drive_of
+
+    measured = read_experiment(file, units=dict(name_and_unit(each) for each in asked.unit or ()))
+    return loading(measured, drive_of(measured)) if asked.only_loading else measured
+
+
+def _spread(asked: _Options, measured: "list[Response]") -> float | None:
+    """Read the standard deviation in a unit that a measured column may have."""
+    from turgor.errors import TurgorError
+    from turgor.response import COLUMN_UNITS
+
+    if not asked.spread:
+        return None
+    number, _, unit = asked.spread.strip().partition(" ")
+    known = {each.unit for response in measured for each in response.columns}
+    try:
+        if unit in COLUMN_UNITS and any(unit in column.units for response in measured for column in response.columns):
+            return float(number) * COLUMN_UNITS[unit]
+    except ValueError:
+        pass
+    units = ", ".join(sorted(filter(None, known)))
+    raise TurgorError(f"--spread is '{asked.spread}'; write a number and a unit of the experiment ({units}).")
+
+
+def _progress(ended: "Ended") -> None:
+    seconds = "" if ended.found is None else f", {ended.found.seconds:.1f} CPU s"
+    what = "failed" if ended.problem else "read" if ended.again else "done"
+    typer.echo(f"  {ended.run.name}: {what}{seconds}{ended.problem and f': {ended.problem}'}", err=True)

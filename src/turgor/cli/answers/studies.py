@@ -1,0 +1,56 @@
+"""Results of ``turgor calibrate`` for programs."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from turgor.calibration.result import Calibration
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CalibrationResult:
+    """``turgor calibrate``: what was found, in SI units.
+
+    Parameters
+    ----------
+    status : str
+        ``"converged"``, ``"at_bound"`` or ``"not_converged"``.
+    message, advice : str
+        What happened, and what to do.
+    solves, computed : int
+        Number of runs, and of those that were not read from disk.
+    parameters : list of tables
+        ``name``, ``unit``, ``value``, ``standard_error``, ``low`` and ``high`` of the 95 % interval, ``at_bound``,
+        ``start``, ``bounds``, ``prior``.
+    correlation : list of lists
+        Of the errors, in the order of the parameters.
+    undetermined, notes, failures : list of str
+        What the curves do not determine, what the numbers assume, and runs that failed.
+    fits, held_out : list of tables
+        ``name``, ``x``, ``y``, ``rows``, ``rms``, ``rms_start``, ``beyond``, ``notes``.
+    files : list of str
+        Files that were written.
+    """
+
+    status: str
+    message: str
+    advice: str
+    solves: int
+    computed: int
+    parameters: list[dict[str, Any]]
+    correlation: list[list[float | None]]
+    undetermined: list[str]
+    notes: list[str]
+    failures: list[str]
+    fits: list[dict[str, Any]]
+    held_out: list[dict[str, Any]]
+    files: Sequence[Path]
+
+
+def calibration_result(found: "Calibration", files: Sequence[Path]) -> CalibrationResult:
+    """Make the result of a calibration."""
+    from turgor.calibration.write import as_numbers
+
+    return CalibrationResult(**as_numbers(found), files=files)

@@ -1,0 +1,17 @@
+"""Studies: parameters calibrated against experiments, and runs in processes of their own."""
+
+from typing import TYPE_CHECKING
+
+from turgor._lazy import public
+
+if TYPE_CHECKING:
+    from turgor.calibration.calibrate import calibrate as calibrate
+    from turgor.calibration.calibrate import kept_in as kept_in
+    from turgor.calibration.figure import calibration_figure as calibration_figure
+    from turgor.calibration.parameter import Parameter as Parameter
+    from turgor.calibration.result import Calibration as Calibration
+    from turgor.calibration.trial import Trial as Trial
+    from turgor.calibration.write import write_calibration as write_calibration
+    from turgor.study.evaluations import Evaluations as Evaluations
+else:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

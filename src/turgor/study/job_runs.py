@@ -1,0 +1,281 @@
+"""Job files as functions of their values: the keys that hold numbers, and a job solved with other numbers."""
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from turgor.adaptivity.measure import measure
+from turgor.engine.runtime import EngineOptions
+from turgor.errors import TurgorError, unknown
+from turgor.job.job import Job
+from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
+from turgor.job.read import read_job
+from turgor.response import Response
+from turgor.solvers.solve import solve
+from turgor.study.evaluations import rounded
+from turgor.units import UNITS, parse_quantity, split_quantity
+
+#: Sections of a job whose numbers are no quantities of the actuator.
+_LEFT_OUT = ("written_by", "output", "engine", "name")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobNumber:
+    """A number in a job file.
+
+    Parameters
+    ----------
+    key : str
+        Dotted key, such as ``"materials.body.C10"``; the place in a list is its last part, from 1.
+    value : float
+        In SI units.
+    unit : str
+        Unit in which the file states it; empty for a pure number.
+    whole : bool
+        Whether it is a whole number, such as a number of chambers.
+    """
+
+    key: str
+    value: float
+    unit: str
+    whole: bool = False
+
+    @property
+    def factor(self) -> float:
+        """Value of the unit in SI."""
+        return unit_value(self.unit)
+
+    @property
+    def dimension(self) -> str:
+        """What the number measures, such as ``"length"``; ``"number"`` for a pure one."""
+        return next((name for name, units in UNITS.items() if self.unit in units), "number")
+
+    def text(self, value: float) -> float | str:
+        """Return an SI value in the form of a job file."""
+        number = rounded(value / self.factor)
+        return f"{number!r} {self.unit}" if self.unit else number
+
+
+def unit_value(unit: str) -> float:
+    """Return the value of a unit in SI; 1 for a pure number.
+
+    Parameters
+    ----------
+    unit : str
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> unit_value("kPa"), unit_value("")
+    (1000.0, 1.0)
+    """
+    return next((units[unit] for units in UNITS.values() if unit in units), 1.0)
+
+
+def write_whole_job(job: Job, file: Path) -> dict[str, JobNumber]:
+    """Write a job with every value, defaults and constants of library materials included, and return its numbers.
+
+    Parameters
+    ----------
+    job : Job
+    file : Path
+
+    Returns
+    -------
+    dict of str to JobNumber
+        By key.
+    """
+    text = lock_text(job, {})
+    if not file.is_file() or file.read_text(encoding="utf-8") != text:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+    return numbers_of(tomllib.loads(text))
+
+
+def numbers_of(content: Mapping[str, Any]) -> dict[str, JobNumber]:
+    """Find the numbers in the content of a job file, with and without unit.
+
+    Parameters
+    ----------
+    content : mapping
+
+    Returns
+    -------
+    dict of str to JobNumber
+
+    Examples
+    --------
+    >>> found = numbers_of({"materials": {"body": {"law": "ogden", "mu": ["1 kPa", "2 kPa"], "alpha": [2.0, 4.0]}}})
+    >>> found["materials.body.mu.2"]
+    JobNumber(key='materials.body.mu.2', value=2000.0, unit='kPa', whole=False)
+    """
+    found: dict[str, JobNumber] = {}
+    for name in content:
+        if name not in _LEFT_OUT:
+            _gather(name, content[name], found)
+    return found
+
+
+def find_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
+    """Return the number at a key.
+
+    Parameters
+    ----------
+    numbers : mapping of str to JobNumber
+    key : str
+
+    Returns
+    -------
+    JobNumber
+
+    Raises
+    ------
+    TurgorError
+        If the job has no number there, with the near match, or a whole one, which cannot vary by little.
+    """
+    if key not in numbers:
+        same = [each for each in numbers if each.split(".")[0] == key.split(".")[0]]
+        raise unknown("number of the job", key, same or numbers)
+    if numbers[key].whole:
+        raise TurgorError(f"'{key}' is a whole number, {numbers[key].value:g}, which cannot vary by little.")
+    return numbers[key]
+
+
+def read_number(text: str, number: JobNumber, where: str) -> float:
+    """Read another value of a number, with its unit.
+
+    Parameters
+    ----------
+    text : str
+    number : JobNumber
+    where : str
+        Beginning of messages.
+
+    Returns
+    -------
+    float
+        In SI units.
+
+    Raises
+    ------
+    TurgorError
+        If the unit is missing or measures something else.
+    """
+    try:
+        return parse_quantity(text.strip(), number.dimension) if number.unit else float(text)
+    except TurgorError as error:
+        raise TurgorError(f"{where}: {error}") from None
+    except ValueError:
+        raise TurgorError(f"{where}: '{text.strip()}' is not a number.") from None
+
+
+def solved_job(job: str, digest: str, numbers: Mapping[str, float]) -> Response:
+    """Solve a job with other numbers and measure it, with one thread; `Run` and others call it in other processes.
+
+    Parameters
+    ----------
+    job : str
+        A file of `write_whole_job`.
+    digest : str
+        `digest_of` the file, so that runs of another job are not taken for those of this one.
+    numbers : mapping of str to float
+        Numbers by key, in SI units; several keys with commas between them have one number.
+
+    Returns
+    -------
+    Response
+        As far as the path goes; its message says why it ended early. No mesh error is estimated.
+
+    Raises
+    ------
+    TurgorError
+        If the job cannot be read, meshed or held with these numbers.
+    """
+    content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
+    asked = read_job(job, changes_of(content, numbers))
+    model, _ = prepare(asked)
+    solution = solve(model, asked.procedure, options=EngineOptions(threads=1), throw=False)
+    response = measure(solution, *asked.output.chosen(), mesh_error=False)
+    message = "" if solution.complete else f"{solution.message} {solution.advice}".strip()
+    return replace(response, message=message)
+
+
+def digest_of(file: Path) -> str:
+    """Return a hash of what a file holds.
+
+    Parameters
+    ----------
+    file : Path
+
+    Returns
+    -------
+    str
+    """
+    return sha256(file.read_bytes()).hexdigest()[:16]
+
+
+def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict[str, Any]:
+    """Return changes for `read_job` from numbers; a number in a list changes the list.
+
+    Parameters
+    ----------
+    content : mapping
+        Of the job file.
+    numbers : mapping of str to float
+        In SI units, by key, or by several keys with commas between them.
+
+    Returns
+    -------
+    dict
+
+    Raises
+    ------
+    TurgorError
+        If the job has no number there.
+
+    Examples
+    --------
+    >>> changes_of({"materials": {"body": {"mu": ["1 kPa", "2 kPa"]}}}, {"materials.body.mu.2": 3e3})
+    {'materials.body.mu': ['1 kPa', '3.0 kPa']}
+    """
+    known = numbers_of(content)
+    changes: dict[str, Any] = {}
+    single = {key: number for keys, number in numbers.items() for key in keys.split(",")}
+    for key, number in single.items():
+        value = find_number(known, key).text(number)
+        above, _, last = key.rpartition(".")
+        there = _at(content, above.split("."))
+        if isinstance(there, list) and not isinstance(there[0], dict):
+            changes.setdefault(above, list(there))[int(last) - 1] = value
+        else:
+            changes[key] = value
+    return changes
+
+
+def _at(content: Any, parts: Sequence[str]) -> Any:
+    for part in parts:
+        content = content[int(part) - 1] if isinstance(content, list) else content[part]
+    return content
+
+
+def _gather(key: str, value: Any, found: dict[str, JobNumber]) -> None:
+    if isinstance(value, Mapping):
+        for name, each in value.items():
+            if name != "source":
+                _gather(f"{key}.{name}", each, found)
+    elif isinstance(value, list):
+        for number, each in enumerate(value, start=1):
+            _gather(f"{key}.{number}", each, found)
+    elif isinstance(value, int | float) and not isinstance(value, bool):
+        found[key] = JobNumber(key=key, value=float(value), unit="", whole=isinstance(value, int))
+    elif isinstance(value, str):
+        read = split_quantity(value)
+        if read is not None:
+            found[key] = JobNumber(key=key, value=read[0] * unit_value(read[1]), unit=read[1])
