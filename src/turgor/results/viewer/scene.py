@@ -11,7 +11,7 @@ from turgor.errors import TurgorError
 from turgor.response import Response
 from turgor.results.fields.contact import extents_of
 from turgor.results.fields.state_fields import Image, MeshFacts, StateFields
-from turgor.results.pictures.obstacle_skin import obstacle_skin
+from turgor.results.pictures.beside.obstacle_skin import obstacle_skin
 from turgor.results.pictures.picture import caption
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.viewer.curves import Measured, curves_of
