@@ -29,7 +29,7 @@ def inspect_command(
     with errors_as_sentences(debug, as_json) as answer:
         if picture is not None and picture.suffix.lower() != ".png":
             raise TurgorError(f"--picture is '{picture}'; the name must end in .png.")
-        from turgor.cli.answers.results import inspect_result
+        from turgor.cli.answers.file_results import inspect_result
         from turgor.geometry.cad.inspection import inspect_cad
 
         found = inspect_cad(part, unit=unit)

@@ -28,7 +28,7 @@ def _materials(context: typer.Context) -> None:
 def _list(as_json: Json = False, debug: Debug = False) -> None:
     """List the library materials and their records, with the codes of their warnings."""
     with errors_as_sentences(debug, as_json) as answer:
-        from turgor.cli.answers.results import materials_result
+        from turgor.cli.answers.file_results import materials_result
         from turgor.finding import Severity
         from turgor.materials.library.doubts import find_doubts
         from turgor.materials.library.record_files import library, records
@@ -48,7 +48,7 @@ def _list(as_json: Json = False, debug: Debug = False) -> None:
 def _show(name: Name, record: RecordName = None, as_json: Json = False, debug: Debug = False) -> None:
     """Show a material: printed constants, converted constants, sources and doubts."""
     with errors_as_sentences(debug, as_json) as answer:
-        from turgor.cli.answers.results import materials_result
+        from turgor.cli.answers.file_results import materials_result
         from turgor.materials.library.record_text import describe_material
 
         typer.echo(describe_material(name, record))

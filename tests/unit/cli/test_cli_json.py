@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from turgor.cli import main
-from turgor.cli.answers import results
+from turgor.cli.answers import file_results, results
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
 
 ROOT = Path(__file__).parents[3]
@@ -95,7 +95,7 @@ def test_actuators(answer):
 
 def test_inspect(answer):
     found = answer("inspect", str(ROOT / "examples" / "cad_file.step"))["result"]
-    assert list(found) == keys(results.InspectResult)
+    assert list(found) == keys(file_results.InspectResult)
     assert found["cavities"][0]["volume"] > 1e-7
 
 

@@ -1,6 +1,7 @@
 """What documents say is so: findings, functions, examples, jobs and links that they name exist and work."""
 
 import ast
+import pkgutil
 import re
 from dataclasses import is_dataclass
 from importlib import import_module
@@ -11,7 +12,7 @@ import typer.main
 from PIL import Image
 
 import turgor as tg
-from turgor.cli.answers import results
+from turgor.cli import answers
 from turgor.cli.app import app
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
 from turgor.job.tables.contact import ContactTable
@@ -106,9 +107,11 @@ def test_job_of_the_guide_on_contact_is_read(tmp_path):
 def test_page_on_the_command_line_names_every_command_result_and_exit_code():
     page = read("docs/reference/command-line.md")
     assert set(re.findall(r"`turgor (\w+) ", page)) >= set(typer.main.get_command(app).commands) - {"materials"}
-    kinds = {name for name, kind in vars(results).items() if is_dataclass(kind)}
-    members = page.partition(":members:")[2].partition(":no-index:")[0]
-    assert set(re.findall(r"\w+", members)) == kinds
+    for module in (each.name for each in pkgutil.iter_modules(answers.__path__) if each.name != "document"):
+        found = import_module(f"{answers.__name__}.{module}")
+        kinds = {name for name, kind in vars(found).items() if is_dataclass(kind)}
+        members = page.partition(f"answers.{module}\n   :members:")[2].partition(":no-index:")[0]
+        assert set(re.findall(r"\w+", members)) == kinds, module
     assert re.findall(r"(?m)^\| (\d) \|", page) == [str(code) for code in (DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED)]
 
 

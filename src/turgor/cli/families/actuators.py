@@ -23,7 +23,7 @@ def actuators_command(
 ) -> None:
     """List the actuator families, or show one: what it is, its source, and its keys with ranges and defaults."""
     with errors_as_sentences(debug, as_json) as answer:
-        from turgor.cli.answers.results import families_result
+        from turgor.cli.answers.file_results import families_result
 
         if name is None:
             list_families()

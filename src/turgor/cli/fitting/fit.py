@@ -66,7 +66,7 @@ class FitOptions:
 def fit_files(chosen: FitOptions) -> None:
     """Fit laws to material tests, all files together, and rank them."""
     with errors_as_sentences(chosen.debug, chosen.as_json) as answer:
-        from turgor.cli.answers.results import fit_result
+        from turgor.cli.answers.file_results import fit_result
 
         names = [law.strip() for law in chosen.laws.split(",") if law.strip()]
         modes = _modes(chosen.mode, len(chosen.files))

@@ -1,0 +1,187 @@
+"""Results of commands on files and lists, for programs: CAD files, fits, library materials, actuator families."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from turgor.geometry.cad.inspection import Inspection
+    from turgor.materials.experiments.material_test import MaterialTest
+    from turgor.materials.fitting.history_fit import HistoryFit
+    from turgor.materials.fitting.ranking import Ranking
+    from turgor.materials.fitting.result import Fit
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InspectResult:
+    """``turgor inspect``: bodies, faces and cavities of a CAD file, in SI units.
+
+    Parameters
+    ----------
+    name, unit : str
+        File, and unit of its numbers.
+    size_m : list of three floats
+        Sides of the box around the part [m].
+    smallest_wall_m : float
+        Thinnest wall [m].
+    bodies : list of tables
+        ``region``, ``color``, ``volume`` [m³], and the corners ``low`` and ``high`` [m].
+    faces : list of tables
+        ``name``, ``name_in_file``, ``color``, ``area`` [m²], ``center`` [m], and ``normal`` of a plane face.
+    cavities : list of tables
+        ``name``, ``closed``, ``volume`` [m³], and ``openings``: area [m²] and center [m] of each.
+    symmetry : str
+        What maps the part onto itself, in words.
+    """
+
+    name: str
+    unit: str
+    size_m: Sequence[float]
+    smallest_wall_m: float
+    bodies: Sequence[Any]
+    faces: Sequence[Any]
+    cavities: Sequence[Any]
+    symmetry: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FitResult:
+    """``turgor fit``: laws fitted to tests.
+
+    Parameters
+    ----------
+    tests : list of tables
+        ``name``, ``mode``, ``points``, ``stretch`` (smallest and largest) and ``edits`` of each file.
+    materials : list of tables
+        ``name``, ``fits`` from the best to the worst, ``words`` about them, and laws that ``failed``. Each fit has
+        ``law``, ``parameters`` and their standard ``errors`` in SI units, ``aic``, ``relative_error`` and
+        ``stretch_range``.
+    history : table or null
+        Relaxation and softening, where they were asked for: ``parameters`` and ``errors``.
+    folder : str or null
+        Folder of plots and constants.
+    """
+
+    tests: Sequence[dict[str, Any]]
+    materials: Sequence[dict[str, Any]]
+    history: dict[str, Any] | None
+    folder: Path | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MaterialsResult:
+    """``turgor materials list`` and ``turgor materials show``.
+
+    Parameters
+    ----------
+    materials : table
+        Records of each material: ``record``, ``law``, constants as ``printed``, ``source``, and ``doubts``, each with
+        ``code``, ``severity``, ``message`` and ``advice``.
+    """
+
+    materials: Mapping[str, Sequence[dict[str, Any]]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FamiliesResult:
+    """``turgor actuators``: the families, or the keys of one.
+
+    Parameters
+    ----------
+    families : table
+        What each family is, by its name.
+    keys : list of tables
+        Keys of the family that was named: ``name``, ``kind``, ``units``, ``default`` in TOML, ``allowed`` and
+        ``meaning``; empty without a name.
+    """
+
+    families: Mapping[str, str]
+    keys: Sequence[Any] = ()
+
+
+def inspect_result(found: "Inspection") -> InspectResult:
+    """Make the result on a CAD file, without the triangles of its pictures."""
+    faces = [
+        {name: getattr(face, name) for name in ("name", "name_in_file", "color", "area", "center", "normal")}
+        for face in found.faces
+    ]
+    return InspectResult(
+        name=found.name,
+        unit=found.unit,
+        size_m=found.size,
+        smallest_wall_m=found.smallest_wall,
+        bodies=found.bodies,
+        faces=faces,
+        cavities=found.cavities,
+        symmetry=found.symmetry,
+    )
+
+
+def fit_result(
+    tests: "Iterable[MaterialTest]",
+    rankings: "Iterable[tuple[str, Ranking]]",
+    history: "HistoryFit | None" = None,
+    folder: Path | None = None,
+) -> FitResult:
+    """Make the result of a fit."""
+    return FitResult(
+        tests=[
+            {
+                "name": test.name,
+                "mode": test.mode,
+                "points": len(test.stretch),
+                "stretch": test.range,
+                "edits": [edit.text for edit in test.edits],
+            }
+            for test in tests
+        ],
+        materials=[
+            {"name": name, "fits": list(map(_fit, each.fits)), "words": each.words, "failed": each.failed}
+            for name, each in rankings
+        ],
+        history=None if history is None else {"parameters": history.values, "errors": history.errors},
+        folder=folder,
+    )
+
+
+def _fit(fit: "Fit") -> dict[str, Any]:
+    return {
+        "law": fit.spec.name,
+        "parameters": fit.values,
+        "errors": fit.errors,
+        "aic": fit.aic,
+        "relative_error": fit.relative,
+        "stretch_range": fit.stretch_range,
+    }
+
+
+def materials_result(names: Iterable[str], record: str | None = None) -> MaterialsResult:
+    """Make the result on library materials, or on one record of them."""
+    from turgor.materials.library.doubts import find_doubts
+    from turgor.materials.library.record_files import records
+    from turgor.materials.library.records import find_record
+
+    def listed(name: str) -> list[dict[str, Any]]:
+        chosen = records(name) if record is None else (find_record(name, record),)
+        return [
+            {
+                "record": each.name,
+                "law": each.law,
+                "printed": each.printed,
+                "source": str(each.source),
+                "doubts": list(find_doubts(each)),
+            }
+            for each in chosen
+        ]
+
+    return MaterialsResult(materials={name: listed(name) for name in names})
+
+
+def families_result(name: str | None = None) -> FamiliesResult:
+    """Make the result on the actuator families, with the keys of one of them."""
+    from turgor.job.job import ACTUATORS
+    from turgor.job.reference.tables import family_table
+
+    families = {each: family_table(each).words for each in ACTUATORS}
+    return FamiliesResult(families=families, keys=() if name is None else family_table(name).keys)
