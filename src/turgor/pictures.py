@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from turgor.results.plots.presets import write_curves as write_curves
     from turgor.results.plots.response_plots import COLORS as COLORS
     from turgor.results.plots.response_plots import plot_response as plot_response
+    from turgor.results.plots.workspace_plot import plot_workspace as plot_workspace
     from turgor.results.viewer.viewer import Viewer as Viewer
     from turgor.results.viewer.viewer import viewer as viewer
 else:

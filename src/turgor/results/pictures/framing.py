@@ -13,6 +13,7 @@ from matplotlib.transforms import IdentityTransform
 from numpy.typing import NDArray
 
 from turgor.response import COLUMN_UNITS
+from turgor.results.pictures.colors import DIVERGING
 from turgor.results.pictures.rendering import MARGIN, View
 from turgor.results.pictures.shading import INK
 from turgor.units import mm
@@ -28,10 +29,15 @@ SMALLEST_SCALE = 0.45
 class _Pixels(FigureImage):
     """An image of a figure that is drawn pixel by pixel, without resampling it."""
 
+    def __init__(self, figure: Figure, pixels: NDArray[np.uint8], foot: int) -> None:
+        super().__init__(figure, offsetx=0, offsety=foot, origin="upper")
+        self.set_data(pixels)
+        self._pixels, self._drawn_at = pixels, figure.dpi
+
     def make_image(self, renderer: Any, magnification: float = 1.0, unsampled: bool = False) -> Any:
         """Return the pixels, which Agg wants from the bottom to the top."""
-        pixels = np.asarray(self._A)
-        if magnification != 1.0 or self.figure.dpi != self._drawn_at:
+        pixels, figure = self._pixels, self.figure
+        if magnification != 1.0 or figure is None or figure.dpi != self._drawn_at:
             return super().make_image(renderer, magnification, unsampled)
         opaque = np.full((*pixels.shape[:2], 4), 255, dtype=np.uint8)
         opaque[..., :3] = pixels[::-1]
@@ -67,15 +73,12 @@ def framed(picture: NDArray[np.uint8], view: View, texts: tuple[str, str], color
     height = picture.shape[0] + head + foot
     figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="white")
     FigureCanvasAgg(figure)
-    pixels = _Pixels(figure, offsetx=0, offsety=foot, origin="upper")
-    pixels.set_data(picture)
-    pixels._drawn_at = figure.dpi
-    figure.add_artist(pixels)
+    figure.add_artist(_Pixels(figure, picture, foot))
     title, note = texts
     figure.text(MARGIN / width, 1 - 0.5 * head / height, title, fontsize=24 * scale, va="center", color=_hex(INK))
     if colors is not None:
         bar = figure.add_axes((MARGIN / width, 62 * scale / height, 0.42, 22 * scale / height))
-        extend = "both" if colors.norm.vmin == -colors.norm.vmax else "max"
+        extend = "both" if view.field.colors == DIVERGING else "max"
         colorbar = figure.colorbar(colors, cax=bar, orientation="horizontal", extend=extend, extendfrac=0.03)
         colorbar.outline.set_visible(False)
         bar.tick_params(labelsize=16 * scale, colors=_hex(INK), length=5 * scale)

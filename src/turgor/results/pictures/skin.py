@@ -114,7 +114,8 @@ def visible_skin(
     normals = _nodal_normals(at, triangles, smooth)
     patch = np.unique(np.stack([smooth, region], axis=1), axis=0, return_inverse=True)[1].ravel()
     if chosen is not None:
-        triangles, corners, normals, patch = (each[chosen] for each in (triangles, corners, normals, patch))
+        triangles, patch = triangles[chosen], patch[chosen]
+        corners, normals = corners[chosen], normals[chosen]
     parts = parts or (PARTS if len(triangles) * PARTS**2 * mesh.symmetry_factor <= MANY else 2)
     N, pieces = _subdivision(parts)
     count = len(N)

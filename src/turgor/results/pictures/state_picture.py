@@ -62,7 +62,7 @@ class Style:
 
     Examples
     --------
-    >>> Style(cut="y").cut
+    >>> Style(cut="y").plane
     Cut(axis='y', position=None)
     """
 
@@ -71,10 +71,13 @@ class Style:
     edges: bool = False
 
     def __post_init__(self) -> None:
-        if isinstance(self.cut, str):
-            object.__setattr__(self, "cut", Cut(axis=self.cut))
-        if self.cut is not None and self.transparent:
+        if self.plane is not None and self.transparent:
             raise TurgorError("a picture is either cut away or transparent; leave one out.")
+
+    @property
+    def plane(self) -> Cut | None:
+        """The plane of the cut."""
+        return Cut(axis=self.cut) if isinstance(self.cut, str) else self.cut
 
 
 def shared_view(states: Sequence[State | StateFields], width: int = 1600, color_by: str | Field = VON_MISES) -> View:
@@ -244,11 +247,11 @@ def _rendered(shown: Sequence[StateFields], view: View, style: Style) -> NDArray
     if style.transparent:
         walls = cavity_parts(at, skins[0])
         skins[0], inside = skins[0].part(~walls), skins[0].part(walls) if walls.any() else None
-    if style.cut is not None:
+    if style.plane is not None:
         values = np.zeros(len(at.points)) if hollow else shown_field.read(at)
         whole = visible_skin(at, values)
         rest = visible_skin(_at_rest(at), np.zeros(len(at.points))).points
-        skins[0] = cut_away(at, whole, rest, style.cut, values)
+        skins[0] = cut_away(at, whole, rest, style.plane, values)
     beside = Beside(
         threads=threads_with_tension(at),
         obstacles=obstacle_skin(at, extents),

@@ -115,5 +115,5 @@ def svg_of(figure: Figure) -> str:
 
 def _save(figure: Figure, to: Path | BytesIO | StringIO, form: str, dpi: float | None) -> None:
     with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
-        packed = {"pil_kwargs": {"compress_level": PACKED}} if form == "png" else {}
+        packed: dict[str, Any] = {"pil_kwargs": {"compress_level": PACKED}} if form == "png" else {}
         figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form], **packed)

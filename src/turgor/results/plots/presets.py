@@ -152,7 +152,7 @@ def _figure(responses: Mapping[str, Response], x: str | None, y: str, size: Pres
     return figure
 
 
-def _style(size: Preset) -> dict[str, Any]:
+def _style(size: Preset) -> Any:
     """Settings of Matplotlib while a figure is drawn and written."""
     return {
         "font.size": size.font,

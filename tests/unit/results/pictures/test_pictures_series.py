@@ -8,6 +8,7 @@ import sys
 import numpy as np
 import pytest
 import results_cases as cases
+from matplotlib.figure import Figure
 from PIL import Image
 
 import turgor as tg
@@ -68,11 +69,16 @@ def test_gif_and_webp_have_all_pictures_of_one_size(tmp_path, path):
     assert len({each.shape for each in moving_pictures(path, motion=SHORT)}) == 1
 
 
-def test_the_fixed_end_stays_where_it_is(path):
-    """The upper left corner of the actuator is at its clamp: the same pixels in every picture."""
-    images = moving_pictures(path, motion=SHORT)
-    corners = [np.flatnonzero((each < 250).any(axis=(1, 2)))[0] for each in images]
-    assert np.ptp(corners) <= 2
+def test_the_fixed_end_stays_where_it_is():
+    """The tip rises, so that pictures get taller upwards; the corner at the clamp is at the same pixels in all."""
+    model = cases.model(cases.body(half=True))
+    path = cases.solution([cases.state(model, cases.bent(-1.2 * f), f) for f in (0.0, 0.5, 1.0)])
+    corners = []
+    for each in moving_pictures(path, motion=SHORT):
+        body = (each < 250).any(axis=2)
+        left = np.flatnonzero(body.any(axis=0))[0]
+        corners.append((left, np.flatnonzero(body[:, left : left + 8].any(axis=1))[-1]))
+    assert np.ptp(corners, axis=0).max() <= 2
 
 
 def test_mp4_is_read_again(tmp_path, path):
@@ -161,3 +167,23 @@ def test_curves_have_the_size_of_the_preset_and_text_that_is_text(tmp_path):
         tg.pictures.write_curves(tmp_path / "a.svg", response, "bending_angle", size="singel")
     with pytest.raises(tg.TurgorError, match=r"ending of a figure '.jpg'"):
         tg.pictures.write_curves(tmp_path / "a.jpg", response, "bending_angle")
+
+
+def test_a_workspace_is_plotted_with_its_hull():
+    def to(x, y, z):
+        ends = zip(("x", "y", "z"), (x, y, z), strict=True)
+        columns = tuple(Column(f"tip_displacement_{axis}", "mm", [0, end * 1e-3]) for axis, end in ends)
+        return Response(columns=columns, source=Source(text="a ruler"))
+
+    reached = tg.measures.workspace([to(30, 0, 0), to(0, 0, 20), to(30, 0, 20)])
+    assert (reached.flat, reached.area) == (True, pytest.approx(30e-3 * 20e-3))
+    axes = tg.pictures.plot_workspace(Figure().add_subplot(), reached)
+    assert len(axes.patches) == 2
+    assert axes.get_xlabel() == "tip displacement x [mm]"
+    assert len(tg.pictures.plot_workspace(Figure().add_subplot(), reached, "x", "y").patches) == 0
+    with pytest.raises(tg.TurgorError, match="two of x, y and z"):
+        tg.pictures.plot_workspace(Figure().add_subplot(), reached, "x", "x")
+    with pytest.raises(tg.TurgorError, match="on a line, so they enclose nothing"):
+        tg.measures.workspace([to(30, 0, 0)])
+    with pytest.raises(tg.TurgorError, match="no column 'tip_displacement_z'"):
+        tg.measures.workspace([Response(columns=to(1, 1, 1).columns[:2], source=Source(text="a ruler"))])

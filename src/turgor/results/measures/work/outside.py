@@ -73,7 +73,7 @@ def _outside(load: Load) -> bool:
 
 def _dead(path: Sequence[StateFields], loads: list[Load]) -> tuple[Array, Array]:
     """Mean forces (n - 1, k, 3) [N] of dead loads in each step, and ways (n - 1, k, 3) [m] of the nodes."""
-    model = replace(path[0].model, loads=loads)
+    model = replace(path[0].model, loads=tuple(loads))
     setting, held = _setting(model)
     terms = dead_terms(setting)
     forces, moved = [], []

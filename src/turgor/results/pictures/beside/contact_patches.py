@@ -46,8 +46,9 @@ def contact_skin(at: StateFields) -> Skin:
 def _contact_skin(at: StateFields) -> Skin:
     triangles, _ = drawn_triangles(at.mesh)
     touched = at.contact_pressure > 0
+    chosen: NDArray[np.bool_] = np.zeros(len(triangles), dtype=bool)
     for _ in range(2):  # with the sides around those that touch
-        chosen = touched[triangles].any(axis=1)
+        chosen = np.asarray(touched[triangles].any(axis=1))
         touched[triangles[chosen]] = True
     skin = visible_skin(at, at.contact_pressure, chosen=chosen, parts=FINE)
     if not chosen.any():
