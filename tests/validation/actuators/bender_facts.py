@@ -103,8 +103,8 @@ def decides_facts(page: Page) -> dict[str, float]:
 def blocked_facts(page: Page) -> dict[str, float | str]:
     """Numbers of the blocked force."""
 
-    def at(name: str) -> float:
-        return float(np.interp(30.0, *forces(page.of(blocked(5, name)))))
+    def at(name: str, pressure: float = 30.0) -> float:
+        return float(np.interp(pressure, *forces(page.of(blocked(5, name)))))
 
     turns = []
     for chambers in (5, 7):
@@ -118,6 +118,8 @@ def blocked_facts(page: Page) -> dict[str, float | str]:
         "blocked_got": at("as stated"),
         "blocked_aim": float(np.interp(30.0, aim["pressure"], aim["force"])),
         "blocked_gap": at("contact: plate 5 mm below"),
+        "blocked_gap_38": at("contact: plate 5 mm below", 38.0),
+        "blocked_aim_38": float(np.interp(38.0, aim["pressure"], aim["force"])),
         "blocked_clamp": at("clamp: end face only"),
         "blocked_turn": " and ".join(turns),
     }
