@@ -98,7 +98,8 @@ def _slopes(page: Page) -> str:
     for law in MIDDLE_LAWS:
         first, last = pressures_at(page.of(lifted("membrane_01", MIDDLE, law)), heights)
         said.append(f"{_name(law)} {signed(last / first - 1)}")
-    return f"from {heights[0]:.0f} to {heights[1]:.0f} mm the pressure changes by {signed(high / low - 1)} (measured), " + ", ".join(said)
+    between = f"from {heights[0]:.0f} to {heights[1]:.0f} mm the pressure changes by"
+    return f"{between} {signed(high / low - 1)} (measured), {', '.join(said)}"
 
 
 def _maximum(page: Page) -> str:
