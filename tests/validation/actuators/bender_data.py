@@ -74,9 +74,9 @@ def forces(response: tg.Response) -> tuple[np.ndarray, np.ndarray]:
 
 
 def blocked_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> tuple[float, float]:
-    """RMS difference of a curve of `forces` over the measured range [-] as far as it goes, and how far [kPa]."""
+    """RMS difference of a curve of `forces`, as far as it goes, over the whole measured range [-]; how far [kPa]."""
     data = measured_blocked(chambers)
     pressure, force = curve
     used = data["pressure"] <= pressure.max() + 1e-6
     off = np.interp(data["pressure"][used], pressure, force) - data["force"][used]
-    return float(np.sqrt(np.mean(off**2)) / np.ptp(data["force"][used])), float(pressure.max())
+    return float(np.sqrt(np.mean(off**2)) / np.ptp(data["force"])), float(pressure.max())

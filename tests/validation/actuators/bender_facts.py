@@ -13,7 +13,7 @@ from bender_data import (
 )
 from ecoflex import dumbbell
 from fit_data import ecoflex_planar
-from measured_runs import VARIATIONS, blocked, free
+from measured_runs import ALONE, VARIATIONS, blocked, free
 from page_parts import Page
 
 from turgor.units import kPa
@@ -84,9 +84,15 @@ def decides_facts(page: Page) -> dict[str, float]:
         "film_plate": _change(page, "film: bends as a plate of 0.5 mm"),
         "reading": 100 * max(read),
         "jump": float(measured_free(5)["angle"][1]),
+        "alone30": angle_at(*from_zero(page.of(free(5, ALONE))), 30.0),
+        "aim30": angle_at(*_measured(5), 30.0),
+        "hanging": _change(page, "weight: hanging, tip down"),
+        "lying": _change(page, "weight: lying, film down"),
+        "clamp": _change(page, "clamp: 5 mm held all around"),
+        "walls": _change(page, "walls: 6.7 mm"),
         "mesh": max(abs(_change(page, mesh, each)) for each in (20.0, 30.0, 34.0)),
         "mesh_turn": _later(page, mesh),
-        "alone": turns["law: Yeoh, dumb-bell alone"],
+        "alone": turns[ALONE],
         "grips": turns["law: Yeoh, dumb-bell from 50 mm"],
         "same_low": min(same),
         "same_high": max(same),
@@ -97,8 +103,8 @@ def decides_facts(page: Page) -> dict[str, float]:
 def blocked_facts(page: Page) -> dict[str, float | str]:
     """Numbers of the blocked force."""
 
-    def at(name: str) -> float:
-        return float(np.interp(30.0, *forces(page.of(blocked(5, name)))))
+    def at(name: str, pressure: float = 30.0) -> float:
+        return float(np.interp(pressure, *forces(page.of(blocked(5, name)))))
 
     turns = []
     for chambers in (5, 7):
@@ -112,6 +118,8 @@ def blocked_facts(page: Page) -> dict[str, float | str]:
         "blocked_got": at("as stated"),
         "blocked_aim": float(np.interp(30.0, aim["pressure"], aim["force"])),
         "blocked_gap": at("contact: plate 5 mm below"),
+        "blocked_gap_38": at("contact: plate 5 mm below", 38.0),
+        "blocked_aim_38": float(np.interp(38.0, aim["pressure"], aim["force"])),
         "blocked_clamp": at("clamp: end face only"),
         "blocked_turn": " and ".join(turns),
     }

@@ -41,7 +41,7 @@ BLOCKED: dict[str, dict[str, Any]] = {
 }
 #: Blind laws that are drawn for each actuator.
 ALONE = "law: Yeoh, dumb-bell alone"
-BLIND_BENDERS = {5: ("as stated", "law: Gent", "law: Ogden, two terms", ALONE), 7: ("as stated", ALONE)}
+BLIND_BENDERS = {5: ("as stated", "law: Gent", "law: Ogden, two terms", ALONE), 7: ("as stated",)}
 
 
 def free(chambers: int, name: str, reach: tuple[float, float] = VARIED) -> Run:

@@ -7,7 +7,7 @@ from bender import LINE, STATED
 from bender_data import TURN, angle_at, from_zero, measured_free, pressure_at, repeated_free, soft_distance
 from bender_facts import decides_facts, free_facts, moduli
 from ecoflex import fitted
-from measured_runs import BLIND_BENDERS, VARIATIONS, free, whole
+from measured_runs import ALONE, BLIND_BENDERS, VARIATIONS, free, whole
 from page_parts import COLORS, Page, lines_of, new_figure, number, save
 
 from turgor.study.runs import Run
@@ -21,6 +21,7 @@ def part(page: Page) -> dict[str, Any]:
     return {
         "laws": _laws(page),
         "free_figure": _figure(page),
+        "picture": page.picture(whole(), "bender.png"),
         "free": _free(page),
         "decides": _decides(page),
         "angles": _angles(page),
@@ -84,8 +85,7 @@ def _figure(page: Page) -> str:
             where.plot(again["pressure"], again["angle"], "s", ms=4, mfc="none", color="black", label="measured, steps")
         for color, name in zip(COLORS, BLIND_BENDERS[chambers], strict=False):
             pressure, angle = from_zero(page.of(_longest(chambers, name)))
-            law = "Yeoh" if name == "as stated" else name.removeprefix("law: ")
-            where.plot(pressure, angle, "--", color=color, lw=1.2, label=f"blind, {law}")
+            where.plot(pressure, angle, "--", color=color, lw=1.2, label=_said(name))
         pressure, angle = calibrated(page, _longest(chambers, "as stated"))
         where.plot(pressure, angle, "-", color=COLORS[0], lw=1.6, label="calibrated")
         where.set(
@@ -104,7 +104,7 @@ def _free(page: Page) -> str:
         if chambers == 7:
             again = repeated_free()
             rows.append(_row("measured again, in steps", again["pressure"], again["angle"], chambers, ""))
-        runs = [(f"blind, {_law(name)}", free(chambers, name)) for name in BLIND_BENDERS[chambers]]
+        runs = [(_said(name), free(chambers, name)) for name in BLIND_BENDERS[chambers]]
         for said, run in runs:
             curve = from_zero(page.of(run))
             off = page.record(f"free bending, {chambers} chambers", said, soft_distance(curve, chambers))
@@ -123,8 +123,10 @@ def _free(page: Page) -> str:
     return lines_of(head, rows)
 
 
-def _law(name: str) -> str:
-    return "Yeoh" if name == "as stated" else name.removeprefix("law: ")
+def _said(name: str) -> str:
+    """How the curve of a law is called: the dumb-bell alone was tried after the measured curve had been seen."""
+    law = "Yeoh" if name == "as stated" else name.removeprefix("law: ")
+    return f"{'afterwards' if name == ALONE else 'blind'}, {law}"
 
 
 def _row(said: str, pressure: np.ndarray, angle: np.ndarray, chambers: int, off: str) -> list[str]:
@@ -170,8 +172,7 @@ def _angles(page: Page) -> str:
     }
     rows, base = [], None
     for said, (line, zero, shift) in readings.items():
-        pressure, angle = from_zero(found, line=line, zero=zero)
-        angle = angle - np.interp(10.0 + shift, pressure[:4], angle[:4]) if shift else angle
+        pressure, angle = from_zero(found, line=line, zero=zero + shift)
         values = [angle_at(pressure, angle, each + shift) for each in AT]
         turn = pressure_at(pressure, angle, TURN[5]) - shift
         base = base or [*values, turn]

@@ -8,6 +8,8 @@ from page_parts import COLORS, Page, lines_of, new_figure, number, save, signed,
 
 from turgor.units import mm
 
+#: Heights in the table of what decides [mm].
+COMPARED = (10.0, 35.0)
 #: Laws at the middle weight.
 MIDDLE_LAWS = (*BLIND_LAWS, "ogden-2")
 
@@ -30,10 +32,10 @@ def part(page: Page) -> str:
     rows.append(_row(page, "two rings, calibrated on the plain one", [fit["membrane_02", w] for w in WEIGHTS]))
     head = ["membrane and law", *(f"{weight:.1f} N" for weight in WEIGHTS)]
     last = page.of(lifted("membrane_01", MIDDLE, "authors"))
-    stretch = float(np.interp(48 * mm, last.column("height"), last.column("stretch_p99")))
+    stretch = float(np.interp(COMPARED[1] * mm, last.column("height"), last.column("stretch_p99")))
     return text("membranes").format(
         figure=_figure(page, fit), factor=factor, table=lines_of(head, rows), varied=_varied(page), stretch=stretch,
-        slopes=_slopes(page), maximum=_maximum(page),
+        slopes=_slopes(page), maximum=_maximum(page), rings=_rings(page, fit),
     )  # fmt: skip
 
 
@@ -73,7 +75,7 @@ def _figure(page: Page, fit: dict) -> str:
 
 def _varied(page: Page) -> str:
     stated = page.of(lifted("membrane_01", MIDDLE, "authors"))
-    heights = np.array([10.0, 45.0])
+    heights = np.array(COMPARED)
     rows = []
     for name in MEMBRANE_VARIED:
         run = membrane_varied(name)
@@ -89,14 +91,15 @@ def _varied(page: Page) -> str:
 
 
 def _slopes(page: Page) -> str:
-    """Change of the pressure from 10 to 45 mm at the middle weight."""
-    heights, said = np.array([10.0, 45.0]), []
+    """Change of the pressure between two heights at the middle weight."""
+    heights, said = np.array(COMPARED), []
     data = measured("membrane_01", MIDDLE)
     low, high = np.interp(heights, data["height"], data["pressure"])
     for law in MIDDLE_LAWS:
         first, last = pressures_at(page.of(lifted("membrane_01", MIDDLE, law)), heights)
         said.append(f"{_name(law)} {signed(last / first - 1)}")
-    return f"from 10 to 45 mm the pressure changes by {signed(high / low - 1)} (measured), " + ", ".join(said)
+    between = f"from {heights[0]:.0f} to {heights[1]:.0f} mm the pressure changes by"
+    return f"{between} {signed(high / low - 1)} (measured), {', '.join(said)}"
 
 
 def _maximum(page: Page) -> str:
@@ -108,3 +111,9 @@ def _maximum(page: Page) -> str:
         for each in (data["pressure"], got)
     ]
     return f"measured {told[0]}, the authors' law {told[1]}"
+
+
+def _rings(page: Page, fit: dict) -> str:
+    """How far the calibrated law is below the membrane with rings, from weight to weight."""
+    means = [-100 * np.nanmean(off(page.of(fit["membrane_02", each]), "membrane_02", each)) for each in WEIGHTS]
+    return f"{min(means):.0f} to {max(means):.0f} %"

@@ -2,11 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from io import BytesIO
 from pathlib import Path
 
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
+from PIL import Image
 
 import turgor as tg
 from turgor.pictures import COLORS as COLORS
@@ -47,7 +49,8 @@ class Page:
         """Write the picture of a run and return its place on the page."""
         found = self.ended[run.key].found
         IMAGES.mkdir(parents=True, exist_ok=True)
-        (IMAGES / name).write_bytes(found.picture if found else b"")
+        with Image.open(BytesIO(found.picture if found else b"")) as drawn:
+            drawn.convert("RGB").quantize(128).save(IMAGES / name, optimize=True)
         return f"images/measured/{name}"
 
     def record(self, what: str, model: str, distance: float) -> str:
