@@ -24,7 +24,7 @@ def headline(of: Solution) -> str:
     str
         Such as ``"Fast PneuNet, 11 chambers, under 22.5 kPa"``.
     """
-    name = _PART.sub("", of.model.mesh.name) or "actuator"
+    name = _PART.sub("", of.model.mesh.name).replace("_", " ") or "actuator"
     pressures = [abs(value) for state in of.states for value in state.pressures.values()]
     largest = max(pressures, default=0.0)
     driven = any(isinstance(load, Pressure) for load in of.model.loads) and largest > 0

@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 MOST_STEPS, MOST_BYTES = 40, 8_000_000
 
 #: Letters of the scene as text beyond which every second step is left out.
-MOST_TEXT = 8_000_000
+MOST_TEXT = 6_000_000
 
 #: Bytes of a vertex in a step: its position, and a value of every field.
 BYTES = 2 * (3 + sum(field.of is not None for field in FIELDS))

@@ -72,6 +72,13 @@ FIELDS = (
     ShownField(key="displacement", label="displacement", unit="mm", scale=mm, of=None),
 )
 
+#: What lies within the color bar, by the field.
+NOTES = {
+    VON_MISES: f"{PERCENTILE} % of the volume",
+    CONTACT_PRESSURE: f"{PERCENTILE} % of the nodes in contact",
+    "principal_stress": f"{2 * PERCENTILE - 100} % of the nodes of the surface",
+}
+
 
 def shown_fields(states: Sequence[StateFields], surface: Surface, inside: Inside | None) -> list[dict[str, Any]]:
     """Put the fields of some states into the form that the viewer reads.
@@ -112,7 +119,7 @@ def shown_fields(states: Sequence[StateFields], surface: Surface, inside: Inside
 
 def _entry(field: ShownField, ends: tuple[float, float], values: list[Array]) -> dict[str, Any]:
     """One field: its words, and its values on the surface and inside."""
-    share = f"{PERCENTILE} % of the {'volume' if field.key in (VON_MISES, 'stretch') else 'surface'} lie within the bar"
+    share = f"{NOTES.get(field.key, NOTES[VON_MISES])} lie within the bar"
     packed = [pack_steps(each[..., None]) for each in values]
     return {
         "key": field.key,

@@ -13,8 +13,14 @@ from PIL import Image
 import turgor as tg
 from turgor.response import Column, Response
 from turgor.results.measures.measures import bending_angle, measure, tip_displacement
+from turgor.results.viewer.packing import unpack
+from turgor.results.viewer.scene import scene_of
+from turgor.units import mm
 
 pytestmark = needs_browser
+
+#: Numbers of an attribute of the face of a cut through the modeled part.
+FACE = "Array.from(document.querySelector('.viewer').viewer.section.faces[0].geometry.attributes.{}.array)"
 
 #: Seconds of drawing that the frame rate is measured over.
 SPELL = 0.5
@@ -65,6 +71,21 @@ def test_the_page_opens_from_a_file_and_draws(shown):
     assert shown.page.locator(".v-path output").text_content() == "50 kPa · bending angle 85.9°"
 
 
+def test_the_page_unpacks_what_python_packed(shown, path):
+    values = scene_of(path).values
+    found = shown.page.evaluate(
+        """() => {
+          const { positions, data, skin } = document.querySelector(".viewer").viewer;
+          const numbers = (array) => Array.from(array);
+          return [[0, 1, 2].map((k) => numbers(positions.at(k))), numbers(data[0].at(1)), numbers(skin.triangles)];
+        }"""
+    )
+    wanted = unpack(values["surface"]["positions"])
+    np.testing.assert_allclose(np.reshape(found[0], wanted.shape), wanted, rtol=1e-5, atol=1e-8)
+    np.testing.assert_allclose(found[1], unpack(values["fields"][0]["data"])[1, :, 0], rtol=1e-5, atol=1e-5)
+    np.testing.assert_array_equal(found[2], unpack(values["surface"]["triangles"]).ravel())
+
+
 def test_the_slider_moves_the_actuator_and_the_markers(shown):
     def place():
         marks = shown.page.locator("circle.v-marker").all()
@@ -111,6 +132,24 @@ def test_a_cut_opens_the_cavity(shown):
     assert (np.abs(whole - cut).max(axis=2) > 40).mean() > 0.02
     assert (np.abs(other - cut).max(axis=2) > 40).mean() > 0.02
     np.testing.assert_array_equal(image(shown.pixels()), whole)
+
+
+def test_the_face_of_a_cut_has_the_right_area_and_field(shown):
+    """Across y = 4 mm lie the whole length and height but the hole: half of the length, a third of the height."""
+    for name, value in (("slider", "0"), ("axis", "1"), ("place", "700")):
+        shown.change(name, value)
+    places = np.reshape(shown.page.evaluate(FACE.format("position")), (-1, 3, 3))
+    np.testing.assert_allclose(places[..., 1], 4 * mm, atol=1e-6)
+    sides = places[:, 1:] - places[:, :1]
+    area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1).sum() / 2
+    assert area == pytest.approx(cases.LENGTH * cases.HEIGHT * (1 - 1 / 6), rel=1e-3)
+    shown.change("field", "3")
+    shown.change("slider", "2")
+    shares = np.reshape(shown.page.evaluate(FACE.format("uv")), (-1, 2))[:, 0]
+    for name, value in (("field", "0"), ("axis", "-1"), ("place", "500")):
+        shown.change(name, value)
+    assert shares.min() == pytest.approx(0, abs=0.01)
+    assert shares.max() == pytest.approx(1, abs=0.01)  # the farthest way is that of the tip, at any y
 
 
 def test_the_menu_changes_colors_and_the_bar(shown):

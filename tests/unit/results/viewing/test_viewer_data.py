@@ -15,6 +15,7 @@ from turgor.model.fibers import Fibers, Winding
 from turgor.model.obstacles import Obstacle, Sphere
 from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.measures.measures import bending_angle, measure
+from turgor.results.pictures.skin import drawn_triangles
 from turgor.results.viewer.packing import MOST, pack_index, pack_steps, unpack
 from turgor.results.viewer.scene import MOST_BYTES, chosen_steps, scene_of
 from turgor.results.viewer.surface import surface_of
@@ -88,7 +89,18 @@ def test_the_surface_is_that_of_the_part_without_its_cut(half, scene):
     assert area == pytest.approx(2 * (L * W + W * H) + L * H + hole)
 
 
+def test_a_vertex_has_the_value_of_the_region_behind_it(half):
+    at = StateFields(half.states[0])
+    surface, nodes = surface_of(at), at.facts.region_nodes
+    assert len(nodes.region) > len(half.model.mesh.points)  # base and body meet
+    behind = drawn_triangles(half.model.mesh)[1]
+    np.testing.assert_array_equal(surface.pick(nodes.region)[surface.triangles], np.tile(behind[:, None], 6))
+
+
 def test_images_make_the_whole(half, scene):
+    shifted = cases.model(cases.body(half=True, shift=3 * mm))
+    (_, away) = scene_of(cases.solution([cases.state(shifted)])).values["images"]
+    np.testing.assert_allclose(np.reshape(away, (4, 4)) @ [0, 5 * mm, 0, 1], [0, 1 * mm, 0, 1])
     own, mirrored = (np.reshape(rows, (4, 4)) for rows in scene.values["images"])
     np.testing.assert_allclose(own, np.eye(4))
     np.testing.assert_allclose(mirrored, np.diag([1, -1, 1, 1]))

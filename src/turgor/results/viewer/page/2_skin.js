@@ -1,6 +1,7 @@
 // Skin: six-node triangles cut into flat ones, with normals and values, for each step.
 
-const MOST_TRIANGLES = 500000; // flat triangles of the whole actuator; beyond it each side has two parts, not four
+// Flat triangles of the whole actuator beyond which each side has two parts, not four: with a graphics card and without.
+const MOST_TRIANGLES = { fast: 500000, slow: 40000 };
 
 // Lattice on a triangle: shape functions at its points, and its flat triangles.
 function lattice(parts, sides) {
@@ -42,7 +43,7 @@ function slopesAt([r, s], sides) {
 }
 
 class Skin {
-  constructor(triangles, { shape, cut, centers, mirrors, sides, images }) {
+  constructor(triangles, { shape, cut, centers, mirrors, sides, images, slow }) {
     this.centers = new Set(centers);
     this.nodes = shape[1];
     this.triangles = triangles;
@@ -50,7 +51,7 @@ class Skin {
     this.cut = cut;
     this.mirrors = mirrors;
     this.sides = this.nodes === 6 ? sides : null;
-    const parts = this.nodes === 3 ? 1 : this.faces * 16 * images <= MOST_TRIANGLES ? 4 : 2;
+    const parts = this.nodes === 3 ? 1 : this.faces * 16 * images <= MOST_TRIANGLES[slow ? "slow" : "fast"] ? 4 : 2;
     this.grid = lattice(parts, this.sides);
     const corners = [[0, 0], [1, 0], [0, 1]];
     const own = this.sides ? sides.map(([a, b]) => [0, 1].map((k) => (corners[a][k] + corners[b][k]) / 2)) : [];

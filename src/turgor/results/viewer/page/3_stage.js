@@ -4,11 +4,21 @@ const INK = 0x262b34;
 const AZIMUTH = (20 * Math.PI) / 180; // the direction of the still pictures
 const ELEVATION = (18 * Math.PI) / 180;
 
+// Whether a processor draws in place of a graphics card. It is some fifty times slower, so the viewer asks less of it.
+function drawsInSoftware() {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  const told = probe?.getExtension("WEBGL_debug_renderer_info");
+  const name = told ? probe.getParameter(told.UNMASKED_RENDERER_WEBGL) : "";
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
 class Stage {
   constructor(box, values) {
     this.box = box;
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, stencil: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    this.slow = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ antialias: !this.slow, stencil: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(this.slow ? 1 : Math.min(2, window.devicePixelRatio || 1));
     this.renderer.setClearColor(0xffffff, 1);
     this.renderer.localClippingEnabled = true;
     box.append(this.renderer.domElement);

@@ -35,6 +35,7 @@ class Viewer {
     this.stage = new Stage(picture, this.values);
     this.skin = new Skin(triangles, {
       shape: surface.triangles.shape, cut, centers, mirrors: surface.mirrors, sides: surface.sides, images: images.length,
+      slow: this.stage.slow,
     });
     this.body = new Body(this.stage, this.skin, this.values);
     if (threads) this.body.addThreads(await unpackedIndex(threads.lengths), await unpackedSteps(threads.positions));
