@@ -80,7 +80,7 @@ def widening(C10: float) -> Response:
     return thin_sphere(C10, wall=2 * WALL)
 
 
-def thick_sphere(C10: float, wall: float, inner_radius: float = 10 * mm) -> Response:
+def thick_sphere(C10: float = 0.12e6, wall: float = 5 * mm, inner_radius: float = 10 * mm) -> Response:
     """The formula of a thick sphere, at pressures up to 60 kPa."""
     rubber = tg.Material(name="test rubber", law=tg.laws.NeoHooke(C10=C10))
     ball = tg.formulas.HollowSphere(inner_radius=inner_radius, wall=wall)
