@@ -19,8 +19,8 @@ def balloon(C10, wall=5 * mm):
 
 # %% What a rig might write: a stiffer rubber, a gauge that shows 1.5 kPa too little, noise of 0.002 in the stretch.
 true = balloon(0.126e6)
-noise = 0.002 * np.random.default_rng(3).standard_normal(36)
-pressure, stretch = (replace(true.find(name), values=true[name][:36]) for name in ("pressure", "inner_stretch"))
+noise = 0.002 * np.random.default_rng(3).standard_normal(35)
+pressure, stretch = (replace(true.find(name), values=true[name][1:36]) for name in ("pressure", "inner_stretch"))
 shown = replace(pressure, values=pressure.values - 1.5 * kPa)
 measured = replace(true, columns=(shown, replace(stretch, values=stretch.values + noise)))
 

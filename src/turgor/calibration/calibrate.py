@@ -166,8 +166,8 @@ def _told(status: CalibrationStatus, known: Estimate, fits: Sequence[Fitted], so
         message, advice = f"Converged after {count}.", ""
     for each in lost:
         message += (
-            f" {each.beyond} of {len(each.data.value)} measured rows of {each.data.trial.name} lie beyond the end of "
-            "the computed curve, which was continued straight there."
+            f" {each.beyond} of {len(each.data.value)} measured rows of {each.data.trial.name} lie beyond the "
+            "computed curve, which was continued straight there."
         )
         if each.fitted.message:
             message += f" It ended early: {each.fitted.message}"

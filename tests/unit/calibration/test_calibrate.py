@@ -131,7 +131,7 @@ def test_runs_that_fail_are_avoided_and_told():
 def test_a_path_that_ends_below_the_measured_range_is_continued_and_told():
     found = calibrate(Trial(measured=cases.measured_sphere(C20=0.0), function=cases.ends_early), [C10])
     assert found.values["C10"] == pytest.approx(0.12e6, rel=0.05)
-    assert "measured rows of rig lie beyond the end of the computed curve" in found.message
+    assert "measured rows of rig lie beyond the computed curve" in found.message
     assert "could not rise past 12 kPa" in found.message
 
 

@@ -5,7 +5,7 @@ Problem: thick sphere (inner radius 10 mm, wall 5 mm, neo-Hookean, C10 0.12 MPa)
 Exact: the pressure is proportional to the stiffness, so ∂λ/∂C10 = −(P/C10) ∂λ/∂P along the same curve, to first order;
 4000 draws of the closed form for the mean, the standard deviation and the 95 % range.
 Tolerance: central differences over 0.5 % of the stiffness are exact to their square. The standard deviation of 4000
-draws is known to 1.1 %, percentiles to 3 % of it; three of these bounds. The linear method lacks what is curved, 5 % at most.
+draws is known to 1.1 %, percentiles to 3 % of it; three of these bounds. The linear method lacks what is curved, 5 %.
 """
 
 import numpy as np
