@@ -15,6 +15,29 @@ TRUE = {"C10": 0.12e6, "C20": 0.004e6}
 RADIUS, WALL = 20 * mm, 1 * mm
 
 
+#: A job that takes a fraction of a second.
+JOB = """
+[actuator]
+type = "extending_cylinder"
+length = "20 mm"
+cap = "3 mm"
+
+[mesh]
+cells = "axisymmetric"
+size = "3 mm"
+wall_cells = 1
+
+[materials]
+body = { law = "neo_hooke", C10 = "0.12 MPa" }
+
+[loads]
+pressure = "20 kPa"
+
+[output]
+measures = ["tip_displacement_x", "cavity_volume"]
+"""
+
+
 def response(pressure, stretch, text="a sphere"):
     columns = Column("pressure", "kPa", pressure), Column("stretch", "", stretch)
     return Response(columns=columns, source=Source(text=text))

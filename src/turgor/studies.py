@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from turgor.uncertainty.band import Band as Band
     from turgor.uncertainty.band import Uncertainty as Uncertainty
     from turgor.uncertainty.figure import uncertainty_figure as uncertainty_figure
-    from turgor.uncertainty.propagate import Computation as Computation
+    from turgor.uncertainty.plan import Computation as Computation
     from turgor.uncertainty.propagate import propagate as propagate
     from turgor.uncertainty.spread import Alternatives as Alternatives
     from turgor.uncertainty.spread import Spread as Spread

@@ -72,8 +72,8 @@ def calibrate(
     ...     columns = Column("pressure", "kPa", pressure), Column("widening", "", stretch - 1)
     ...     return Response(columns=columns, source=Source(text="a sphere"))
     >>> found = calibrate(Trial(measured=sphere(0.12e6), function=sphere), [Parameter(name="C10", start=0.1e6)])
-    >>> round(found.values["C10"]), found.converged
-    (120000, True)
+    >>> round(found.values["C10"], -2), found.converged
+    (120000.0, True)
     """
     asked = [trials] if isinstance(trials, Trial) else list(trials)
     if not asked:

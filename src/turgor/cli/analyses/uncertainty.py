@@ -45,8 +45,9 @@ def _run(asked: _Options) -> None:
         from turgor.calibration.job_files import RUNS, job_file
         from turgor.cli.answers.studies import uncertainty_result
         from turgor.results.plots.figures import write_figure
+        from turgor.study.job_runs import read_number
         from turgor.uncertainty.figure import uncertainty_figure
-        from turgor.uncertainty.job_files import PRESSURE, job_computation, read_number, read_sets, read_spreads
+        from turgor.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads
         from turgor.uncertainty.propagate import propagate
 
         job = asked_job(asked.job, asked.changes)

@@ -4,8 +4,8 @@ import json
 
 import pytest
 from PIL import Image
-from test_cli_calibrate import JOB
 
+from calibration_cases import JOB
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.results.files.response_csv import read_response
