@@ -91,6 +91,9 @@ def calibrate(
     check_names(parameters)
     objective = Objective(parameters=parameters, models=len(free), data=fitted, evaluations=runs)
     found = search(objective, np.array([each.coordinate(each.start) for each in parameters]), before + most)
+    if objective.assumed and any(each.prior is not None for each in parameters):
+        objective = objective.reweighted(found.residuals)
+        found = search(objective, found.at, before + most)
     return _calibration(objective, found, predicted, begun, before)
 
 

@@ -29,6 +29,14 @@ def product(a: float, b: float = 1.0, error: float = 0.0) -> Response:
     return Response(columns=tuple(columns), source=Source(text="a product"))
 
 
+def square(a: float) -> Response:
+    """y = a² x."""
+    x = np.array([0.0, 1e3])
+    return Response(
+        columns=(Column("pressure", "kPa", x), Column("force", "N", a**2 * x / 1e3)), source=Source(text="a²")
+    )
+
+
 def two_lengths(top: float) -> Response:
     """A path that goes as far as it is told."""
     x = np.linspace(0.0, top, 5)
@@ -52,6 +60,15 @@ def test_a_product_of_two_numbers():
     assert full.band("force").deviation[-1] == pytest.approx(2 * np.sqrt(0.09 + 0.36 + 0.0009))
     assert full.residual["force"] == pytest.approx(0, abs=1e-7)  # arguments have nine digits
     assert propagate(product, [A, B]).residual["force"] > 0.01
+
+
+def test_the_square_of_a_number():
+    """Mean μ² + σ², variance 4 μ² σ² + 2 σ⁴; 95 % of a² lie between the squares where a does not change its sign."""
+    band = propagate(square, [Spread(name="a", mean=1.0, deviation=0.3)], method="quadratic").band("force")
+    assert band.mean[-1] == pytest.approx(1.09)
+    assert band.deviation[-1] == pytest.approx(np.sqrt(4 * 0.09 + 2 * 0.0081))
+    assert band.high[-1] == pytest.approx((1 + 1.96 * 0.3) ** 2, rel=0.03)
+    assert band.low[-1] == pytest.approx((1 - 1.96 * 0.3) ** 2, rel=0.1)
 
 
 def test_numbers_of_runs_are_told():
