@@ -36,6 +36,7 @@ ROOMS = (
     "job",
     "study",
     "calibration",
+    "uncertainty",
     "guidelines",
     "cli",
 )

@@ -15,6 +15,29 @@ TRUE = {"C10": 0.12e6, "C20": 0.004e6}
 RADIUS, WALL = 20 * mm, 1 * mm
 
 
+#: A job that takes a fraction of a second.
+JOB = """
+[actuator]
+type = "extending_cylinder"
+length = "20 mm"
+cap = "3 mm"
+
+[mesh]
+cells = "axisymmetric"
+size = "3 mm"
+wall_cells = 1
+
+[materials]
+body = { law = "neo_hooke", C10 = "0.12 MPa" }
+
+[loads]
+pressure = "20 kPa"
+
+[output]
+measures = ["tip_displacement_x", "cavity_volume"]
+"""
+
+
 def response(pressure, stretch, text="a sphere"):
     columns = Column("pressure", "kPa", pressure), Column("stretch", "", stretch)
     return Response(columns=columns, source=Source(text=text))
@@ -80,7 +103,7 @@ def widening(C10: float) -> Response:
     return thin_sphere(C10, wall=2 * WALL)
 
 
-def thick_sphere(C10: float, wall: float, inner_radius: float = 10 * mm) -> Response:
+def thick_sphere(C10: float = 0.12e6, wall: float = 5 * mm, inner_radius: float = 10 * mm) -> Response:
     """The formula of a thick sphere, at pressures up to 60 kPa."""
     rubber = tg.Material(name="test rubber", law=tg.laws.NeoHooke(C10=C10))
     ball = tg.formulas.HollowSphere(inner_radius=inner_radius, wall=wall)

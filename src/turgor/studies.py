@@ -1,4 +1,4 @@
-"""Studies: parameters calibrated against experiments, and runs in processes of their own."""
+"""Studies: parameters calibrated against experiments, uncertainty carried to responses, runs kept on disk."""
 
 from typing import TYPE_CHECKING
 
@@ -13,5 +13,12 @@ if TYPE_CHECKING:
     from turgor.calibration.trial import Trial as Trial
     from turgor.calibration.write import write_calibration as write_calibration
     from turgor.study.evaluations import Evaluations as Evaluations
+    from turgor.uncertainty.band import Band as Band
+    from turgor.uncertainty.band import Uncertainty as Uncertainty
+    from turgor.uncertainty.figure import uncertainty_figure as uncertainty_figure
+    from turgor.uncertainty.plan import Computation as Computation
+    from turgor.uncertainty.propagate import propagate as propagate
+    from turgor.uncertainty.spread import Alternatives as Alternatives
+    from turgor.uncertainty.spread import Spread as Spread
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 #: Rooms in the order of import: a room may import from itself and from those before it.
 ROOMS = (
     "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers",
-    "setups", "section", "results", "adaptivity", "laboratory", "job", "study", "calibration",
+    "setups", "section", "results", "adaptivity", "laboratory", "job", "study", "calibration", "uncertainty",
     "guidelines", "cli",
 )  # fmt: skip
 

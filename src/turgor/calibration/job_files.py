@@ -125,7 +125,7 @@ def free_parameters(texts: Iterable[str], priors: Iterable[str], job: JobFile) -
             raise TurgorError(
                 f"--prior is '{text}'; write KEY=MEAN+-DEVIATION, such as materials.body.C10='0.1 MPa +- 5 %'."
             )
-        name = _keys(keys, job)
+        name = keys_of(keys, job, "--prior")
         if name not in known:
             raise unknown("parameter with a prior", name, known)
         read[name] = mean_and_deviation(value, find_number(job.numbers, name.split(",")[0]), f"--prior {keys}")
@@ -163,6 +163,32 @@ def mean_and_deviation(text: str, number: JobNumber, where: str) -> tuple[float,
     return middle, read_number(deviation, number, where)
 
 
+def keys_of(text: str, job: JobFile, option: str) -> str:
+    """Return keys with commas between them, after a check that one value fits all.
+
+    Parameters
+    ----------
+    text : str
+    job : JobFile
+    option : str
+        Beginning of messages.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    TurgorError
+        If one is unknown, or they measure different things.
+    """
+    keys = [each.strip() for each in text.split(",")]
+    units = {find_number(job.numbers, key).dimension for key in keys}
+    if len(units) > 1:
+        raise TurgorError(f"{option} is '{text}': {' and '.join(sorted(units))} cannot have one value.")
+    return ",".join(keys)
+
+
 def left_as_they_are(parameters: Sequence[Parameter], job: JobFile) -> tuple[str, ...]:
     """Say which regions have the same constant as a free one, but keep it.
 
@@ -198,7 +224,7 @@ def _parameter(text: str, job: JobFile) -> Parameter:
     before, sign, after = text.partition("=")
     keys, *limits = [part.strip() for part in (after if sign else before).split(":")]
     start = keys if sign else ""
-    name = _keys(before if sign else keys, job)
+    name = keys_of(before if sign else keys, job, "--free")
     if len(limits) not in (0, 2):
         raise TurgorError(f"--free is '{text}'; write KEY, KEY=START, or KEY=START:LOWER:UPPER.")
     number = find_number(job.numbers, name.split(",")[0])
@@ -212,11 +238,3 @@ def _parameter(text: str, job: JobFile) -> Parameter:
         unit=number.unit,
         step=MESHED_STEP if name.startswith("actuator.") else STEP,
     )
-
-
-def _keys(text: str, job: JobFile) -> str:
-    keys = [each.strip() for each in text.split(",")]
-    units = {find_number(job.numbers, key).dimension for key in keys}
-    if len(units) > 1:
-        raise TurgorError(f"--free is '{text}': {' and '.join(sorted(units))} cannot have one value.")
-    return ",".join(keys)

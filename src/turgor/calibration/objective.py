@@ -19,6 +19,9 @@ Array = NDArray[np.float64]
 #: small enough to be squared.
 FAILED = 1e3
 
+#: Smallest scatter that assumed spreads are lowered to: differences of a made-up curve may be zero.
+LEAST_SCATTER = 1e-3
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Objective:
@@ -49,6 +52,16 @@ class Objective:
     def assumed(self) -> bool:
         """Whether the spread of any measurement was assumed."""
         return any(each.assumed for each in self.data)
+
+    def reweighted(self, residuals: Array) -> "Objective":
+        """Return the objective with assumed spreads replaced by those of the differences, as priors need them."""
+        data, first = [], 0
+        for each in self.data:
+            rows = residuals[first : first + len(each.value)]
+            first += len(each.value)
+            scatter = max(float(np.sqrt(np.mean(rows**2))), LEAST_SCATTER)
+            data.append(replace(each, spread=each.spread * scatter) if each.assumed else each)
+        return replace(self, data=tuple(data))
 
     @property
     def limits(self) -> tuple[Array, Array]:

@@ -194,7 +194,7 @@ def rms(values: Sequence[float] | Array) -> float:
 
     Examples
     --------
-    >>> rms([3.0, 4.0])**2
-    12.5
+    >>> rms([3.0, 4.0, 0.0, 0.0])
+    2.5
     """
     return float(np.sqrt(np.mean(np.asarray(values) ** 2)))

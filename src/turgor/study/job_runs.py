@@ -176,7 +176,7 @@ def read_number(text: str, number: JobNumber, where: str) -> float:
         raise TurgorError(f"{where}: '{text.strip()}' is not a number.") from None
 
 
-def solved_job(job: str, digest: str, numbers: Mapping[str, float]) -> Response:
+def solved_job(job: str, digest: str, numbers: Mapping[str, float], mesh_error: bool = False) -> Response:
     """Solve a job with other numbers and measure it, with one thread; `Run` and others call it in other processes.
 
     Parameters
@@ -187,11 +187,13 @@ def solved_job(job: str, digest: str, numbers: Mapping[str, float]) -> Response:
         `digest_of` the file, so that runs of another job are not taken for those of this one.
     numbers : mapping of str to float
         Numbers by key, in SI units; several keys with commas between them have one number.
+    mesh_error : bool
+        Whether the mesh error is estimated, which takes up to half the time of the solve.
 
     Returns
     -------
     Response
-        As far as the path goes; its message says why it ended early. No mesh error is estimated.
+        As far as the path goes; its message says why it ended early.
 
     Raises
     ------
@@ -201,8 +203,10 @@ def solved_job(job: str, digest: str, numbers: Mapping[str, float]) -> Response:
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
     asked = read_job(job, changes_of(content, numbers))
     model, _ = prepare(asked)
-    solution = solve(model, asked.procedure, options=EngineOptions(threads=1), throw=False)
-    response = measure(solution, *asked.output.chosen(), mesh_error=False)
+    options = EngineOptions(threads=1)
+    solution = solve(model, asked.procedure, options=options, throw=False)
+    estimated = mesh_error and len(solution.states) > 1
+    response = measure(solution, *asked.output.chosen(), mesh_error=estimated, options=options)
     message = "" if solution.complete else f"{solution.message} {solution.advice}".strip()
     return replace(response, message=message)
 

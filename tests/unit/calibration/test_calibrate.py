@@ -83,6 +83,13 @@ def test_what_cannot_be_told_apart_is_said():
     assert "rests on the prior of wall" in known.undetermined[0]
 
 
+def test_a_prior_keeps_its_width_where_the_spread_is_not_known():
+    wall = Parameter(name="wall", start=1.2 * mm, prior=(1 * mm, 0.05 * mm), unit="mm")
+    found = calibrate(sphere(cases.measured_sphere(noise=1e-4, C20=0.0)), [C10, wall])
+    assert found.errors["wall"] == pytest.approx(0.05 * mm, rel=0.1)
+    assert found.values["wall"] == pytest.approx(1 * mm, rel=0.01)
+
+
 def test_a_parameter_without_effect_is_said():
     reach = Parameter(name="up_to", start=1.4, lower=1.35, upper=1.6)
     found = calibrate(sphere(cases.measured_sphere(noise=1e-3, C20=0.0), spread=1e-3), [C10, reach])
@@ -131,7 +138,7 @@ def test_runs_that_fail_are_avoided_and_told():
 def test_a_path_that_ends_below_the_measured_range_is_continued_and_told():
     found = calibrate(Trial(measured=cases.measured_sphere(C20=0.0), function=cases.ends_early), [C10])
     assert found.values["C10"] == pytest.approx(0.12e6, rel=0.05)
-    assert "measured rows of rig lie beyond the end of the computed curve" in found.message
+    assert "measured rows of rig lie beyond the computed curve" in found.message
     assert "could not rise past 12 kPa" in found.message
 
 

@@ -16,7 +16,17 @@ if TYPE_CHECKING:
 Texts = list[str] | None
 
 
-def _often(name: str, metavar: str, text: str) -> typer.models.OptionInfo:
+def often(name: str, metavar: str, text: str) -> typer.models.OptionInfo:
+    """Make an option that may be given as often as needed.
+
+    Parameters
+    ----------
+    name, metavar, text : str
+
+    Returns
+    -------
+    typer.models.OptionInfo
+    """
     option: typer.models.OptionInfo = typer.Option(name, metavar=metavar, help=text, show_default=False)
     return option
 
@@ -27,24 +37,24 @@ class _Options:
     experiments: Annotated[list[Path], typer.Argument(metavar="EXPERIMENT...", help="Tables of a laboratory.")]
     free: Annotated[
         Texts,
-        _often(
+        often(
             "--free",
             "KEY[=START[:LOWER:UPPER]]",
             "A number of the job to find, such as materials.body.C10; as often as needed.",
         ),
     ] = None
-    prior: Annotated[Texts, _often("--prior", "KEY=MEAN+-DEVIATION", "What is known of a free number.")] = None
+    prior: Annotated[Texts, often("--prior", "KEY=MEAN+-DEVIATION", "What is known of a free number.")] = None
     rig: Annotated[
-        Texts, _often("--rig", "NAME", "Offset or scale of a measured column to find, such as pressure_offset.")
+        Texts, often("--rig", "NAME", "Offset or scale of a measured column to find, such as pressure_offset.")
     ] = None
     hold_out: Annotated[
-        list[Path] | None, _often("--hold-out", "EXPERIMENT", "An experiment to predict, not to fit.")
+        list[Path] | None, often("--hold-out", "EXPERIMENT", "An experiment to predict, not to fit.")
     ] = None
     y: Annotated[
         str | None, typer.Option("--y", help="What to compare: NAME, or NAME=NAME THERE.", show_default=False)
     ] = None
     x: Annotated[str | None, typer.Option("--x", help="What drives; in the same manner.", show_default=False)] = None
-    unit: Annotated[Texts, _often("--unit", "NAME=UNIT", "Unit of a column whose header has none.")] = None
+    unit: Annotated[Texts, often("--unit", "NAME=UNIT", "Unit of a column whose header has none.")] = None
     spread: Annotated[str, typer.Option(help="Standard deviation of a measured value, such as '1 deg'.")] = ""
     only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
@@ -86,7 +96,7 @@ def _run(asked: _Options) -> None:
             rig=asked.rig or (),
             hold_out=trials[count:],
             most_solves=asked.most_solves,
-            evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=_progress),
+            evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run),
         )
         files = [*write_calibration(found, folder), folder / CALIBRATED]
         base.write(found.values, files[-1], f"Calibrated:\n{found.summary()}")
@@ -127,7 +137,13 @@ def _spread(asked: _Options, measured: "list[Response]") -> float | None:
     raise TurgorError(f"--spread is '{asked.spread}'; write a number and a unit of the experiment ({units}).")
 
 
-def _progress(ended: "Ended") -> None:
+def told_run(ended: "Ended") -> None:
+    """Print how a run ended.
+
+    Parameters
+    ----------
+    ended : Ended
+    """
     seconds = "" if ended.found is None else f", {ended.found.seconds:.1f} CPU s"
     what = "failed" if ended.problem else "read" if ended.again else "done"
     typer.echo(f"  {ended.run.name}: {what}{seconds}{ended.problem and f': {ended.problem}'}", err=True)

@@ -1,4 +1,4 @@
-"""Results of ``turgor calibrate`` for programs."""
+"""Results of ``turgor calibrate`` and ``turgor uncertainty`` for programs."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from turgor.calibration.result import Calibration
+    from turgor.uncertainty.band import Uncertainty
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,3 +55,49 @@ def calibration_result(found: "Calibration", files: Sequence[Path]) -> Calibrati
     from turgor.calibration.write import as_numbers
 
     return CalibrationResult(**as_numbers(found), files=files)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UncertaintyResult:
+    """``turgor uncertainty``: the bands of the response.
+
+    Parameters
+    ----------
+    sentences : list of str
+        One for each column, at the end of the path.
+    method : str
+        How it was computed.
+    runs : int
+        Number of runs.
+    columns : list of tables
+        ``name``, ``unit`` and ``values`` in this unit; the drive comes first.
+    shares : table
+        Share of the variance that each input brings at the end of the path, by column and input.
+    notes : list of str
+        What was left out.
+    files : list of str
+        Files that were written.
+    """
+
+    sentences: list[str]
+    method: str
+    runs: int
+    columns: list[dict[str, Any]]
+    shares: dict[str, dict[str, float]]
+    notes: Sequence[str]
+    files: Sequence[Path]
+
+
+def uncertainty_result(found: "Uncertainty", files: Sequence[Path]) -> UncertaintyResult:
+    """Make the result of a propagation of uncertainty."""
+    from turgor.cli.answers.results import columns_of
+
+    return UncertaintyResult(
+        sentences=[found.sentence(name) for name in found.bands],
+        method=found.checked(),
+        runs=found.runs,
+        columns=columns_of(found.to_response()),
+        shares={name: band.shares() for name, band in found.bands.items()},
+        notes=found.notes,
+        files=files,
+    )

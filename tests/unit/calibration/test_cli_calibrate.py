@@ -7,33 +7,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from calibration_cases import JOB
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.job.read import read_job
 from turgor.response import Column, Response
 from turgor.source import Source
 from turgor.study.job_runs import digest_of, solved_job, write_whole_job
-
-JOB = """
-[actuator]
-type = "extending_cylinder"
-length = "20 mm"
-cap = "3 mm"
-
-[mesh]
-cells = "axisymmetric"
-size = "3 mm"
-wall_cells = 1
-
-[materials]
-body = { law = "neo_hooke", C10 = "0.12 MPa" }
-
-[loads]
-pressure = "20 kPa"
-
-[output]
-measures = ["tip_displacement_x", "cavity_volume"]
-"""
 
 
 @pytest.fixture(scope="module")

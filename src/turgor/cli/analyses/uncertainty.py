@@ -1,0 +1,74 @@
+"""Command ``turgor uncertainty``: the spread of rubber, dimensions and pressure carried to the response of a job."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from turgor.cli.analyses.calibrate import often, told_run
+from turgor.cli.exits import DONE, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Options:
+    job: JobFile
+    spread: Annotated[
+        list[str] | None,
+        often("--spread", "KEY=DEVIATION", "Standard deviation of a number of the job, or of the pressure, such as "
+              "actuator.wall='0.1 mm'; also KEY=MEAN+-DEVIATION, replicates '1 mm;1.1 mm', and 'as LABEL' behind it."),
+    ] = None  # fmt: skip
+    sets: Annotated[
+        list[str] | None,
+        often("--sets", "LABEL=FILE", "Table of constants that belong together, a line for each specimen or record."),
+    ] = None
+    method: Annotated[str, typer.Option(help="linear, quadratic or interactions.")] = "linear"
+    at: Annotated[str, typer.Option(help="Pressure at which values are told, such as '40 kPa'.")] = ""
+    mesh_error: Annotated[bool, typer.Option(help="Estimate the mesh error of the nominal run.")] = True
+    processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
+    output: Annotated[
+        Path | None, typer.Option(help="Folder of results; by default NAME-uncertainty.", show_default=False)
+    ] = None
+    changes: Changes = None
+    as_json: Json = False
+    debug: Debug = False
+
+
+def _run(asked: _Options) -> None:
+    """Carry the spread of rubber, dimensions and pressure to the response: bands, and where they come from.
+
+    Killed and called again, it goes on: nothing is computed twice.
+    """
+    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+        from turgor.calibration.calibrate import kept_in
+        from turgor.calibration.job_files import RUNS, job_file
+        from turgor.cli.answers.studies import uncertainty_result
+        from turgor.results.plots.figures import write_figure
+        from turgor.study.job_runs import read_number
+        from turgor.uncertainty.figure import uncertainty_figure
+        from turgor.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads
+        from turgor.uncertainty.propagate import propagate
+
+        job = asked_job(asked.job, asked.changes)
+        folder = asked.output if asked.output is not None else Path(f"{job.name}-uncertainty")
+        base = job_file(job, folder)
+        inputs = [*read_spreads(asked.spread or (), base), *read_sets(asked.sets or (), base)]
+        at = read_number(asked.at, PRESSURE, "--at") if asked.at else None
+        found = propagate(
+            job_computation(base, mesh_error=asked.mesh_error), inputs, method=asked.method,
+            evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run),
+        )  # fmt: skip
+        sentences = [found.sentence(name, at) for name in found.bands]
+        files = [folder / "uncertainty.csv", folder / "uncertainty.png", folder / "uncertainty.txt"]
+        found.to_response().to_csv(files[0])
+        write_figure(files[1], uncertainty_figure(found))
+        text = "\n".join([*sentences, found.checked(), *found.notes])
+        files[2].write_text(text + "\n", encoding="utf-8")
+        typer.echo(text)
+        typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
+        answer.give(lambda: uncertainty_result(found, files))
+        raise typer.Exit(DONE)
+
+
+uncertainty_command = command_of(_Options, _run)

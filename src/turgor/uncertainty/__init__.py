@@ -1,0 +1,1 @@
+"""Uncertainty: the spread of materials, dimensions and pressures carried to the response."""
