@@ -27,8 +27,7 @@ from measured_runs import (  # noqa: E402
 )
 from page_parts import DOCS, RECORDED, Page, lines_of, percent, text  # noqa: E402
 
-from turgor.study.run_all import Ended, run_all  # noqa: E402
-from turgor.study.runs import Run  # noqa: E402
+from turgor.studies import Ended, Run, run_all  # noqa: E402
 
 
 def main(folder: Path) -> None:

@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from turgor.calibration.trial import Trial as Trial
     from turgor.calibration.write import write_calibration as write_calibration
     from turgor.study.evaluations import Evaluations as Evaluations
+    from turgor.study.run_all import Ended as Ended
+    from turgor.study.run_all import run_all as run_all
+    from turgor.study.runs import Computed as Computed
+    from turgor.study.runs import Run as Run
     from turgor.uncertainty.band import Band as Band
     from turgor.uncertainty.band import Uncertainty as Uncertainty
     from turgor.uncertainty.figure import uncertainty_figure as uncertainty_figure

@@ -20,7 +20,5 @@ if TYPE_CHECKING:
     from turgor.guidelines.page import write_page as write_page
     from turgor.results.plots.study_figure import Line as Line
     from turgor.results.plots.study_figure import Panel as Panel
-    from turgor.study.runs import Computed as Computed
-    from turgor.study.runs import Run as Run
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

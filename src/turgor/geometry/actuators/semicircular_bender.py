@@ -18,8 +18,9 @@ class SemicircularBender:
     The half round is called the best of the single-chamber sections for bending (Xavier, Fleming and Yong 2021, section
     7.1, guideline 6). Computed, that holds where hoops keep its wall and a stiff base stays flat: then it bends 8 %
     further than a round chamber of the same area. On a base that bulges it becomes round itself and bends a third as
-    far as the round one; without hoops a lying rectangle bends further. Without fibers it balloons at higher pressure; `FiberReinforcedBender` has fibers. The radius and the
-    wall are those of Polygerinos et al. (2015), quoted and not checked against the paper. The rest was chosen here.
+    far as the round one; without hoops a lying rectangle bends further. Without fibers it balloons at higher pressure;
+    `FiberReinforcedBender` has fibers. The radius and the wall are those of Polygerinos et al. (2015), quoted and not
+    checked against the paper. The rest was chosen here.
 
     Axes: x from the fixed end to the tip, z up, y across; the bottom lies at z = 0, the mirror plane at y = 0.
 

@@ -17,9 +17,9 @@ class TwistingTube:
 
     The twist is largest with fibers about 30° from the circumference, which is 60° from the axis (Xavier, Fleming and
     Yong 2021, section 7.2, guideline 6). The best angle depends on the pressure: for a tube of Elastosil M4601 (0.12
-    MPa) it is 65° from the axis at 6 kPa and 59° at 62 kPa. They are wound on the face ``outside``. A helix has no mirror plane, so the
-    tube is always modeled whole. Radius, wall and the length of about 160 mm are those of Connolly et al. (2015),
-    quoted and not checked against the paper. The caps were chosen here.
+    MPa) it is 65° from the axis at 6 kPa and 59° at 62 kPa. The fibers are wound on the face ``outside``. A helix has
+    no mirror plane, so the tube is always modeled whole. Radius, wall and the length of about 160 mm are those of
+    Connolly et al. (2015), quoted and not checked against the paper. The caps were chosen here.
 
     Axes: x from the fixed end to the tip, on the axis of the tube.
 
