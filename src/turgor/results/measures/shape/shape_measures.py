@@ -11,6 +11,9 @@ from turgor.results.measures.shape.widths import width_ratios
 
 Array = NDArray[np.float64]
 
+#: Components below this share of a vector are rounding errors: what is plane has no pitch.
+ROUNDING = 1e-9
+
 
 def _mean(at: StateFields) -> tuple[Array, Array]:
     return at.once("mean screw", lambda: center_line(at).mean)
@@ -32,7 +35,8 @@ def _bending_plane(at: StateFields) -> float:
     towards = np.cross(turn, way)
     if np.linalg.norm(towards) < STRAIGHT * np.linalg.norm(way):
         return float("nan")
-    return float(np.arctan2(towards[1], -towards[2]))
+    towards = np.where(np.abs(towards) < ROUNDING * np.linalg.norm(towards), 0.0, towards)
+    return float(np.arctan2(towards[1], 0.0 - towards[2]))
 
 
 def _helix_radius(at: StateFields) -> float:
@@ -44,7 +48,10 @@ def _helix_radius(at: StateFields) -> float:
 def _helix_pitch(at: StateFields) -> float:
     turn, way = _mean(at)
     square = float(turn @ turn)
-    return float("nan") if square < STRAIGHT**2 else float(2 * np.pi * (turn @ way)) / square
+    if square < STRAIGHT**2:
+        return float("nan")
+    along = float(turn @ way)
+    return 2 * np.pi * along / square if abs(along) > ROUNDING * np.linalg.norm(turn) * np.linalg.norm(way) else 0.0
 
 
 def _arc_deviation(at: StateFields) -> float:
