@@ -95,7 +95,7 @@ guidelines: $(DEV)
 	$(BIN)/python docs/guidelines_page.py runs/guidelines
 
 measured: $(DEV)
-	$(BIN)/python docs/measured_page.py runs/measured
+	$(BIN)/python tests/validation/actuators/measured_page.py runs/measured
 
 fast: $(RUN) requirements/fast.lock
 	$(PIP) install -r requirements/fast.lock

@@ -55,8 +55,8 @@ class Page:
 
     def record(self, what: str, model: str, distance: float) -> str:
         """Keep a distance for the summary and the tests; return it in percent."""
-        self.distances.append((what, model, distance))
-        return percent(distance)
+        self.distances.append((what, model, round(distance, 4)))
+        return percent(round(distance, 4))
 
 
 def text(name: str) -> str:

@@ -1,14 +1,14 @@
 """Run what docs/measured-actuators.md needs, keep it, and write the page with its pictures.
 
-Call it as ``python docs/measured_page.py FOLDER``, or `make measured`. What has ended before is read from the folder.
-It also writes ``tests/validation/actuators/recorded_distances.csv``, which the tests compare with.
+Call it as ``python tests/validation/actuators/measured_page.py FOLDER``, or `make measured`. What has ended before is
+read from the folder. It also writes ``recorded_distances.csv`` beside itself, which the tests compare with.
 """
 
 import csv
 import sys
 from pathlib import Path
 
-TESTS = Path(__file__).parents[1] / "tests"
+TESTS = Path(__file__).parents[2]
 SHARED = ("validation/actuators", "", "validation", "verification")
 sys.path[:0] = [str(TESTS / each) for each in SHARED]
 
@@ -46,7 +46,8 @@ def _run(runs: list[Run], folder: Path) -> dict[str, Ended]:
 
 def _told(each: Ended) -> None:
     if not each.again:
-        print(f"{each.run.name}: {each.problem or each.found.response.message or 'ended'}", flush=True)
+        sys.stdout.write(f"{each.run.name}: {each.problem or each.found.response.message or 'ended'}\n")
+        sys.stdout.flush()
 
 
 def bender_factor(page: Page) -> float:
@@ -74,7 +75,7 @@ def write(page: Page) -> None:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(["what", "model", "distance"])
         rows.writerows([a, b, f"{c:.4f}"] for a, b, c in page.distances)
-    print(f"{DOCS / 'measured-actuators.md'}: {len(page.distances)} distances, {seconds / 60:.0f} CPU minutes")
+    sys.stdout.write(f"{len(page.distances)} distances, {seconds / 60:.0f} CPU minutes\n")
 
 
 if __name__ == "__main__":
