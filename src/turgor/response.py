@@ -363,7 +363,7 @@ class Response(Saved, Shown):
         >>> columns = (Column("pressure", "kPa", [0.0, 50e3]), Column("bending_angle", "deg", [0.0, 1.5]))
         >>> figure = Response(columns=columns, source=Source(text="a ruler")).plot("bending_angle")
         >>> figure.axes[0].get_xlabel(), figure.axes[0].get_ylabel()
-        ('pressure [kPa]', 'bending angle [deg]')
+        ('pressure [kPa]', 'bending angle [°]')
         """
         return drawn_by("plot")(self, y, x, axes)
 

@@ -113,7 +113,6 @@ def _context(report: Report) -> dict[str, object]:
     """Everything the template names, as text, lists and pairs."""
     solution, model = report.solution, report.solution.model
     staged = isinstance(solution.procedure, Stages)
-    dimensions = [(name.replace("_", " "), tidy(value)) for name, value in report.dimensions.items()]
     return {
         "title": report.title,
         "part": modeled_part(model.mesh),
@@ -127,14 +126,8 @@ def _context(report: Report) -> dict[str, object]:
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
         "picture_width": _picture_width(report.pictures),
         **contact_section(solution),
-        "loads": describe.loads(model),
-        "loads_head": "Loads from the first stage on" if staged else "Loads at load factor 1",
+        **_model(report, staged),
         "staged": staged,
-        "supports": describe.supports(model),
-        "contact": describe.contact(model),
-        "mesh": describe.mesh(model.mesh, report.quality),
-        "dimensions": dimensions,
-        "materials": [(text, law_plot(text.made_of)) for text in describe.materials(model)],
         "steps": list(solution.steps),
         "path_summary": _path_summary(solution),
         "procedure": describe_procedure.procedure(solution.procedure),
@@ -145,6 +138,20 @@ def _context(report: Report) -> dict[str, object]:
         "files": list(report.files.items()),
         "created": report.created,
         "comparisons": list(report.comparisons),
+    }
+
+
+def _model(report: Report, staged: bool) -> dict[str, object]:
+    """The question in words: loads, supports, contact, dimensions, mesh and materials."""
+    model = report.solution.model
+    return {
+        "loads": describe.loads(model),
+        "loads_head": "Loads from the first stage on" if staged else "Loads at load factor 1",
+        "supports": describe.supports(model),
+        "contact": describe.contact(model),
+        "mesh": describe.mesh(model.mesh, report.quality),
+        "dimensions": [(name.replace("_", " "), tidy(value)) for name, value in report.dimensions.items()],
+        "materials": [(text, law_plot(text.made_of)) for text in describe.materials(model)],
     }
 
 

@@ -41,7 +41,7 @@ def law_source(law: object) -> str:
     Examples
     --------
     >>> from turgor.materials.laws.laws import Yeoh
-    >>> law_source(Yeoh(C10=1e5))
+    >>> law_source(Yeoh(C10=1e5, C20=1e3))
     'O. H. Yeoh, Rubber Chem. Technol. 1993, 66, 754; Xavier, Fleming and Yong (2021), Eq. 14'
     """
     paper, equation = LAW_SOURCES.get(type(law).__name__, ("", ""))

@@ -129,7 +129,7 @@ def chosen_steps(count: int, vertices: int) -> list[int]:
     Examples
     --------
     >>> chosen_steps(4, 1000), len(chosen_steps(500, 1000)), len(chosen_steps(500, 100_000))
-    ([0, 1, 2, 3], 40, 7)
+    ([0, 1, 2, 3], 40, 5)
     """
     most = max(2, min(MOST_STEPS, MOST_BYTES // (BYTES * vertices)))
     if count <= most:
