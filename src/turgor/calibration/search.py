@@ -14,6 +14,9 @@ Array = NDArray[np.float64]
 #: The search ends where one more step would gain less than a fifth of a standard error: this share of the variance of
 #: the differences, in half the sum of squares …
 LEAST_GAIN = 0.02
+#: … where the differences count as no smaller than this share of an assumed spread: 0.1 % of the measured range, which
+#: neither rigs nor meshes resolve …
+RESOLVED = 0.05
 #: … or would move every coordinate by less than this: 0.02 % of a positive parameter.
 SMALLEST_STEP = 2e-4
 
@@ -169,7 +172,7 @@ def _least_gain(objective: Objective, residuals: Array) -> float:
     """Gain that is not worth a step: small against the scatter of the differences, or their known spread."""
     freedom = max(len(residuals) - len(objective.parameters), 1)
     variance = 2 * _cost(residuals) / freedom
-    return LEAST_GAIN * (variance if objective.assumed else max(variance, 1.0))
+    return LEAST_GAIN * max(variance, RESOLVED**2 if objective.assumed else 1.0)
 
 
 def _linear_step(objective: Objective, at: Array, residuals: Array, jacobian: Array) -> Array:

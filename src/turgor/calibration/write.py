@@ -94,6 +94,7 @@ def as_numbers(found: Calibration) -> dict[str, Any]:
 def _fit(each: Fitted) -> dict[str, Any]:
     return {
         "name": each.data.trial.name, "x": each.data.x, "y": each.data.y, "rows": len(each.data.value),
+        "spread": None if each.data.assumed else float(each.data.spread.mean()),
         "rms": each.rms, "rms_start": each.rms_start, "beyond": each.beyond, "notes": list(each.data.notes),
     }  # fmt: skip
 

@@ -56,6 +56,8 @@ def test_two_numbers_of_a_job_in_at_most_25_solves(call, folder):
     assert values["actuator.wall"]["value"] == pytest.approx(2.2e-3, rel=0.02)
     assert "rests on the prior of actuator.wall" in told["undetermined"][0]
     assert told["held_out"][0]["y"] == "cavity_volume"
+    assert told["held_out"][0]["spread"] is None  # 0.002 mm is no volume
+    assert told["fits"][0]["spread"] == pytest.approx(2e-6)
     # the same again: everything is read
     code, said, _ = call(*free, *known, "--hold-out", "cavity_volume.csv", "--output", "two", "--json")
     result = json.loads(said)["result"]
@@ -96,7 +98,7 @@ def test_files_and_sentences(call, folder):
         (["--free", "materials.body.C10", "--prior", "materials.body.C10=2 mm"], "'2 mm' is a length"),
         (["--free", "materials.body.C10", "--prior", "materials.body.C10=1 MPa+-x%"], "'x%' is no share in percent"),
         (["--free", "materials.body.C10", "--prior", "materials.body.C10"], "write KEY=MEAN+-DEVIATION"),
-        (["--free", "materials.body.C10", "--spread", "3"], "write a number and a unit of the experiment (kPa, mm)"),
+        (["--free", "materials.body.C10", "--spread", "3"], "write a number and a unit of the experiments (kPa, mm)"),
         (["--free", "materials.body.C10", "--unit", "pressure"], "--unit is 'pressure'"),
         ([], "a calibration needs a parameter that is free"),
         (["--free", "materials.body.C10", "--output", "."], "holds files of something else"),

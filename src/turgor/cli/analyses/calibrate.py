@@ -1,6 +1,8 @@
 """Command ``turgor calibrate``: numbers of a job found from experiments."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isfinite, nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -55,7 +57,10 @@ class _Options:
     ] = None
     x: Annotated[str | None, typer.Option("--x", help="What drives; in the same manner.", show_default=False)] = None
     unit: Annotated[Texts, often("--unit", "NAME=UNIT", "Unit of a column whose header has none.")] = None
-    spread: Annotated[str, typer.Option(help="Standard deviation of a measured value, such as '1 deg'.")] = ""
+    spread: Annotated[
+        Texts,
+        often("--spread", "VALUE", "Standard deviation of a measured value, such as '1 deg'; one for each unit."),
+    ] = None
     only_loading: Annotated[bool, typer.Option("--loading", help="Leave out rows in which the drive falls.")] = False
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
     most_solves: Annotated[int | None, typer.Option(help="Runs after which the search ends.", show_default=False)] = (
@@ -87,8 +92,8 @@ def _run(asked: _Options) -> None:
         free = free_parameters(asked.free or (), asked.prior or (), base)
         for note in left_as_they_are(free, base):
             typer.echo(note, err=True)
-        spread = _spread(asked, measured)
-        trials = [base.trial(each, y=asked.y, x=asked.x, spread=spread) for each in measured]
+        pairs = zip(measured, _spreads(asked, measured), strict=True)
+        trials = [base.trial(each, y=asked.y, x=asked.x, spread=spread) for each, spread in pairs]
         count = len(asked.experiments)
         found = calibrate(
             trials[:count],
@@ -119,22 +124,25 @@ def _measured(file: Path, asked: _Options) -> "Response":
     return loading(measured, drive_of(measured)) if asked.only_loading else measured
 
 
-def _spread(asked: _Options, measured: "list[Response]") -> float | None:
-    """Read the standard deviation in a unit that a measured column may have."""
+def _spreads(asked: _Options, measured: "Sequence[Response]") -> list[float | None]:
+    """Read standard deviations; each is that of the experiments with a column in its unit."""
     from turgor.errors import TurgorError
     from turgor.response import COLUMN_UNITS
 
-    if not asked.spread:
-        return None
-    number, _, unit = asked.spread.strip().partition(" ")
-    known = {each.unit for response in measured for each in response.columns}
-    try:
-        if unit in COLUMN_UNITS and any(unit in column.units for response in measured for column in response.columns):
-            return float(number) * COLUMN_UNITS[unit]
-    except ValueError:
-        pass
-    units = ", ".join(sorted(filter(None, known)))
-    raise TurgorError(f"--spread is '{asked.spread}'; write a number and a unit of the experiment ({units}).")
+    found: list[float | None] = [None] * len(measured)
+    for text in asked.spread or ():
+        number, _, unit = text.strip().partition(" ")
+        fitting = [n for n, each in enumerate(measured) if any(unit and unit in c.units for c in each.columns)]
+        try:
+            value = float(number) * COLUMN_UNITS.get(unit, nan)
+        except ValueError:
+            value = nan
+        if not (fitting and isfinite(value)):
+            units = ", ".join(sorted({c.unit for each in measured for c in each.columns if c.unit}))
+            raise TurgorError(f"--spread is '{text}'; write a number and a unit of the experiments ({units}).")
+        for n in fitting:
+            found[n] = value
+    return found
 
 
 def told_run(ended: "Ended") -> None:

@@ -30,7 +30,8 @@ class CalibrationResult:
     undetermined, notes, failures : list of str
         What the curves do not determine, what the numbers assume, and runs that failed.
     fits, held_out : list of tables
-        ``name``, ``x``, ``y``, ``rows``, ``rms``, ``rms_start``, ``beyond``, ``notes``.
+        ``name``, ``x``, ``y``, ``rows``, ``spread`` (null where it was assumed), ``rms``, ``rms_start``,
+        ``beyond``, ``notes``.
     files : list of str
         Files that were written.
     """
