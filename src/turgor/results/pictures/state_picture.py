@@ -249,9 +249,8 @@ def _rendered(shown: Sequence[StateFields], view: View, style: Style) -> NDArray
         skins[0], inside = skins[0].part(~walls), skins[0].part(walls) if walls.any() else None
     if style.plane is not None:
         values = np.zeros(len(at.points)) if hollow else shown_field.read(at)
-        whole = visible_skin(at, values)
         rest = visible_skin(_at_rest(at), np.zeros(len(at.points))).points
-        skins[0] = cut_away(at, whole, rest, style.plane, values)
+        skins[0] = cut_away(at, skins[0], rest, style.plane, values)
     beside = Beside(
         threads=threads_with_tension(at),
         obstacles=obstacle_skin(at, extents),

@@ -69,12 +69,18 @@ def write_glb(path: Path, shapes: Sequence[StateFields], view: View, *, seconds:
     times, weights = _keys(count, seconds, back)
     sampler = {"input": buffer.add(times, None, limits=True), "output": buffer.add(weights.ravel(), None)}
     primitive = {"attributes": attributes, "indices": indices, "targets": targets, "mode": TRIANGLES, "material": 0}
-    document = {
+    document = _document(shapes[0].mesh.name, primitive, sampler) | buffer.described()
+    _write(path, document, buffer.content())
+
+
+def _document(name: str, primitive: dict[str, Any], sampler: dict[str, int]) -> dict[str, Any]:
+    """Scene with one body that moves from shape to shape."""
+    return {
         "asset": {"version": "2.0", "generator": "turgor"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "rotation": UPRIGHT, "name": shapes[0].mesh.name}],
-        "meshes": [{"primitives": [primitive], "weights": [0.0] * count}],
+        "nodes": [{"mesh": 0, "rotation": UPRIGHT, "name": name}],
+        "meshes": [{"primitives": [primitive], "weights": [0.0] * len(primitive["targets"])}],
         "materials": [
             {
                 "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.8},
@@ -89,9 +95,7 @@ def write_glb(path: Path, shapes: Sequence[StateFields], view: View, *, seconds:
                 "name": "path",
             }
         ],
-        **buffer.described(),
     }
-    _write(path, document, buffer.content())
 
 
 class _Buffer:
