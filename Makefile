@@ -34,7 +34,7 @@ help:
 	@echo "make truth         run the truth set (an hour or two of one core); renews docs/truth.md. It installs NGSolve into"
 	@echo "                   .venv, whose wheel carries UMFPACK (GPL): for development only"
 	@echo "make guidelines    run the guidelines of the literature (an hour of two cores); renews docs/guidelines.md"
-	@echo "make measured      compare with measured actuators (an hour of one core); renews docs/measured-actuators.md"
+	@echo "make measured      compare with measured actuators (half an hour of one core); renews docs/measured-actuators.md"
 	@echo "make fast          install MKL into .venv (x86-64 only, proprietary): factorizes faster"
 	@echo "make lock          renew requirements/*.lock from pyproject.toml (needs uv)"
 	@echo "make clean         remove .venv, caches and what was built"
