@@ -7,7 +7,7 @@ import numpy as np
 from turgor.calibration.result import Calibration, Fitted
 from turgor.calibration.trial import curve_at
 from turgor.laboratory.compare import first_branch
-from turgor.response import Column
+from turgor.response import Column, unit_text
 from turgor.results.plots.figures import PlotFigure
 from turgor.results.plots.response_plots import BLUE, COLORS
 from turgor.results.plots.styling import INK, QUIET, style_axes
@@ -72,7 +72,7 @@ def _panel(upper: Any, lower: Any, each: Fitted, held_out: bool) -> None:
     upper.legend(frameon=False, labelcolor=INK, fontsize=8)
     lower.axhline(0.0, color=QUIET, lw=0.8)
     lower.plot(drive, rows.columns[3].in_unit - measured, "o", color=BLUE, ms=3)
-    lower.set_ylabel(f"difference [{y.unit}]" if y.unit else "difference", color=INK)
+    lower.set_ylabel(f"difference [{unit_text(y.unit)}]" if y.unit else "difference", color=INK)
     lower.set_xlabel(x.label, color=INK)
     lower.sharex(upper)
     upper.tick_params(labelbottom=False)

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from turgor.response import Column
+from turgor.response import Column, unit_text
 from turgor.results.plots.figures import PlotFigure
 from turgor.results.plots.response_plots import BLUE, COLORS
 from turgor.results.plots.styling import INK, style_axes
@@ -33,7 +33,7 @@ def uncertainty_figure(found: Uncertainty, name: str | None = None) -> PlotFigur
     for number, (part, values) in enumerate(_parts(band)):
         lower.plot(x, _shown(band, values), color=COLORS[number % len(COLORS)], lw=1.6, label=part)
     upper.set_ylabel(label, color=INK)
-    unit = f" [{band.unit}]" if band.unit else ""
+    unit = f" [{unit_text(band.unit)}]" if band.unit else ""
     lower.set_ylabel(f"standard deviation{unit}", color=INK)
     lower.set_xlabel(found.drive.label, color=INK)
     lower.set_ylim(bottom=0.0)
