@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from turgor.materials.fitting.result import FitResidual as FitResidual
     from turgor.materials.fitting.save import save_fits as save_fits
     from turgor.materials.fitting.save import save_material as save_material
+    from turgor.response import Column as Column
     from turgor.results.plots.history import history_figure as history_figure
 else:
     __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -138,7 +138,7 @@ def not_so_simple(material: Material) -> Finding | None:
     if isinstance(material.law, Hooke):
         return None
     ratio = material.bulk_modulus / material.law.shear_modulus
-    does = [f"is compressible (bulk modulus {ratio:.3g} times the shear modulus)"] * (ratio < NEARLY_INCOMPRESSIBLE)
+    does = [f"is compressible (bulk modulus {ratio:.3g} times the shear modulus)"] * bool(ratio < NEARLY_INCOMPRESSIBLE)
     does += ["relaxes"] * (material.viscoelasticity is not None)
     does += ["softens"] * (material.stress_softening is not None)
     if not does:

@@ -145,3 +145,9 @@ def test_a_law_that_locks_is_followed_until_there():
     assert np.isfinite(path["pressure"]).all()
     with pytest.raises(tg.TurgorError, match="not followed further"):
         F.thick_sphere(sphere, tg.Material(name="Gent", law=tg.laws.Gent(mu=0.24e6, Jm=1.0)), 50e6)
+
+
+def test_constants_that_numpy_computed_are_taken():
+    rubber = tg.Material(name="computed", law=tg.laws.NeoHooke(C10=np.float64(0.12e6)), bulk_modulus=np.float64(1e9))
+    tube = tg.actuators.ExtendingCylinder()
+    assert F.thick_tube(tube, rubber, [10 * kPa])["pressure"][0] == pytest.approx(10 * kPa)

@@ -67,6 +67,7 @@ def test_a_prior_is_a_measurement_more():
     assert list(found.errors.values()) == pytest.approx(scatter * np.sqrt(np.diag(np.linalg.inv(normal))), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_intervals_hold_the_true_values(record_verification):
     free = [Parameter(name="C10", start=0.15e6), Parameter(name="C20", start=0.0, lower=-0.05e6, upper=0.05e6)]
     within, values, errors = [], [], []
