@@ -52,7 +52,8 @@ def measure_folder(folder: str | Path, names: tuple[str, ...] = ()) -> Response:
 def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutcome:
     """Write all files of a run anew from the path that its folder holds, as far as it goes.
 
-    Mesh errors are not estimated, because that would solve again; those that the run has written are kept.
+    Fields for ParaView that are complete and younger than the path are left as they are. Mesh errors are not estimated,
+    because that would solve again; those that the run has written are kept.
 
     Parameters
     ----------
@@ -83,7 +84,7 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
         notices=(),
         folder=folder,
     )
-    return replace(outcome, files=write_results(outcome, notify))
+    return replace(outcome, files=write_results(outcome, notify, again=True))
 
 
 def _with_known_errors(response: Response, file: Path) -> Response:

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -145,6 +146,27 @@ def test_the_folder_of_a_killed_run_is_measured_and_reported(file, tmp_path):
     assert (folder / "response.png") in outcome.files
     with pytest.raises(TurgorError, match="holds no path"):
         measure_folder(tmp_path)
+
+
+def test_a_report_writes_the_fields_where_they_are_not_those_of_the_path(file, tmp_path):
+    job = read_job(file)
+    run = run_job(replace(job, output=replace(job.output, fields=True)), tmp_path / "run", threads=1)
+    series = run.folder / "vtu" / "state.pvd"
+    said = []
+
+    def reported():
+        said.clear()
+        files = report_folder(run.folder, said.append).files
+        assert series in files
+        return "writing the fields" in said
+
+    assert not reported()
+    first = series.parent / "state_0001.vtu"
+    first.unlink()
+    assert reported() and first.exists()
+    assert not reported()
+    os.utime(run.folder / "path" / "index.json")  # the path is younger now
+    assert reported()
 
 
 def _start(file: Path, folder: Path, *more: str) -> subprocess.Popen:

@@ -125,8 +125,10 @@ def clear(folder: Path) -> None:
         (folder / PATH_FOLDER).rmdir()
 
 
-def clear_tables(folder: Path) -> None:
-    """Remove the files of an earlier run but its path."""
+def clear_tables(folder: Path, *, keep_fields: bool = False) -> None:
+    """Remove the files of an earlier run but its path, and perhaps its fields."""
     for pattern in RESULTS:
+        if keep_fields and pattern.startswith(f"{FIELDS}/"):
+            continue
         for file in folder.glob(pattern):
             file.unlink()

@@ -1,6 +1,7 @@
 """Files of a run: tables, pictures, fields, report and log."""
 
 import csv
+import re
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
@@ -32,6 +33,7 @@ from turgor.results.report.headline import headline
 from turgor.results.report.page import Picture, Report, write_report
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution
+from turgor.solvers.stored import PATH_FOLDER
 
 #: Description of each file, for the report.
 CONTENTS: Mapping[str, str] = {
@@ -50,20 +52,26 @@ CONTENTS: Mapping[str, str] = {
 #: File of each picture of the path.
 PICTURES: Mapping[str, str] = {"undeformed": UNDEFORMED, "deformed": DEFORMED, "contact": CONTACT}
 
+#: Name of the files of fields.
+SERIES = "state"
+
 STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
 
 
-def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[Path, ...]:
+def write_results(outcome: RunOutcome, notify: Callable[[str], None], *, again: bool = False) -> tuple[Path, ...]:
     """Write all files that the job asks for, tables first; return them with the most important first.
 
-    The results of an earlier run in the folder are removed.
+    The results of an earlier run in the folder are removed. Fields are half of the work; where ``again`` is true,
+    those that were written after the path are left as they are.
     """
     folder, output = outcome.folder, outcome.job.output
-    files = list(write_tables(outcome, notify))
+    kept = again and _has_fields(folder, len(outcome.solution.states))
+    files = list(write_tables(outcome, notify, keep_fields=kept))
     if output.fields:
-        notify("writing the fields")
-        (folder / FIELDS).mkdir(exist_ok=True)
-        files.append(write_series(folder / FIELDS, outcome.solution))
+        if not kept:
+            notify("writing the fields")
+            write_series(folder / FIELDS, outcome.solution, SERIES)
+        files.append(folder / FIELDS / f"{SERIES}.pvd")
         obstacles = folder / FIELDS / "state_obstacles.pvd"
         files += [obstacles] if obstacles.exists() else []
     notify("drawing")
@@ -79,11 +87,21 @@ def write_results(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[P
     return tuple(files)
 
 
-def write_tables(outcome: RunOutcome, notify: Callable[[str], None]) -> tuple[Path, ...]:
+def _has_fields(folder: Path, states: int) -> bool:
+    """Whether the folder holds the fields of as many states, written after the last file of the path."""
+    series, path = folder / FIELDS / f"{SERIES}.pvd", list((folder / PATH_FOLDER).glob("*"))
+    if not series.exists() or not path:
+        return False
+    written = series.stat().st_mtime_ns >= max(file.stat().st_mtime_ns for file in path)
+    named = re.findall(r'file="(.+?)"', series.read_text(encoding="utf-8"))
+    return written and len(named) == states and all((series.parent / name).exists() for name in named)
+
+
+def write_tables(outcome: RunOutcome, notify: Callable[[str], None], *, keep_fields: bool = False) -> tuple[Path, ...]:
     """Write the response, the lock file, the steps and the log alone, in place of the results of an earlier run."""
     folder = outcome.folder
     notify("writing the response")
-    clear_tables(folder)
+    clear_tables(folder, keep_fields=keep_fields)
     outcome.response.to_csv(folder / RESPONSE)
     (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
     write_steps(folder / STEPS, outcome.solution)
