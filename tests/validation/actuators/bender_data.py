@@ -69,8 +69,21 @@ def soft_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> float:
 
 
 def forces(response: tg.Response) -> tuple[np.ndarray, np.ndarray]:
-    """Pressure [kPa] and blocked force [N]."""
-    return response.column("pressure") / kPa, response.column("blocked_force") / N
+    """Pressure [kPa] and blocked force less that of the weight alone [N]."""
+    pressure, force = response.column("pressure") / kPa, response.column("blocked_force") / N
+    rest = int(np.flatnonzero(pressure <= 0)[-1])
+    return pressure[rest:], force[rest:] - force[rest]
+
+
+def rest_force(response: tg.Response) -> float:
+    """Blocked force of the weight alone [N]."""
+    pressure = response.column("pressure")
+    return float(response.column("blocked_force")[pressure <= 0][-1] / N)
+
+
+def measured_rest_force(chambers: int) -> float:
+    """What the cell shows before the first step [N]."""
+    return float(numbers(FOLDER / f"actuator_c{chambers}-w7_blocked_force_steps.csv")["preceding_rest_force_N"][0])
 
 
 def blocked_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> tuple[float, float]:

@@ -8,12 +8,14 @@ from bender_data import (
     from_zero,
     measured_blocked,
     measured_free,
+    measured_rest_force,
     pressure_at,
     repeated_free,
+    rest_force,
 )
 from ecoflex import dumbbell
 from fit_data import ecoflex_planar
-from measured_runs import ALONE, VARIATIONS, blocked, free
+from measured_runs import ALONE, HEAVY, VARIATIONS, blocked, free
 from page_parts import Page
 
 from turgor.units import kPa
@@ -21,6 +23,13 @@ from turgor.units import kPa
 Curve = tuple[np.ndarray, np.ndarray]
 #: Where the tests of the rubber are compared, within the planar ones [-].
 COMPARED = 1.5
+#: Variations of the blocked force that the text states in percent.
+BLOCKED_NAMES = {
+    "mesh": "mesh: cells of 2.5 mm",
+    "film": "film: stiffness / 100",
+    "law": ALONE,
+    "friction": "contact: friction of 0.3 on the plate",
+}
 #: Laws that are fitted to the same points as the Yeoh law of the first row.
 SAME_TESTS = ("neo-Hooke", "Gent", "Ogden, two terms")
 
@@ -88,6 +97,7 @@ def decides_facts(page: Page) -> dict[str, float]:
         "aim30": angle_at(*_measured(5), 30.0),
         "hanging": _change(page, "weight: hanging, tip down"),
         "lying": _change(page, "weight: lying, film down"),
+        **contact_facts(page),
         "clamp": _change(page, "clamp: 5 mm held all around"),
         "walls": _change(page, "walls: 6.7 mm"),
         "mesh": max(abs(_change(page, mesh, each)) for each in (20.0, 30.0, 34.0)),
@@ -97,6 +107,16 @@ def decides_facts(page: Page) -> dict[str, float]:
         "same_low": min(same),
         "same_high": max(same),
         "beyond": turns["law: Yeoh, tests up to stretch 2"],
+    }
+
+
+def contact_facts(page: Page) -> dict[str, float]:
+    """Numbers of the table and of walls that may touch."""
+    down = from_zero(page.of(free(5, "contact: lying on a table, film down")))
+    return {
+        "table_down": max(abs(angle_at(*down, each)) for each in (20.0, 30.0, 34.0)),
+        "table_up": _change(page, "contact: lying on a table, film up"),
+        "touching": max(abs(_change(page, "contact: walls may touch each other", each)) for each in (20.0, 30.0, 34.0)),
     }
 
 
@@ -121,5 +141,9 @@ def blocked_facts(page: Page) -> dict[str, float | str]:
         "blocked_gap_38": at("contact: plate 5 mm below", 38.0),
         "blocked_aim_38": float(np.interp(38.0, aim["pressure"], aim["force"])),
         "blocked_clamp": at("clamp: end face only"),
+        **{f"blocked_{name}_off": 100 * (at(varied) / at("as stated") - 1) for name, varied in BLOCKED_NAMES.items()},
         "blocked_turn": " and ".join(turns),
+        "blocked_heavy": at(HEAVY),
+        **{f"rest{each}_got": rest_force(page.of(blocked(each, HEAVY))) for each in (5, 7)},
+        **{f"rest{each}": measured_rest_force(each) for each in (5, 7)},
     }
