@@ -66,16 +66,16 @@ def model_of(chambers: int, given: Mapping[str, Any]) -> tg.Model:
     materials: dict[str, Any] = {"body": replace(rubber, law=scaled(rubber.law, given["factor"]))}
     if given["form"] != "none":
         materials[LAYER] = layer(given)
-    contact = tg.Contact(given["touches_itself"], table(mesh, given["table"]))
+    contact = tg.Contact(given["touches_itself"], table_under(given["table"], mesh.points))
     return tg.Model(mesh, materials, [tg.Fixed("fixed")], [], contact=contact)
 
 
-def table(mesh: tg.Mesh, under: str) -> list[tg.obstacles.Obstacle]:
+def table_under(under: str, points: np.ndarray) -> list[tg.obstacles.Obstacle]:
     """A rigid table without friction, under the ``"film"`` or under the ``"top"``, which then lies upside down."""
     if under == "none":
         return []
     up, down = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
-    place, normal = {"film": (0.0, up), "top": (float(mesh.points[:, 2].max()), down)}[under]
+    place, normal = {"film": (0.0, up), "top": (float(points[:, 2].max()), down)}[under]
     plane = tg.obstacles.Plane(point=(0.0, 0.0, place), normal=normal)
     return [tg.obstacles.Obstacle(name="table", shape=plane)]
 

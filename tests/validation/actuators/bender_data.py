@@ -1,5 +1,7 @@
 """The measured bending actuators of Moseley et al. 2016, and what is read off measured and computed curves alike."""
 
+import re
+
 import numpy as np
 from bender import LINE, angles
 from ecoflex import FOLDER
@@ -79,6 +81,12 @@ def rest_force(response: tg.Response) -> float:
     """Blocked force of the weight alone [N]."""
     pressure = response.column("pressure")
     return float(response.column("blocked_force")[pressure <= 0][-1] / N)
+
+
+def slip(response: tg.Response) -> float:
+    """Pressure [kPa] at which a path slips or snaps to another equilibrium first; inf if nowhere."""
+    found = re.search(r"On the way to ([0-9.e+]+) kPa", response.message)
+    return float(found[1]) if found else float("inf")
 
 
 def measured_rest_force(chambers: int) -> float:

@@ -51,9 +51,12 @@ BLOCKED: dict[str, dict[str, Any]] = {
     "weight: towards the plate": {"gravity": DOWN},
     "weight: towards the plate, 2 mm below": {"gravity": DOWN, "plate_mm": 2.0},
     "weight: towards the plate, 5 mm below": {"gravity": DOWN, "plate_mm": 5.0},
+    "weight: towards the plate, 10 mm below": {"gravity": DOWN, "plate_mm": 10.0},
 }
 #: Tells what the cell would show at rest.
 HEAVY = "weight: towards the plate"
+#: Variations of the blocked force, by the number of chambers.
+BLOCKED_OF = {5: tuple(BLOCKED), 7: ("as stated", HEAVY, f"{HEAVY}, 5 mm below", f"{HEAVY}, 10 mm below")}
 #: Blind laws that are drawn for each actuator.
 ALONE = "law: Yeoh, dumb-bell alone"
 BLIND_BENDERS = {5: ("as stated", "law: Gent", "law: Ogden, two terms", ALONE), 7: ("as stated", ALONE)}
@@ -77,8 +80,7 @@ def whole() -> Run:
 def bender_runs() -> list[Run]:
     """All runs of the bending actuators."""
     found = [free(5, name) for name in VARIATIONS] + [free(7, name) for name in BLIND_BENDERS[7]]
-    found += [blocked(5, name) for name in BLOCKED] + [blocked(7, name) for name in ("as stated", HEAVY)]
-    return [*found, whole()]
+    return [*found, *(blocked(chambers, name) for chambers in CHAMBERS for name in BLOCKED_OF[chambers]), whole()]
 
 
 def blocked(chambers: int, name: str) -> Run:
