@@ -28,7 +28,7 @@ STATED: Mapping[str, Any] = {
     "law": "yeoh", "upto": WHOLE, "zero": "authors", "tests": "both", "factor": 1.0,
     "modulus_MPa": 4100.0, "thickness_mm": 0.5, "form": "wrinkles",
     "wall_mm": 7.0, "floor_mm": 0.5, "clamp_mm": 0.0, "friction": 0.0, "gravity": "none",
-    "plate_mm": 0.0, "size_mm": 7.0, "picture": False,
+    "plate_mm": 0.0, "table": "none", "touches_itself": None, "size_mm": 7.0, "picture": False,
 }  # fmt: skip
 
 
@@ -66,7 +66,18 @@ def model_of(chambers: int, given: Mapping[str, Any]) -> tg.Model:
     materials: dict[str, Any] = {"body": replace(rubber, law=scaled(rubber.law, given["factor"]))}
     if given["form"] != "none":
         materials[LAYER] = layer(given)
-    return tg.Model(mesh, materials, [tg.Fixed("fixed")], [])
+    contact = tg.Contact(given["touches_itself"], table_under(given["table"], mesh.points))
+    return tg.Model(mesh, materials, [tg.Fixed("fixed")], [], contact=contact)
+
+
+def table_under(under: str, points: np.ndarray) -> list[tg.obstacles.Obstacle]:
+    """A rigid table without friction, under the ``"film"`` or under the ``"top"``, which then lies upside down."""
+    if under == "none":
+        return []
+    up, down = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
+    place, normal = {"film": (0.0, up), "top": (float(points[:, 2].max()), down)}[under]
+    plane = tg.obstacles.Plane(point=(0.0, 0.0, place), normal=normal)
+    return [tg.obstacles.Obstacle(name="table", shape=plane)]
 
 
 def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Computed:
@@ -74,13 +85,8 @@ def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Co
     given = {**STATED, **how}
     model = model_of(chambers, given)
     air, at = tg.Pressure("cavity", top_kPa * kPa), tuple(each / top_kPa for each in READ if each < top_kPa)
-    if given["gravity"] == "none":
-        solution = tg.solve(replace(model, loads=[air]), tg.Auto(past=past, at=at), throw=False)
-    else:
-        weight = tg.Stage("weight", loads=[tg.Gravity(given["gravity"])])
-        solution = tg.solve(
-            model, tg.Stages([weight, tg.Stage("pressure", tg.Static(at=at), loads=[air])]), throw=False
-        )
+    procedure = tg.Auto(past=past, at=at) if given["gravity"] == "none" else tg.Static(at=at)
+    solution = _solved(model, air, procedure, given["gravity"])
     length, height = float(model.mesh.points[:, 0].max()), float(model.mesh.points[:, 2].max())
     points = {"base_bottom": (0.0, 0.0, 0.0), "base_top": (0.0, 0.0, height), "tip_bottom": (length, 0.0, 0.0),
               "tip_middle": (length, 0.0, height / 2), "tip_top": (length, 0.0, height)}  # fmt: skip
@@ -92,20 +98,26 @@ def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Co
     return Computed(response=response, picture=_drawn(solution, given))
 
 
+def _solved(model: tg.Model, air: tg.Pressure, procedure: Any, gravity: Any) -> tg.Solution:
+    """The path of the pressure, after the weight where there is one."""
+    if gravity == "none":
+        return tg.solve(replace(model, loads=[air]), procedure, throw=False)
+    weight = tg.Stage("weight", loads=[tg.Gravity(gravity)])
+    return tg.solve(model, tg.Stages([weight, tg.Stage("pressure", procedure, loads=[air])]), throw=False)
+
+
 def _drawn(solution: tg.Solution, given: Mapping[str, Any]) -> bytes:
     """Picture of the last state, where one is wanted."""
     return tg.picture(solution, width=900).png if given["picture"] else b""
 
 
 def pushes(chambers: int, top_kPa: float, how: dict[str, Any]) -> Computed:
-    """Blocked force: the tip on a plate that is level with the film, the clamped end held all around."""
+    """Blocked force: the tip on a plate level with the film or below it, the clamped end held all around."""
     given = {**STATED, "clamp_mm": 5.0, **how}
-    model = replace(model_of(chambers, given), loads=[tg.Pressure("cavity", top_kPa * kPa)])
-    blocked = tg.setups.blocked_force(
-        model, direction="-z", friction=given["friction"], distance=given["plate_mm"] * mm
-    )
+    plate = {"friction": given["friction"], "distance": given["plate_mm"] * mm}
+    blocked = tg.setups.blocked_force(model_of(chambers, given), direction="-z", **plate)
     at = tuple(each / top_kPa for each in READ if each < top_kPa)
-    solution = tg.solve(blocked, tg.Static(at=at), throw=False)
+    solution = _solved(blocked, tg.Pressure("cavity", top_kPa * kPa), tg.Static(at=at), given["gravity"])
     found = tg.measure(solution, mesh_error=False)
     columns = tuple(map(found.find, ("pressure", "blocked_force")))
     return Computed(response=tg.Response(columns=columns, source=SOURCE, message=solution.message))

@@ -1,5 +1,7 @@
 """The measured bending actuators of Moseley et al. 2016, and what is read off measured and computed curves alike."""
 
+import re
+
 import numpy as np
 from bender import LINE, angles
 from ecoflex import FOLDER
@@ -69,8 +71,27 @@ def soft_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> float:
 
 
 def forces(response: tg.Response) -> tuple[np.ndarray, np.ndarray]:
-    """Pressure [kPa] and blocked force [N]."""
-    return response.column("pressure") / kPa, response.column("blocked_force") / N
+    """Pressure [kPa] and blocked force less that of the weight alone [N]."""
+    pressure, force = response.column("pressure") / kPa, response.column("blocked_force") / N
+    rest = int(np.flatnonzero(pressure <= 0)[-1])
+    return pressure[rest:], force[rest:] - force[rest]
+
+
+def rest_force(response: tg.Response) -> float:
+    """Blocked force of the weight alone [N]."""
+    pressure = response.column("pressure")
+    return float(response.column("blocked_force")[pressure <= 0][-1] / N)
+
+
+def slip(response: tg.Response) -> float:
+    """Pressure [kPa] at which a path slips or snaps to another equilibrium first; inf if nowhere."""
+    found = re.search(r"On the way to ([0-9.e+]+) kPa", response.message)
+    return float(found[1]) if found else float("inf")
+
+
+def measured_rest_force(chambers: int) -> float:
+    """What the cell shows before the first step [N]."""
+    return float(numbers(FOLDER / f"actuator_c{chambers}-w7_blocked_force_steps.csv")["preceding_rest_force_N"][0])
 
 
 def blocked_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> tuple[float, float]:

@@ -10,6 +10,8 @@ from turgor.study.runs import Run
 #: Highest pressure [kPa], and how far beyond a limit point the cavity may grow, of the whole curves and of variations.
 WHOLE_CURVE, VARIED = (46.0, 8.0), (46.0, 1.2)
 CHAMBERS = (5, 7)
+#: Where gravity points: the film lies at the bottom, or at the top of an actuator that is turned over.
+DOWN, UP = [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]
 #: What differs from `bender.STATED`, in words, with the group it belongs to.
 VARIATIONS: dict[str, tuple[str, dict[str, Any]]] = {
     "as stated": ("", {}),
@@ -30,22 +32,41 @@ VARIATIONS: dict[str, tuple[str, dict[str, Any]]] = {
     "law: Yeoh, dumb-bell alone": ("law", {"tests": "dumb-bell"}),
     "clamp: 5 mm held all around": ("clamp", {"clamp_mm": 5.0}),
     "weight: hanging, tip down": ("weight", {"gravity": [1.0, 0.0, 0.0]}),
-    "weight: lying, film down": ("weight", {"gravity": [0.0, 0.0, -1.0]}),
+    "weight: lying, film down": ("weight", {"gravity": DOWN}),
+    "contact: lying on a table, film down": ("contact", {"gravity": DOWN, "table": "film"}),
+    "contact: lying on a table, film up": ("contact", {"gravity": UP, "table": "top"}),
+    "contact: walls may touch each other": ("contact", {"touches_itself": True}),
     "walls: 6.7 mm": ("walls", {"wall_mm": 6.7}),
 }
 #: Of the blocked force.
 BLOCKED: dict[str, dict[str, Any]] = {
     "as stated": {},
+    "mesh: cells of 2.5 mm": {"size_mm": 2.5},
+    "film: stiffness / 100": {"modulus_MPa": 41.0},
+    "law: Yeoh, dumb-bell alone": {"tests": "dumb-bell"},
     "clamp: end face only": {"clamp_mm": 0.0},
+    "contact: friction of 0.3 on the plate": {"friction": 0.3},
     "contact: plate 5 mm below": {"plate_mm": 5.0},
+    "contact: plate 5 mm below, law: dumb-bell alone": {"plate_mm": 5.0, "tests": "dumb-bell"},
+    "weight: towards the plate": {"gravity": DOWN},
+    "weight: towards the plate, 2 mm below": {"gravity": DOWN, "plate_mm": 2.0},
+    "weight: towards the plate, 5 mm below": {"gravity": DOWN, "plate_mm": 5.0},
+    "weight: towards the plate, 10 mm below": {"gravity": DOWN, "plate_mm": 10.0},
 }
+#: Tells what the cell would show at rest.
+HEAVY = "weight: towards the plate"
+#: Variations of the blocked force, by the number of chambers.
+BLOCKED_OF = {5: tuple(BLOCKED), 7: ("as stated", HEAVY, f"{HEAVY}, 5 mm below", f"{HEAVY}, 10 mm below")}
 #: Blind laws that are drawn for each actuator.
 ALONE = "law: Yeoh, dumb-bell alone"
-BLIND_BENDERS = {5: ("as stated", "law: Gent", "law: Ogden, two terms", ALONE), 7: ("as stated",)}
+BLIND_BENDERS = {5: ("as stated", "law: Gent", "law: Ogden, two terms", ALONE), 7: ("as stated", ALONE)}
+#: What ends earlier than `VARIED`, because the rest of its path takes many minutes.
+SHORTER = {(7, ALONE): (36.0, 1.2)}
 
 
-def free(chambers: int, name: str, reach: tuple[float, float] = VARIED) -> Run:
+def free(chambers: int, name: str) -> Run:
     """Free bending with one thing varied."""
+    reach = SHORTER.get((chambers, name), VARIED)
     values = {"chambers": chambers, "top_kPa": reach[0], "past": reach[1], "how": VARIATIONS[name][1]}
     return Run(name=f"free c{chambers}, {name}", function=bends, values=values)
 
@@ -59,7 +80,7 @@ def whole() -> Run:
 def bender_runs() -> list[Run]:
     """All runs of the bending actuators."""
     found = [free(5, name) for name in VARIATIONS] + [free(7, name) for name in BLIND_BENDERS[7]]
-    return [*found, *(blocked(5, name) for name in BLOCKED), blocked(7, "as stated"), whole()]
+    return [*found, *(blocked(chambers, name) for chambers in CHAMBERS for name in BLOCKED_OF[chambers]), whole()]
 
 
 def blocked(chambers: int, name: str) -> Run:

@@ -83,7 +83,8 @@ def _figure(page: Page) -> str:
         if chambers == 7:
             again = repeated_free()
             where.plot(again["pressure"], again["angle"], "s", ms=4, mfc="none", color="black", label="measured, steps")
-        for color, name in zip(COLORS, BLIND_BENDERS[chambers], strict=False):
+        for name in BLIND_BENDERS[chambers]:
+            color = COLORS[BLIND_BENDERS[5].index(name)]
             pressure, angle = from_zero(page.of(_longest(chambers, name)))
             where.plot(pressure, angle, "--", color=color, lw=1.2, label=_said(name))
         pressure, angle = calibrated(page, _longest(chambers, "as stated"))

@@ -3,10 +3,12 @@
 from typing import Any
 
 import numpy as np
-from bender_data import blocked_distance, forces, measured_blocked
+from bender_data import blocked_distance, forces, measured_blocked, measured_rest_force, rest_force, slip
 from bender_facts import blocked_facts
-from measured_runs import BLOCKED, blocked
+from measured_runs import BLOCKED_OF, blocked
 from page_parts import COLORS, Page, lines_of, new_figure, number, percent, save
+
+import turgor as tg
 
 #: Pressures [kPa] in the tables.
 AT = (20.0, 30.0, 35.0, 38.0)
@@ -17,7 +19,8 @@ def part(page: Page) -> dict[str, Any]:
     return {
         "blocked_figure": _figure(page),
         "blocked": _table(page),
-        "blocked_decides": _decides(page),
+        "blocked_decides": _decides(page, 5),
+        "blocked_decides7": _decides(page, 7),
         **blocked_facts(page),
     }
 
@@ -59,9 +62,22 @@ def _values(curve: tuple[np.ndarray, np.ndarray]) -> list[str]:
     return [number(float(np.interp(each, *curve, right=np.nan)), 3) for each in AT]
 
 
-def _decides(page: Page) -> str:
-    """The force of each variation, 5 chambers."""
-    rows = [[name, *_values(forces(page.of(blocked(5, name))))] for name in BLOCKED]
-    data = measured_blocked(5)
-    rows.append(["**measured**", *(number(np.interp(each, data["pressure"], data["force"]), 3) for each in AT)])
-    return lines_of(["", *(f"{each:.0f} kPa [N]" for each in AT)], rows)
+def _decides(page: Page, chambers: int) -> str:
+    """The force of the weight alone and, less that, of each variation."""
+    found = {name: page.of(blocked(chambers, name)) for name in BLOCKED_OF[chambers]}
+    rows = [[name, _rest(name, each), *_marked(each)] for name, each in found.items()]
+    data = measured_blocked(chambers)
+    values = [number(np.interp(each, data["pressure"], data["force"]), 3) for each in AT]
+    rows.append(["**measured**", number(measured_rest_force(chambers), 3), *values])
+    return lines_of(["", "at rest [N]", *(f"{each:.0f} kPa [N]" for each in AT)], rows)
+
+
+def _marked(response: tg.Response) -> list[str]:
+    """The forces, with a mark on those of another equilibrium, to which the path has slipped."""
+    values = zip(AT, _values(forces(response)), strict=True)
+    return [f"{value} (after a slip)" if each >= slip(response) else value for each, value in values]
+
+
+def _rest(name: str, response: tg.Response) -> str:
+    """The force of the weight alone, where there is a weight."""
+    return number(rest_force(response), 3) if name.startswith("weight") else "no weight"

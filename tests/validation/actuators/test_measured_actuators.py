@@ -6,7 +6,7 @@ fail only where a distance differs from the recorded one by more than two points
 
 import numpy as np
 import pytest
-from bender import LINE, STATED, actuator, angles, bends
+from bender import LINE, STATED, actuator, angles, bends, table_under
 from bender_data import (
     angle_at,
     blocked_distance,
@@ -14,7 +14,10 @@ from bender_data import (
     from_zero,
     measured_blocked,
     measured_free,
+    measured_rest_force,
     pressure_at,
+    rest_force,
+    slip,
     soft_distance,
 )
 from cantilever import RECORDS, lifted, measured, sinks
@@ -22,14 +25,14 @@ from cantilever import runs as cantilever_runs
 from ecoflex import fitted, scaled
 from inflated import WEIGHTS, bands, pressures_at
 from inflated import measured as measured_membrane
-from measured_runs import blocked, free
+from measured_runs import ALONE, blocked, free
 from measured_runs import lifted as membrane_run
 from measured_tables import distance, table
 from page_parts import DOCS, RECORDED, percent
 
 import turgor as tg
 from turgor.response import Column
-from turgor.units import deg, kPa, mm
+from turgor.units import N, deg, kPa, mm
 
 DRIFT = 0.02
 
@@ -90,6 +93,33 @@ def test_angle_of_a_line_and_where_it_is_reached():
     assert np.isnan(angle_at(pressure, angle, 25.0))
 
 
+def test_force_less_that_of_the_weight():
+    pressure, force = np.array([0.0, 0.0, 0.0, 10.0, 20.0]) * kPa, np.array([0.0, 0.03, 0.06, 0.09, 0.16]) * N
+    columns = (Column("pressure", "kPa", pressure), Column("blocked_force", "N", force))
+    response = tg.Response(columns=columns, source=tg.laws.Source(text="made up"))
+    assert rest_force(response) == pytest.approx(0.06)
+    np.testing.assert_allclose(forces(response), [[0, 10, 20], [0, 0.03, 0.10]], atol=1e-12)
+    assert [measured_rest_force(each) for each in (5, 7)] == pytest.approx([0.0599, 0.0196], abs=1e-4)
+
+
+def test_where_a_path_slips():
+    said = "Reached 38 kPa. On the way to 37.59 kPa (load factor 0.9891) it slipped or snapped to another equilibrium."
+    source = tg.laws.Source(text="made up")
+    columns = (Column("pressure", "kPa", np.array([0.0])),)
+    assert slip(tg.Response(columns=columns, source=source, message=said)) == 37.59
+    assert slip(tg.Response(columns=columns, source=source, message="Reached 38 kPa.")) == np.inf
+
+
+def test_tables_touch_the_actuator_at_rest():
+    points = np.array([[0, 0, 0], [52, 0, 0], [0, 11, 0], [0, 0, 15.5]]) * mm
+    assert table_under("none", points) == []
+    for under, place, side in (("film", 0.0, 1.0), ("top", 15.5 * mm, -1.0)):
+        (found,) = table_under(under, points)
+        assert found.shape.normal == (0.0, 0.0, side)
+        assert found.shape.point == (0.0, 0.0, pytest.approx(place))
+        assert found.friction == 0
+
+
 def test_membranes_and_their_rings():
     data = measured_membrane("membrane_01", WEIGHTS[2])
     assert data["pressure"][0] > data["pressure"].min() + 0.2, "it falls: a limit point"
@@ -132,10 +162,14 @@ def test_membrane_is_as_far_off_as_recorded():
 
 
 @pytest.mark.slow
-def test_bender_is_as_far_off_as_recorded():
-    run = free(5, "as stated")
-    found = soft_distance(from_zero(run.function(**run.values).response), 5)
-    assert found == pytest.approx(recorded("free bending, 5 chambers", "blind, Yeoh"), abs=DRIFT)
+@pytest.mark.parametrize(
+    ("chambers", "name", "said"),
+    [(5, "as stated", "blind, Yeoh"), (7, ALONE, "afterwards, Yeoh, dumb-bell alone")],
+)
+def test_bender_is_as_far_off_as_recorded(chambers, name, said):
+    run = free(chambers, name)
+    found = soft_distance(from_zero(run.function(**run.values).response), chambers)
+    assert found == pytest.approx(recorded(f"free bending, {chambers} chambers", said), abs=DRIFT)
 
 
 @pytest.mark.slow
