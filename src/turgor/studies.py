@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from turgor.study.runs import Run as Run
     from turgor.uncertainty.band import Band as Band
     from turgor.uncertainty.band import Uncertainty as Uncertainty
+    from turgor.uncertainty.cases import Case as Case
+    from turgor.uncertainty.cases import library_alternatives as library_alternatives
     from turgor.uncertainty.figure import uncertainty_figure as uncertainty_figure
     from turgor.uncertainty.plan import Computation as Computation
     from turgor.uncertainty.propagate import propagate as propagate
