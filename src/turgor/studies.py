@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from turgor.study.run_all import run_all as run_all
     from turgor.study.runs import Computed as Computed
     from turgor.study.runs import Run as Run
+    from turgor.study.workspaces import WorkspaceRuns as WorkspaceRuns
+    from turgor.study.workspaces import workspace_of as workspace_of
     from turgor.uncertainty.band import Band as Band
     from turgor.uncertainty.band import Uncertainty as Uncertainty
     from turgor.uncertainty.cases import Case as Case

@@ -179,7 +179,9 @@ def read_number(text: str, number: JobNumber, where: str) -> float:
         raise TurgorError(f"{where}: '{text.strip()}' is not a number.") from None
 
 
-def solved_job(job: str, digest: str, numbers: Mapping[str, float | str], mesh_error: bool = False) -> Response:
+def solved_job(
+    job: str, digest: str, numbers: Mapping[str, float | str], mesh_error: bool = False, measures: Sequence[str] = ()
+) -> Response:
     """Solve a job with other numbers and measure it, with one thread; `Run` and others call it in other processes.
 
     Parameters
@@ -193,6 +195,8 @@ def solved_job(job: str, digest: str, numbers: Mapping[str, float | str], mesh_e
         such as ``"materials.body"``, have a record of the library: ``"ecoflex-00-30/yeoh-steck-2019"``.
     mesh_error : bool
         Whether the mesh error is estimated, which takes up to half the time of the solve.
+    measures : sequence of str
+        What is measured; by default what the job asks for.
 
     Returns
     -------
@@ -212,7 +216,7 @@ def solved_job(job: str, digest: str, numbers: Mapping[str, float | str], mesh_e
     options = EngineOptions(threads=1)
     solution = solve(model, asked.procedure, options=options, throw=False)
     estimated = mesh_error and len(solution.states) > 1
-    response = measure(solution, *asked.output.chosen(), mesh_error=estimated, options=options)
+    response = measure(solution, *(measures or asked.output.chosen()), mesh_error=estimated, options=options)
     message = "" if solution.complete else f"{solution.message} {solution.advice}".strip()
     return replace(response, message=message)
 

@@ -85,7 +85,7 @@ def library_alternatives(
     >>> found.sets[0]
     {'record': 'neo-hooke-polygerinos-2020'}
     >>> library_alternatives("record", "elastosil-m4601").doubts[-1]
-    ('M07', 'M04')
+    ('M07',)
     """
     doubts = {each.name: doubt_codes(each) for each in records(library)}
     if nominal is not None and nominal not in doubts:

@@ -35,7 +35,8 @@ def read_records(
     Raises
     ------
     TurgorError
-        If a key is unknown, its material is not from the library, or its rubber has one record only, or a constant has a spread too.
+        If a key is unknown, its material is not from the library, its rubber has one record only, or a constant has a
+        spread too.
     """
     found: list[Input] = [*others]
     for text in texts:
