@@ -11,6 +11,7 @@ from typing import Any
 
 from turgor.errors import TurgorError, unknown
 from turgor.job.job import Job
+from turgor.model.loads import Pressure
 from turgor.response import Response
 from turgor.results.measures.shape.workspaces import COLUMNS, Workspace, workspace
 from turgor.store.whole import whole
@@ -83,7 +84,8 @@ def workspace_of(
         and returns a `Response` with ``tip_displacement_x``, ``tip_displacement_y`` and ``tip_displacement_z``.
     pressures : mapping of str to sequence of float [Pa]
         Pressures of each cavity, such as ``{"cavity_1": [0, 10 * kPa], "cavity_2": [0, 10 * kPa]}``. Cavities of a job
-        that are not named keep the pressure of the job.
+        that are not named keep the pressure of the job. A combination at which nothing loads a job is not computed:
+        every path begins at rest.
     evaluations : Evaluations, optional
         Where runs are computed and kept, such as `turgor.studies.kept_in`; by default in this process, without files.
 
@@ -119,6 +121,10 @@ def workspace_of(
         {name: rounded(value) for name, value in zip(pressures, values, strict=True)}
         for values in product(*pressures.values())
     )
+    if isinstance(model, Job):
+        combinations = tuple(each for each in combinations if _is_loaded(model, each))
+        if not combinations:
+            raise TurgorError("nothing drives the job: all pressures are zero.")
     computed = evaluations or Evaluations()
     if not isinstance(model, Job):
         ended = computed.of([Run(name=_told(each), function=model, values=each) for each in combinations])
@@ -146,6 +152,12 @@ def _job_runs(job: Job, file: Path, combinations: Sequence[Mapping[str, float]])
         )
         for each in combinations
     ]  # fmt: skip
+
+
+def _is_loaded(job: Job, pressures: Mapping[str, float]) -> bool:
+    """Whether anything drives the job: the state of rest needs no run, and every path begins there."""
+    others = [load for load in job.loads if not (isinstance(load, Pressure) and load.face in pressures)]
+    return any(pressures.values()) or any(not isinstance(load, Pressure) or load.pressure for load in others)
 
 
 def _gathered(combinations: tuple[Mapping[str, float], ...], ended: Sequence[Ended]) -> WorkspaceRuns:

@@ -69,3 +69,49 @@ def test_mistakes_are_answered():
         tg.studies.workspace_of(beam, {"cavity_1": [60 * kPa], "cavity_2": [0.0]})
     with pytest.raises(TurgorError, match="on a line"):
         tg.studies.workspace_of(beam, {"cavity_1": [0, 10 * kPa], "cavity_2": [0]})
+
+
+JOB = """
+[actuator]
+type = "bidirectional_bender"
+
+[mesh]
+size = "12 mm"
+wall_cells = 1
+
+[materials]
+body = { library = "elastosil-m4601", record = "neo-hooke-polygerinos-2020" }
+strain_limiting_layer = { library = "paper", record = "hooke-polygerinos-2020", thickness = "0.1 mm" }
+
+[loads]
+pressure = "20 kPa"
+"""
+
+
+@pytest.fixture
+def bender(tmp_path):
+    (tmp_path / "bender.toml").write_text(JOB, encoding="utf-8")
+    return tg.jobs.read_job(tmp_path / "bender.toml")
+
+
+def test_a_cavity_that_the_job_lacks(bender):
+    with pytest.raises(TurgorError, match="unknown cavity with a pressure 'cavity_3'"):
+        tg.studies.workspace_of(bender, {"cavity_3": [1e3]})
+    with pytest.raises(TurgorError, match="nothing drives the job"):
+        tg.studies.workspace_of(bender, {"cavity_1": [0.0], "cavity_2": [0.0]})
+
+
+@pytest.mark.slow
+def test_a_bender_to_both_sides(bender, tmp_path):
+    """One cavity bends it down, the other one up by the same, but for its mesh; both together hardly bend it."""
+    kept = tg.studies.kept_in(tmp_path / "runs")
+    values = [0, 20 * kPa]
+    found = tg.studies.workspace_of(bender, {"cavity_1": values, "cavity_2": values}, evaluations=kept)
+    assert found.problems == ()
+    assert len(found.ended) == 3  # rest takes no run
+    up, down, both = (each.found.response["tip_displacement_z"][-1] for each in found.ended)
+    assert up > 1 * mm
+    assert down == pytest.approx(-up, rel=0.1)
+    assert abs(both) < 0.1 * up
+    assert found.reached.flat
+    assert found.reached.area > 0
