@@ -3,6 +3,7 @@
 import csv
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
@@ -136,9 +137,9 @@ def told_cases(cases: Sequence[Case], values: Mapping[str, Sequence[float]], sho
         sound = [number for number in ran if not cases[number].doubts]
         sentences.append(f"{label}: {len(group)} records, {len(ran)} of them in the band.")
         for name, column in values.items():
-            text = f"{name.replace('_', ' ')}: {_range(cases, ran, column, lambda x, y=name: shown(y, x))}"
+            text = f"{name.replace('_', ' ')}: {_range(cases, ran, column, partial(shown, name))}"
             if len(sound) < len(ran):
-                without = _range(cases, sound, column, lambda x, y=name: shown(y, x)) if sound else "none is left"
+                without = _range(cases, sound, column, partial(shown, name)) if sound else "none is left"
                 text += f"; without the {len(ran) - len(sound)} doubtful: {without}"
             sentences.append(f"{text}.")
         doubtful = [str(cases[number]) for number in group if cases[number].doubts]
