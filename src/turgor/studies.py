@@ -17,8 +17,12 @@ if TYPE_CHECKING:
     from turgor.study.run_all import run_all as run_all
     from turgor.study.runs import Computed as Computed
     from turgor.study.runs import Run as Run
+    from turgor.study.workspaces import WorkspaceRuns as WorkspaceRuns
+    from turgor.study.workspaces import workspace_of as workspace_of
     from turgor.uncertainty.band import Band as Band
     from turgor.uncertainty.band import Uncertainty as Uncertainty
+    from turgor.uncertainty.cases import Case as Case
+    from turgor.uncertainty.cases import library_alternatives as library_alternatives
     from turgor.uncertainty.figure import uncertainty_figure as uncertainty_figure
     from turgor.uncertainty.plan import Computation as Computation
     from turgor.uncertainty.propagate import propagate as propagate

@@ -22,6 +22,9 @@ from turgor.units import UNITS, parse_quantity, split_quantity
 #: Sections of a job whose numbers are no quantities of the actuator.
 _LEFT_OUT = ("written_by", "output", "engine", "name")
 
+#: Keys of a material that stay when it gets another record.
+_OF_THE_JOB = ("density", "viscoelasticity", "stress_softening", "thickness", "form", "compression")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JobNumber:
@@ -176,7 +179,9 @@ def read_number(text: str, number: JobNumber, where: str) -> float:
         raise TurgorError(f"{where}: '{text.strip()}' is not a number.") from None
 
 
-def solved_job(job: str, digest: str, numbers: Mapping[str, float], mesh_error: bool = False) -> Response:
+def solved_job(
+    job: str, digest: str, numbers: Mapping[str, float | str], mesh_error: bool = False, measures: Sequence[str] = ()
+) -> Response:
     """Solve a job with other numbers and measure it, with one thread; `Run` and others call it in other processes.
 
     Parameters
@@ -185,10 +190,13 @@ def solved_job(job: str, digest: str, numbers: Mapping[str, float], mesh_error: 
         A file of `write_whole_job`.
     digest : str
         `digest_of` the file, so that runs of another job are not taken for those of this one.
-    numbers : mapping of str to float
-        Numbers by key, in SI units; several keys with commas between them have one number.
+    numbers : mapping of str to float or str
+        Numbers by key, in SI units; several keys with commas between them have one number. The keys of a material,
+        such as ``"materials.body"``, have a record of the library: ``"ecoflex-00-30/yeoh-steck-2019"``.
     mesh_error : bool
         Whether the mesh error is estimated, which takes up to half the time of the solve.
+    measures : sequence of str
+        What is measured; by default what the job asks for.
 
     Returns
     -------
@@ -201,12 +209,14 @@ def solved_job(job: str, digest: str, numbers: Mapping[str, float], mesh_error: 
         If the job cannot be read, meshed or held with these numbers.
     """
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
-    asked = read_job(job, changes_of(content, numbers))
+    records = {keys: value for keys, value in numbers.items() if isinstance(value, str)}
+    single = {keys: value for keys, value in numbers.items() if not isinstance(value, str)}
+    asked = read_job(job, changes_of(content, single) | record_changes(content, records))
     model, _ = prepare(asked)
     options = EngineOptions(threads=1)
     solution = solve(model, asked.procedure, options=options, throw=False)
     estimated = mesh_error and len(solution.states) > 1
-    response = measure(solution, *asked.output.chosen(), mesh_error=estimated, options=options)
+    response = measure(solution, *(measures or asked.output.chosen()), mesh_error=estimated, options=options)
     message = "" if solution.complete else f"{solution.message} {solution.advice}".strip()
     return replace(response, message=message)
 
@@ -260,6 +270,38 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict
             changes.setdefault(above, list(there))[int(last) - 1] = value
         else:
             changes[key] = value
+    return changes
+
+
+def record_changes(content: Mapping[str, Any], records: Mapping[str, str]) -> dict[str, Any]:
+    """Return changes for `read_job` that give materials other records of the library.
+
+    Density, behavior in time and thickness stay those of the job.
+
+    Parameters
+    ----------
+    content : mapping
+        Of the job file.
+    records : mapping of str to str
+        Rubber and record with a slash between them, by the keys of the materials.
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> job = {"materials": {"body": {"law": "neo_hooke", "C10": "1 kPa", "density": "1070 kg/m³"}}}
+    >>> record_changes(job, {"materials.body": "ecoflex-00-30/yeoh-steck-2019"})["materials.body"]["density"]
+    '1070 kg/m³'
+    """
+    changes: dict[str, Any] = {}
+    for keys, value in records.items():
+        library, _, record = value.rpartition("/")
+        for key in keys.split(","):
+            table = _at(content, key.split("."))
+            kept = {name: table[name] for name in _OF_THE_JOB if name in table}
+            changes[key] = {"library": library, "record": record, **kept}
     return changes
 
 

@@ -10,6 +10,7 @@ from turgor.errors import TurgorError, unknown
 from turgor.response import MESH_ERROR, Column, Response
 from turgor.results.measures.headlines import headlines
 from turgor.source import Source
+from turgor.uncertainty.cases import Case, told_cases
 
 Array = NDArray[np.float64]
 
@@ -87,6 +88,8 @@ class Uncertainty:
         largest standard deviation of the column.
     notes : tuple of str
         What was left out, and runs that failed.
+    cases : tuple of Case
+        How each record ran, where alternatives are records.
     """
 
     drive: Column
@@ -95,6 +98,7 @@ class Uncertainty:
     runs: int
     residual: Mapping[str, float]
     notes: tuple[str, ...] = ()
+    cases: tuple[Case, ...] = ()
 
     def __repr__(self) -> str:
         return f"Uncertainty({self.sentence()})"
@@ -145,9 +149,32 @@ class Uncertainty:
         x = f"{here:.4g} {self.drive.unit}".rstrip()
         return f"{band.name.replace('_', ' ')} at {x}: {band.shown(value)} {' '.join(told)}"
 
+    def case_sentences(self, at: float | None = None) -> list[str]:
+        """Return what the records say: the lowest and the highest one of each column, with and without the doubtful.
+
+        Parameters
+        ----------
+        at : float [SI], optional
+            Value of what drives; the last one by default.
+
+        Returns
+        -------
+        list of str
+            Empty where no alternatives are records.
+        """
+        where = float(self.drive.values[-1]) if at is None else at
+        values = {
+            name: [float(np.interp(where, self.drive.values, each.curves[name])) if each.curves else np.nan
+                   for each in self.cases]
+            for name in self.bands
+        }  # fmt: skip
+        return told_cases(self.cases, values, lambda name, value: self.bands[name].shown(value))
+
     def summary(self) -> str:
         """Return the sentence of every column, and how they were computed."""
-        return "\n".join([*(self.sentence(name) for name in self.bands), self.checked(), *self.notes])
+        return "\n".join(
+            [*(self.sentence(name) for name in self.bands), self.checked(), *self.case_sentences(), *self.notes]
+        )
 
     def checked(self) -> str:
         """Return how it was computed, and how well runs that were held out agree."""

@@ -47,10 +47,12 @@ class Computation:
     nominal: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     gather: str = ""
 
-    def run(self, numbers: Mapping[str, float], *, nominal: bool = False) -> Run:
+    def run(self, numbers: Mapping[str, float | str], *, nominal: bool = False) -> Run:
         """Return the run with numbers."""
-        given = {name: rounded(value) for name, value in numbers.items()}
-        shown = ", ".join(f"{name} {value:.5g}" for name, value in given.items())
+        given = {name: value if isinstance(value, str) else rounded(value) for name, value in numbers.items()}
+        shown = ", ".join(
+            f"{name} {value}" if isinstance(value, str) else f"{name} {value:.5g}" for name, value in given.items()
+        )
         keywords: dict[str, Any] = {self.gather: given} if self.gather else given
         more = self.nominal if nominal else {}
         return Run(name=shown, function=self.function, values={**self.values, **more, **keywords})
@@ -66,7 +68,7 @@ class Plan:
     inputs : sequence of Spread or Alternatives
     method : str
         Key of `METHODS`.
-    values : dict of str to float [SI]
+    values : dict of str to float or str [SI]
         Nominal numbers of the function.
     evaluations : Evaluations
     before : int
@@ -78,7 +80,7 @@ class Plan:
     computation: Computation
     inputs: Sequence[Input]
     method: str
-    values: dict[str, float]
+    values: dict[str, float | str]
     evaluations: Evaluations
     before: int
     notes: list[str] = field(default_factory=list)
@@ -157,7 +159,7 @@ class Plan:
         (ended,) = self.evaluations.of([self.computation.run({**self.values, **moved}, nominal=nominal)])
         return ended
 
-    def of_set(self, numbers: Mapping[str, float]) -> Ended:
+    def of_set(self, numbers: Mapping[str, float | str]) -> Ended:
         """Return how the run with a set of numbers ended."""
         values = {**self.values, **numbers}
         same = values == self.values
@@ -167,26 +169,52 @@ class Plan:
     def compute(self) -> None:
         """Compute all runs as one batch, and note those that failed."""
         runs = []
+        told = {
+            self.computation.run({**self.values, **numbers}).key
+            for each in self.sets
+            if each.names
+            for numbers in each.sets
+        }
         for point in self.points():
             moved = {e.name: e.standard[0] + z * e.standard[1] for e, z in zip(self.spreads, point, strict=True)}
             runs.append(self.computation.run({**self.values, **moved}))
         for each in self.sets:
             runs += [self.computation.run({**self.values, **numbers}) for numbers in each.sets[1:]]
         for ended in self.evaluations.of(runs):
-            if ended.found is None:
+            if ended.found is None and ended.run.key not in told:
                 self.notes.append(f"a run failed ({ended.run.name}): {ended.problem}")
 
-    def every(self) -> list[Response]:
-        """Return all responses of runs that did not fail."""
+    def problem_of(self, ended: Ended, nominal: Response, drive: str) -> str:
+        """Return why the run of a set with a name is not part of the bands; empty where it is."""
+        if ended.found is None:
+            return ended.problem.removeprefix("--set: ")
+        end, top = (float(np.nanmax(each.column(drive))) for each in (ended.found.response, nominal))
+        if len(ended.found.response) > 1 and end > top - 1e-6 * abs(top):
+            return ""
+        column = nominal.find(drive)
+        reached, whole = Column(drive, column.unit, np.array([end, top])).in_unit
+        text = f"ends at {reached:.4g} {column.unit} of {whole:.4g} {column.unit}".rstrip()
+        return f"{text}. {ended.found.response.message}".strip()
+
+    def kept_sets(self, group: Alternatives, nominal: Response, drive: str) -> list[Mapping[str, float | str]]:
+        """Return the sets of a group that are part of the bands: of sets with names, those without a problem."""
+        return [
+            numbers
+            for numbers in group.sets
+            if not group.names or not self.problem_of(self.of_set(numbers), nominal, drive)
+        ]
+
+    def every(self, nominal: Response, drive: str) -> list[Response]:
+        """Return all responses that are part of the bands."""
         ended = [self.at(point) for point in self.points()]
-        ended += [self.of_set(numbers) for each in self.sets for numbers in each.sets]
+        ended += [self.of_set(numbers) for each in self.sets for numbers in self.kept_sets(each, nominal, drive)]
         return [each.found.response for each in ended if each.found is not None and len(each.found.response) > 1]
 
     def shared_range(self, nominal: Response, drive: str) -> Array:
         """Return the values of the drive of the nominal run that all runs reach."""
         whole = np.unique(first_branch(nominal, drive)[0].column(drive))
         lows, highs = [whole[0]], [whole[-1]]
-        for each in self.every():
+        for each in self.every(nominal, drive):
             column = first_branch(each, drive)[0].column(drive)
             lows.append(np.nanmin(column))
             highs.append(np.nanmax(column))

@@ -14,6 +14,7 @@ from turgor.study.evaluations import Evaluations
 from turgor.study.run_all import Ended
 from turgor.study.runs import Computed
 from turgor.uncertainty.band import Band, Uncertainty
+from turgor.uncertainty.cases import Case
 from turgor.uncertainty.plan import METHODS, Computation, Plan
 from turgor.uncertainty.spread import Input
 from turgor.uncertainty.surface import NORMAL_95, Surface, check_points, fit_surface, range_of
@@ -93,8 +94,22 @@ def propagate(
     column = nominal.find(drive)
     return Uncertainty(
         drive=Column(drive, column.unit, at), bands=bands, method=plan.told(), runs=plan.count,
-        residual=residual, notes=tuple(plan.notes),
+        residual=residual, notes=tuple(plan.notes), cases=_cases(plan, nominal, drive, at, names),
     )  # fmt: skip
+
+
+def _cases(plan: Plan, nominal: Response, drive: str, at: Array, names: Sequence[str]) -> tuple[Case, ...]:
+    """How the run of each set with a name ended."""
+    cases = []
+    for group in plan.sets:
+        doubts = group.doubts or ((),) * len(group.names)
+        for name, codes, numbers in zip(group.names, doubts, group.sets, strict=bool(group.names)):
+            ended = plan.of_set(numbers)
+            problem = plan.problem_of(ended, nominal, drive)
+            found = ended.found
+            curves = {} if problem or found is None else {y: curve_at(found.response, drive, y, at) for y in names}
+            cases.append(Case(label=group.label, name=name, doubts=codes, problem=problem, curves=curves))
+    return tuple(cases)
 
 
 def _band(plan: Plan, nominal: Response, name: str, drive: str, at: Array) -> tuple[Band, float]:
@@ -106,7 +121,7 @@ def _band(plan: Plan, nominal: Response, name: str, drive: str, at: Array) -> tu
         return curve_at(ended.found.response, drive, name, at)
 
     middle = curve_at(nominal, drive, name, at)
-    surface, tables = _surface(plan, curve, middle), _tables(plan, curve, middle)
+    surface, tables = _surface(plan, curve, middle), _tables(plan, curve, middle, drive)
     slope = np.gradient(middle, at)
     variance = _variance(plan, surface, tables, slope)
     deviation = np.sqrt(sum(variance.values()) + surface.together)
@@ -135,11 +150,13 @@ def _surface(plan: Plan, curve: Curve, middle: Array) -> Surface:
     return fit_surface(lambda point: curve(plan.at(point)), count, quadratic=quadratic, interactions=interactions)
 
 
-def _tables(plan: Plan, curve: Curve, middle: Array) -> list[Array]:
+def _tables(plan: Plan, curve: Curve, middle: Array, drive: str) -> list[Array]:
     """Differences of the sets of each group from the nominal curve."""
     found = []
+    nominal = plan.nominal()
     for group in plan.sets:
-        values = [value for value in (curve(plan.of_set(numbers)) for numbers in group.sets) if value is not None]
+        kept = plan.kept_sets(group, nominal, drive)
+        values = [value for value in (curve(plan.of_set(numbers)) for numbers in kept) if value is not None]
         found.append(np.array(values) - middle)
     return found
 

@@ -65,17 +65,26 @@ class Alternatives:
     Parameters
     ----------
     sets : tuple of mapping of str to float [SI]
-        Two or more, all with the same names; the first one is the nominal one.
+        Two or more, all with the same names; the first one is the nominal one. Names of records are text.
     label : str
         Name in sentences and pictures, such as ``"rubber"``.
+    names : tuple of str
+        Name of each set, such as that of a record. Sets with names are told one by one.
+    doubts : tuple of tuple of str
+        Codes of what is doubtful about each set that has a name.
     """
 
-    sets: tuple[Mapping[str, float], ...]
+    sets: tuple[Mapping[str, float | str], ...]
     label: str
+    names: tuple[str, ...] = ()
+    doubts: tuple[tuple[str, ...], ...] = ()
 
     def __post_init__(self) -> None:
         if len(self.sets) < 2:
             raise TurgorError(f"'{self.label}' has {len(self.sets)} sets of numbers; two or more are needed.")
+        for told in (self.names, self.doubts):
+            if told and len(told) != len(self.sets):
+                raise TurgorError(f"'{self.label}' has {len(self.sets)} sets, but {len(told)} names or doubts of them.")
         for each in self.sets:
             if set(each) != set(self.sets[0]):
                 raise TurgorError(
@@ -86,7 +95,7 @@ class Alternatives:
 Input = Spread | Alternatives
 
 
-def nominal_values(inputs: Sequence[Input], drives: Sequence[str]) -> dict[str, float]:
+def nominal_values(inputs: Sequence[Input], drives: Sequence[str]) -> dict[str, float | str]:
     """Return the nominal value of every number [SI], without those of columns that drive.
 
     Parameters
@@ -97,7 +106,7 @@ def nominal_values(inputs: Sequence[Input], drives: Sequence[str]) -> dict[str, 
 
     Returns
     -------
-    dict of str to float
+    dict of str to float or str
 
     Raises
     ------
@@ -106,16 +115,22 @@ def nominal_values(inputs: Sequence[Input], drives: Sequence[str]) -> dict[str, 
     """
     if not inputs:
         raise TurgorError("nothing has a spread; name one number or more.")
-    values: dict[str, float] = {}
+    values: dict[str, float | str] = {}
     for each in inputs:
-        found = dict(each.sets[0]) if isinstance(each, Alternatives) else {each.name: each.standard[0]}
+        found: Mapping[str, float | str] = (
+            each.sets[0] if isinstance(each, Alternatives) else {each.name: each.standard[0]}
+        )
         for name, value in found.items():
             if name in values:
                 raise TurgorError(f"'{name}' has two spreads; give it one.")
-            if not isfinite(value) and name not in drives:
+            if not _is_known(value) and name not in drives:
                 raise TurgorError(f"spread '{name}' has no mean; give it one.")
             values[name] = value
-    return {name: value for name, value in values.items() if isfinite(value)}
+    return {name: value for name, value in values.items() if _is_known(value)}
+
+
+def _is_known(value: float | str) -> bool:
+    return isinstance(value, str) or isfinite(value)
 
 
 def check_inputs(names: Sequence[str], taken: Sequence[str]) -> None:

@@ -23,6 +23,12 @@ class _Options:
         list[str] | None,
         often("--sets", "LABEL=FILE", "Table of constants that belong together, a line for each specimen or record."),
     ] = None
+    records: Annotated[
+        list[str] | None,
+        often("--records", "KEY", "A material of the job, such as materials.body: all records of its rubber in the "
+              "library, each with a run of its own."),
+    ] = None  # fmt: skip
+    leave_out_doubtful: Annotated[bool, typer.Option(help="Leave out records with a doubt, for --records.")] = False
     method: Annotated[str, typer.Option(help="linear, quadratic or interactions.")] = "linear"
     at: Annotated[str, typer.Option(help="Pressure at which values are told, such as '40 kPa'.")] = ""
     mesh_error: Annotated[bool, typer.Option(help="Estimate the mesh error of the nominal run.")] = True
@@ -46,14 +52,17 @@ def _run(asked: _Options) -> None:
         from turgor.cli.answers.studies import uncertainty_result
         from turgor.results.plots.figures import write_figure
         from turgor.study.job_runs import read_number
+        from turgor.uncertainty.cases import write_cases
         from turgor.uncertainty.figure import uncertainty_figure
         from turgor.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads
+        from turgor.uncertainty.job_records import read_records
         from turgor.uncertainty.propagate import propagate
 
         job = asked_job(asked.job, asked.changes)
         folder = asked.output if asked.output is not None else Path(f"{job.name}-uncertainty")
         base = job_file(job, folder)
         inputs = [*read_spreads(asked.spread or (), base), *read_sets(asked.sets or (), base)]
+        inputs = read_records(asked.records or (), job, inputs, leave_out_doubtful=asked.leave_out_doubtful)
         at = read_number(asked.at, PRESSURE, "--at") if asked.at else None
         found = propagate(
             job_computation(base, mesh_error=asked.mesh_error), inputs, method=asked.method,
@@ -62,8 +71,11 @@ def _run(asked: _Options) -> None:
         sentences = [found.sentence(name, at) for name in found.bands]
         files = [folder / "uncertainty.csv", folder / "uncertainty.png", folder / "uncertainty.txt"]
         found.to_response().to_csv(files[0])
+        if found.cases:
+            files.append(folder / "records.csv")
+            write_cases(found.cases, list(found.bands), files[-1])
         write_figure(files[1], uncertainty_figure(found))
-        text = "\n".join([*sentences, found.checked(), *found.notes])
+        text = "\n".join([*sentences, found.checked(), *found.case_sentences(at=at), *found.notes])
         files[2].write_text(text + "\n", encoding="utf-8")
         typer.echo(text)
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")

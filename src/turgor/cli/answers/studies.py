@@ -76,6 +76,11 @@ class UncertaintyResult:
         Share of the variance that each input brings at the end of the path, by column and input.
     notes : list of str
         What was left out.
+    records : list of tables
+        ``label``, ``name``, ``doubts`` and ``problem`` of each record, and ``values`` in SI units at the end of the
+        path, by column.
+    record_sentences : list of str
+        What the records say together.
     files : list of str
         Files that were written.
     """
@@ -86,6 +91,8 @@ class UncertaintyResult:
     columns: list[dict[str, Any]]
     shares: dict[str, dict[str, float]]
     notes: Sequence[str]
+    records: list[dict[str, Any]]
+    record_sentences: list[str]
     files: Sequence[Path]
 
 
@@ -100,5 +107,16 @@ def uncertainty_result(found: "Uncertainty", files: Sequence[Path]) -> Uncertain
         columns=columns_of(found.to_response()),
         shares={name: band.shares() for name, band in found.bands.items()},
         notes=found.notes,
+        records=[
+            {
+                "label": each.label,
+                "name": each.name,
+                "doubts": list(each.doubts),
+                "problem": each.problem,
+                "values": {name: float(curve[-1]) for name, curve in each.curves.items()},
+            }
+            for each in found.cases
+        ],
+        record_sentences=found.case_sentences(),
         files=files,
     )
