@@ -29,8 +29,8 @@ def guidelines() -> dict[str, Guideline]:
 
     Examples
     --------
-    >>> guidelines()["7.4-5"].families
-    ('fast_pneunet',)
+    >>> guidelines()["7.4-8"].families
+    ('free_bottom_pneunet', 'fast_pneunet')
     """
     found = []
     for chapter in CHAPTERS:

@@ -19,9 +19,11 @@ def test_commands_that_take_a_job():
 
 
 @pytest.mark.parametrize("name", WITH_JOB)
-def test_every_command_that_takes_a_job_has_the_option(name, capsys, tmp_path, monkeypatch):
+def test_every_command_that_takes_a_job_has_the_option(name, capsys, tmp_path, tmp_path_factory, monkeypatch):
+    rig = tmp_path_factory.mktemp("rig") / "rig.csv"
+    rig.write_text("Pressure (kPa);Bending angle (deg)\n0;0\n5;3\n", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    more = ["--step"] if name == "export" else []
+    more = {"export": ["--step"], "calibrate": [str(rig), "--free", "actuator.wall"]}.get(name, [])
     assert main([name, FINGER, *more, "--set", "mesh.siz=2 mm"]) == BAD_INPUT
     said = capsys.readouterr().err
     assert said.startswith("--set: mesh.siz: unknown key 'siz'; did you mean 'size'?")

@@ -155,7 +155,7 @@ def test_curves_have_the_size_of_the_preset_and_text_that_is_text(tmp_path):
     columns = (Column("pressure", "kPa", [0, 50e3]), Column("bending_angle", "deg", [0, 1.5]))
     response = Response(columns=columns, source=Source(text="a ruler"))
     svg = tg.pictures.write_curves(tmp_path / "a.svg", {"ruler": response}, "bending_angle").read_text()
-    assert ">bending angle [deg]</text>" in svg
+    assert ">bending angle [°]</text>" in svg
     assert 'width="240.94' in svg  # 85 mm in points
     pdf = tg.pictures.write_curves(tmp_path / "a.pdf", response, "bending_angle", size="double").read_bytes()
     assert b"/MediaBox [ 0 0 481.88" in pdf
