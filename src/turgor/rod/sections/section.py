@@ -179,7 +179,7 @@ class RodSection:
 
         Parameters
         ----------
-        shape : Round, Rectangle, Tube or HalfRound
+        shape : one of `turgor.rod.sections.shapes`
         material : Material
             Gives Young's and shear modulus, and the density.
         reinforced : bool
