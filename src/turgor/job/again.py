@@ -15,8 +15,9 @@ from turgor.job.output.versions import versions
 from turgor.job.output.write import write_results
 from turgor.job.read import read_job
 from turgor.response import MESH_ERROR, Response
+from turgor.results.fields.path_fields import PathFields
 from turgor.results.files.response_csv import read_response
-from turgor.results.measures.measures import find_measure, measure
+from turgor.results.measures.measures import Reader, find_measure, measure
 from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.solution import Solution
 from turgor.solvers.stored import load
@@ -52,8 +53,8 @@ def measure_folder(folder: str | Path, names: tuple[str, ...] = ()) -> Response:
 def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutcome:
     """Write all files of a run anew from the path that its folder holds, as far as it goes.
 
-    Fields for ParaView that are complete and younger than the path are left as they are. Mesh errors are not estimated,
-    because that would solve again; those that the run has written are kept.
+    Fields for ParaView that are complete and younger than the path are left as they are, and so are pictures that show
+    it. Mesh errors are not estimated, because that would solve again; those that the run has written are kept.
 
     Parameters
     ----------
@@ -74,7 +75,9 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
     folder = Path(folder)
     solution: Solution = load(folder)
     job = _job(folder)
-    response = _with_known_errors(measure(solution, *job.output.chosen()), folder / RESPONSE)
+    fields = PathFields(solution)
+    response = Reader(job.output.chosen()).response(solution, fields)
+    response = _with_known_errors(response, folder / RESPONSE)
     outcome = RunOutcome(
         job=job,
         solution=solution,
@@ -84,7 +87,7 @@ def report_folder(folder: str | Path, notify: Callable[[str], None]) -> RunOutco
         notices=(),
         folder=folder,
     )
-    return replace(outcome, files=write_results(outcome, notify, again=True))
+    return replace(outcome, files=write_results(outcome, notify, fields=fields, again=True))
 
 
 def _with_known_errors(response: Response, file: Path) -> Response:

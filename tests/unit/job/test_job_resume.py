@@ -2,6 +2,7 @@
 
 import errno
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -13,6 +14,7 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from turgor.engine.fields import cell_fields
 from turgor.errors import TurgorError
 from turgor.job.again import measure_folder, report_folder
 from turgor.job.read import read_job
@@ -167,6 +169,41 @@ def test_a_report_writes_the_fields_where_they_are_not_those_of_the_path(file, t
     assert not reported()
     os.utime(run.folder / "path" / "index.json")  # the path is younger now
     assert reported()
+
+
+def test_a_report_draws_the_pictures_that_do_not_show_the_path(file, tmp_path):
+    folder = run_job(read_job(file), tmp_path / "run", threads=1).folder
+    pictures = [folder / name for name in ("undeformed.png", "deformed.png", "response.png")]
+
+    def drawn():
+        for each in pictures:
+            os.utime(each, ns=(0, 0)) if each.exists() else None
+        files = report_folder(folder, lambda text: None).files
+        assert set(pictures) < set(files)
+        return [each.name for each in pictures if each.stat().st_mtime_ns > 0]
+
+    assert drawn() == []
+    pictures[1].unlink()
+    assert drawn() == ["undeformed.png", "deformed.png"]  # they have one view
+    pictures[2].write_bytes(b"no picture")
+    assert drawn() == ["response.png"]
+    lock = folder / "job.lock.toml"
+    text = lock.read_text(encoding="utf-8")
+    lock.write_text(re.sub('(?m)^name = ".*"', 'name = "other"', text, count=1), encoding="utf-8")
+    assert drawn() == [each.name for each in pictures]
+
+
+def test_a_report_evaluates_each_state_once(file, tmp_path, monkeypatch):
+    folder = run_job(read_job(file), tmp_path / "run", threads=1).folder
+    seen = []
+
+    def counted(model, displacement, *rest):
+        seen.append(displacement.tobytes())
+        return cell_fields(model, displacement, *rest)
+
+    monkeypatch.setattr("turgor.results.fields.state_fields.cell_fields", counted)
+    outcome = report_folder(folder, lambda text: None)
+    assert len(seen) == len(set(seen)) == len(outcome.solution.states) > 3
 
 
 def _start(file: Path, folder: Path, *more: str) -> subprocess.Popen:

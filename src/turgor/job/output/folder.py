@@ -1,6 +1,6 @@
 """Folder of results, created before the computation, so that no run fails when it writes its results."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -125,10 +125,8 @@ def clear(folder: Path) -> None:
         (folder / PATH_FOLDER).rmdir()
 
 
-def clear_tables(folder: Path, *, keep_fields: bool = False) -> None:
-    """Remove the files of an earlier run but its path, and perhaps its fields."""
-    for pattern in RESULTS:
-        if keep_fields and pattern.startswith(f"{FIELDS}/"):
-            continue
+def clear_tables(folder: Path, kept: Collection[str] = ()) -> None:
+    """Remove the files of an earlier run but its path, and but for what of `RESULTS` is kept."""
+    for pattern in (each for each in RESULTS if each not in kept):
         for file in folder.glob(pattern):
             file.unlink()

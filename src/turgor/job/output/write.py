@@ -1,7 +1,6 @@
 """Files of a run: tables, pictures, fields, report and log."""
 
 import csv
-import re
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
@@ -20,11 +19,13 @@ from turgor.job.output.folder import (
     UNDEFORMED,
     clear_tables,
 )
+from turgor.job.output.kept import FIELD_FILES, PICTURES, SERIES, drawn_from, kept_files
 from turgor.job.output.lock import dimensions, lock_text
 from turgor.job.output.outcome import RunOutcome
 from turgor.meshing.quality.cell_quality import quality
+from turgor.results.fields.path_fields import PathFields
 from turgor.results.files.vtu import write_series
-from turgor.results.pictures.path_pictures import CAPTIONS, path_figures
+from turgor.results.pictures.path_pictures import CAPTIONS, path_figures, pictured
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.figures import write_figure
 from turgor.results.plots.response_plots import write_plot
@@ -33,7 +34,6 @@ from turgor.results.report.headline import headline
 from turgor.results.report.page import Picture, Report, write_report
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution
-from turgor.solvers.stored import PATH_FOLDER
 
 #: Description of each file, for the report.
 CONTENTS: Mapping[str, str] = {
@@ -49,59 +49,60 @@ CONTENTS: Mapping[str, str] = {
     CONTACT: "what touches at the last state, seen through the actuator",
 }
 
-#: File of each picture of the path.
-PICTURES: Mapping[str, str] = {"undeformed": UNDEFORMED, "deformed": DEFORMED, "contact": CONTACT}
-
-#: Name of the files of fields.
-SERIES = "state"
-
 STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
 
 
-def write_results(outcome: RunOutcome, notify: Callable[[str], None], *, again: bool = False) -> tuple[Path, ...]:
+def write_results(
+    outcome: RunOutcome, notify: Callable[[str], None], *, fields: PathFields | None = None, again: bool = False
+) -> tuple[Path, ...]:
     """Write all files that the job asks for, tables first; return them with the most important first.
 
-    The results of an earlier run in the folder are removed. Fields are half of the work; where ``again`` is true,
-    those that were written after the path are left as they are.
+    The results of an earlier run in the folder are removed. Fields and pictures are most of the work; where ``again``
+    is true, those that show this path are left as they are. ``fields`` are those of the solution that others read, too.
     """
     folder, output = outcome.folder, outcome.job.output
-    kept = again and _has_fields(folder, len(outcome.solution.states))
-    files = list(write_tables(outcome, notify, keep_fields=kept))
+    path = fields or PathFields(outcome.solution)
+    note = drawn_from(outcome)
+    kept = kept_files(outcome, note) if again else frozenset()
+    files = list(write_tables(outcome, notify, kept))
     if output.fields:
-        if not kept:
-            notify("writing the fields")
-            write_series(folder / FIELDS, outcome.solution, SERIES)
-        files.append(folder / FIELDS / f"{SERIES}.pvd")
-        obstacles = folder / FIELDS / "state_obstacles.pvd"
-        files += [obstacles] if obstacles.exists() else []
+        files += _write_fields(outcome, path, notify, kept)
     notify("drawing")
-    title = picture_title(outcome.response, name=outcome.job.name)
-    write_plot(folder / PLOT, outcome.response, title=title)
+    if PLOT not in kept:
+        title = picture_title(outcome.response, name=outcome.job.name)
+        write_plot(folder / PLOT, outcome.response, title=title, note=note)
     files.append(folder / PLOT)
     if output.pictures:
-        files += write_pictures(outcome)
+        files += write_pictures(outcome, path, note, kept)
     if output.report:
         notify("writing the report")
-        write_report(folder / REPORT, report_of(outcome, files))
+        write_report(folder / REPORT, report_of(outcome, files, path))
         files.insert(0, folder / REPORT)
     return tuple(files)
 
 
-def _has_fields(folder: Path, states: int) -> bool:
-    """Whether the folder holds the fields of as many states, written after the last file of the path."""
-    series, path = folder / FIELDS / f"{SERIES}.pvd", list((folder / PATH_FOLDER).glob("*"))
-    if not series.exists() or not path:
-        return False
-    written = series.stat().st_mtime_ns >= max(file.stat().st_mtime_ns for file in path)
-    named = re.findall(r'file="(.+?)"', series.read_text(encoding="utf-8"))
-    return written and len(named) == states and all((series.parent / name).exists() for name in named)
+def _write_fields(
+    outcome: RunOutcome, path: PathFields, notify: Callable[[str], None], kept: frozenset[str]
+) -> list[Path]:
+    """Write the fields of all states unless they are kept; return the files to open."""
+    folder = outcome.folder / FIELDS
+    if not kept.issuperset(FIELD_FILES):
+        notify("writing the fields")
+        write_series(folder, outcome.solution, SERIES, path)
+    obstacles = folder / f"{SERIES}_obstacles.pvd"
+    return [folder / f"{SERIES}.pvd", *([obstacles] if obstacles.exists() else [])]
 
 
-def write_tables(outcome: RunOutcome, notify: Callable[[str], None], *, keep_fields: bool = False) -> tuple[Path, ...]:
-    """Write the response, the lock file, the steps and the log alone, in place of the results of an earlier run."""
+def write_tables(
+    outcome: RunOutcome, notify: Callable[[str], None], kept: frozenset[str] = frozenset()
+) -> tuple[Path, ...]:
+    """Write the response, the lock file, the steps and the log alone, in place of the results of an earlier run.
+
+    ``kept`` are those of `turgor.job.output.folder.RESULTS` that are not removed.
+    """
     folder = outcome.folder
     notify("writing the response")
-    clear_tables(folder, keep_fields=keep_fields)
+    clear_tables(folder, kept)
     outcome.response.to_csv(folder / RESPONSE)
     (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
     write_steps(folder / STEPS, outcome.solution)
@@ -109,7 +110,7 @@ def write_tables(outcome: RunOutcome, notify: Callable[[str], None], *, keep_fie
     return folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG
 
 
-def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
+def report_of(outcome: RunOutcome, files: Sequence[Path], fields: PathFields) -> Report:
     """Collect the content of the report about a run and its files."""
     job, solution = outcome.job, outcome.solution
     beside = {str(file.relative_to(outcome.folder)): file for file in files}
@@ -131,17 +132,18 @@ def report_of(outcome: RunOutcome, files: Sequence[Path]) -> Report:
         job=lock_text(job, outcome.written_by),
         comparisons=comparison_sections(outcome.folder, outcome.response),
         measured=measured_points(outcome.folder, outcome.response),
+        fields=fields,
         created=datetime.now().astimezone().strftime("%Y-%m-%d %H:%M %Z"),
     )
 
 
-def write_pictures(outcome: RunOutcome) -> list[Path]:
-    """Draw the states of `path_figures` into files."""
-    files = []
-    for kind, figure in path_figures(outcome.solution, outcome.response, outcome.job.name):
-        files.append(outcome.folder / PICTURES[kind])
-        write_figure(files[-1], figure, kind="picture")
-    return files
+def write_pictures(outcome: RunOutcome, path: PathFields, note: str, kept: frozenset[str]) -> list[Path]:
+    """Draw the states of `path_figures` into files, unless these are kept."""
+    files = {kind: PICTURES[kind] for kind in pictured(outcome.solution)}
+    if not kept.issuperset(files.values()):
+        for kind, figure in path_figures(path, outcome.response, outcome.job.name):
+            write_figure(outcome.folder / files[kind], figure, kind="picture", note=note)
+    return [outcome.folder / name for name in files.values()]
 
 
 def write_steps(file: Path, solution: Solution) -> None:

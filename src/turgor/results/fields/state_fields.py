@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.fibers.fiber_trusses import FiberTrusses, discrete_threads
 from turgor.engine.fields import CellFields, cell_fields, nodal_average, nodal_mean_stress
+from turgor.engine.percentiles import volume_percentile
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.proximity import FacingWalls, find_facing_walls
 from turgor.meshing.refining.region_nodes import RegionNodes, region_nodes
@@ -197,6 +198,22 @@ class StateFields:
         if self.model.formulation == DISPLACEMENT:
             return self._averaged(self.cells.mean_stress)
         return nodal_mean_stress(self.model, self.state.mean_stress, self.facts.region_nodes)
+
+    @cached_property
+    def von_mises_p99(self) -> float:
+        """Von Mises stress that 99 % of the volume stay below [Pa]."""
+        return volume_percentile(self.cells, self.cells.von_mises)
+
+    @cached_property
+    def stretch_p99(self) -> float:
+        """Largest principal stretch that 99 % of the volume stay below."""
+        return volume_percentile(self.cells, self.cells.stretch)
+
+    def settle(self) -> None:
+        """Compute what is shown, and drop the fields at the quadrature points, the largest by far."""
+        for name in ("von_mises_p99", "stretch_p99", "von_mises", "stretch", "cauchy_stress"):
+            getattr(self, name)
+        self.__dict__.pop("cells", None)
 
     def _averaged(self, values: Array) -> Array:
         return nodal_average(self.mesh, values, self.facts.region_nodes)

@@ -11,14 +11,14 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from turgor.engine.percentiles import volume_percentile
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.refining.region_nodes import RegionNodes
 from turgor.model.drive import common_pressure, rises
 from turgor.results.drive import stage_column
 from turgor.results.fields.contact import extents_of
-from turgor.results.fields.state_fields import MeshFacts, StateFields
+from turgor.results.fields.path_fields import PathFields
+from turgor.results.fields.state_fields import StateFields
 from turgor.results.files.vtu_beside import obstacles_text, threads_text
 from turgor.results.files.vtu_xml import VtuArray, names_array, opening, section
 from turgor.solvers.solution import Solution, State
@@ -61,8 +61,8 @@ def write_state(path: str | Path, state: State | StateFields) -> None:
         point_data.append(VtuArray("contact_pressure", at.contact_pressure[nodes.node].astype("f4"), "Pa"))
     of_state = [
         VtuArray("load_factor", np.array([at.state.load_factor], dtype="f8")),
-        VtuArray("von_mises_p99", np.array([volume_percentile(at.cells, at.cells.von_mises)]), "Pa"),
-        VtuArray("principal_stretch_p99", np.array([volume_percentile(at.cells, at.cells.stretch)])),
+        VtuArray("von_mises_p99", np.array([at.von_mises_p99]), "Pa"),
+        VtuArray("principal_stretch_p99", np.array([at.stretch_p99])),
     ]
     for face, pressure in at.state.pressures.items():
         of_state.append(VtuArray(f"{face}_pressure", np.array([pressure], dtype="f8"), "Pa"))
@@ -188,7 +188,7 @@ def write_vtu(of: Solution | State, path: str | Path) -> Path:
     return path
 
 
-def write_series(folder: str | Path, solution: Solution, name: str = "state") -> Path:
+def write_series(folder: str | Path, solution: Solution, name: str = "state", fields: PathFields | None = None) -> Path:
     """Write every state of a path as VTU, and a PVD file that lists them for ParaView.
 
     Discrete threads go to files of their own, ``state_threads_0000.vtu`` … listed in ``state_threads.pvd``, and so do
@@ -206,6 +206,8 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
         The path, complete or not.
     name : str
         Beginning of the file names: ``state.pvd``, ``state_0000.vtu`` …
+    fields : PathFields, optional
+        Fields of the solution that others read, too.
 
     Returns
     -------
@@ -215,11 +217,10 @@ def write_series(folder: str | Path, solution: Solution, name: str = "state") ->
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     times, meaning = _times(solution)
-    facts = MeshFacts(solution.model.mesh)
-    extents = extents_of(StateFields(state, facts) for state in solution.states)
+    path = fields or PathFields(solution, most=0)
+    extents = extents_of(StateFields(state, path.facts) for state in solution.states)
     entries: dict[str, list[str]] = {name: []}
-    for number, state in enumerate(solution.states):
-        at = StateFields(state, facts)
+    for number, at in enumerate(path):
         texts = {name: "", f"{name}_threads": threads_text(at), f"{name}_obstacles": obstacles_text(at, extents)}
         for kind in [key for key, text in texts.items() if text or key == name]:
             file = f"{kind}_{number:04d}.vtu"

@@ -19,11 +19,11 @@ from turgor.results.measures.reading import Measure
 _GROWS = "grows without limit at sharp edges and clamped rims as the mesh is refined"
 
 principal_stretch_p99 = Measure(
-    name="principal_stretch_p99", unit="", function=lambda at: volume_percentile(at.cells, at.cells.stretch),
+    name="principal_stretch_p99", unit="", function=lambda at: at.stretch_p99,
     definition=f"principal stretch that {PERCENTILE} % of the volume of the solid, before it deforms, stay below",
 )  # fmt: skip
 von_mises_p99 = Measure(
-    name="von_mises_p99", unit="kPa", function=lambda at: volume_percentile(at.cells, at.cells.von_mises),
+    name="von_mises_p99", unit="kPa", function=lambda at: at.von_mises_p99,
     definition=f"von Mises stress that {PERCENTILE} % of the volume of the solid, before it deforms, stay below; "
     "membranes and fibers left out",
 )  # fmt: skip

@@ -18,6 +18,7 @@ from turgor.model.supports import Fixed
 from turgor.registry import Registry
 from turgor.response import Column, Response
 from turgor.results.drive import stage_column
+from turgor.results.fields.path_fields import PathFields
 from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.measures.cavities import enclosed_volume
 from turgor.results.measures.contact_measures import (
@@ -93,20 +94,20 @@ class Reader:
     _facts: MeshFacts | None = None
     _rows: dict[int, tuple[Array, list[float]]] = field(default_factory=dict)
 
-    def response(self, solution: Solution) -> Response:
-        """Return the measures of all states, as `measure` does."""
+    def response(self, solution: Solution, fields: PathFields | None = None) -> Response:
+        """Return the measures of all states, as `measure` does; ``fields`` are those that others read, too."""
         chosen = chosen_measures(solution, self.measures)
         if chosen != self._chosen:
             self._chosen, self._rows = chosen, {}
         if self._facts is None or self._facts.mesh is not solution.model.mesh:
-            self._facts = MeshFacts(solution.model.mesh)
+            self._facts = MeshFacts(solution.model.mesh) if fields is None else fields.facts
+        fields = fields or PathFields(solution, self._facts, most=0)
         alone = [each for each in chosen if each.along is None]
-        for state in solution.states:
+        for row, state in enumerate(solution.states):
             if id(state.displacement) not in self._rows:
-                at = StateFields(
-                    state, self._facts
-                )  # shared by the measures of this state, then dropped: fields are large
+                at = fields.at(row)
                 self._rows[id(state.displacement)] = state.displacement, [each(at) for each in alone]
+                fields.leave(row, at)
         rows = [self._rows[id(state.displacement)][1] for state in solution.states]
         table = dict(zip((each.name for each in alone), np.array(rows).reshape(len(rows), len(alone)).T, strict=True))
         path = [StateFields(state, self._facts) for state in solution.states]

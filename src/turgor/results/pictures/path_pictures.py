@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from matplotlib.figure import Figure
 
 from turgor.response import Response
-from turgor.results.fields.state_fields import MeshFacts, StateFields
+from turgor.results.fields.path_fields import PathFields
 from turgor.results.pictures.colors import CONTACT_PRESSURE
 from turgor.results.pictures.state_picture import picture_title, shared_view, state_figure
 from turgor.solvers.solution import Solution
@@ -18,7 +18,13 @@ CAPTIONS = {
 }
 
 
-def path_figures(of: Solution, response: Response, name: str) -> Iterator[tuple[str, Figure]]:
+def pictured(of: Solution) -> tuple[str, ...]:
+    """Return which pictures `path_figures` draws of a path, by the keys of `CAPTIONS`."""
+    touches = any(touch.area > 0 for touch in of.states[-1].touches.values())
+    return ("undeformed", *(("deformed",) if len(of.states) > 1 else ()), *(("contact",) if touches else ()))
+
+
+def path_figures(of: PathFields, response: Response, name: str) -> Iterator[tuple[str, Figure]]:
     """Draw the first and the last state with the same view, scale and colors.
 
     The outline of the first state is drawn behind the last. If there is contact in the last state, a third picture
@@ -26,8 +32,8 @@ def path_figures(of: Solution, response: Response, name: str) -> Iterator[tuple[
 
     Parameters
     ----------
-    of : Solution
-        The path.
+    of : PathFields
+        Fields of the path.
     response : Response
         Measures of the path, for the titles.
     name : str
@@ -38,11 +44,10 @@ def path_figures(of: Solution, response: Response, name: str) -> Iterator[tuple[
     tuple of str and matplotlib.figure.Figure
         ``"undeformed"``, ``"deformed"`` or ``"contact"``, and the picture.
     """
-    facts = MeshFacts(of.model.mesh)
-    first, last = StateFields(of.states[0], facts), StateFields(of.states[-1], facts)
+    first, last, kinds = of.at(0), of.at(-1), pictured(of.solution)
     view, end = shared_view([first, last]), picture_title(response, -1, name)
     yield "undeformed", state_figure(first, view, title=picture_title(response, 0, name))
-    if len(of.states) > 1:
+    if "deformed" in kinds:
         yield "deformed", state_figure(last, view, title=end, ghost=first)
-    if any(touch.area > 0 for touch in of.states[-1].touches.values()):
+    if "contact" in kinds:
         yield "contact", state_figure(last, shared_view([first, last], color_by=CONTACT_PRESSURE), title=end)

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.image import imsave
 from numpy.typing import NDArray
 
-from turgor.engine.percentiles import volume_percentile, weighted_percentile
+from turgor.engine.percentiles import weighted_percentile
 from turgor.errors import TurgorError
 from turgor.response import COLUMN_UNITS, Response
 from turgor.results.drive import face_of, pressures_in
@@ -124,7 +124,7 @@ def _upper(at: StateFields, shown: Field, skin: Skin) -> float:
     if shown.name == CONTACT_PRESSURE:
         return _pressed(skin)
     if shown.name == VON_MISES:
-        return volume_percentile(at.cells, at.cells.von_mises)
+        return at.von_mises_p99
     if shown.name == FIBER_TENSION:
         return maximum_tension(at)
     values = skin.values[skin.triangles].mean(axis=1)

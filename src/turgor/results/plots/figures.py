@@ -24,6 +24,9 @@ METADATA: Mapping[str, Any] = {
 }
 
 
+#: Key of the note in a PNG file.
+NOTE = "Comment"
+
 #: How hard PNG files are packed, 1 to 9: a tenth larger than at 6, and written twice as fast.
 PACKED = 4
 
@@ -69,7 +72,9 @@ def check_ending(path: str | Path, kind: Kind) -> None:
         raise TurgorError(f"{kind} '{path}' {has}; allowed is {' or '.join(ENDINGS[kind])}.")
 
 
-def write_figure(path: str | Path, figure: Figure, *, kind: Kind = "plot", dpi: float | None = None) -> None:
+def write_figure(
+    path: str | Path, figure: Figure, *, kind: Kind = "plot", dpi: float | None = None, note: str = ""
+) -> None:
     """Write a figure in the format that the ending of the path names; equal figures give equal files.
 
     Parameters
@@ -81,6 +86,8 @@ def write_figure(path: str | Path, figure: Figure, *, kind: Kind = "plot", dpi: 
         What the figure shows.
     dpi : float, optional
         Dots per inch; by default the resolution of the figure.
+    note : str
+        What a PNG file says about itself; `note_in` reads it.
 
     Raises
     ------
@@ -88,7 +95,18 @@ def write_figure(path: str | Path, figure: Figure, *, kind: Kind = "plot", dpi: 
         If the ending is not one of `ENDINGS`.
     """
     check_ending(path, kind)
-    _save(figure, Path(path), Path(path).suffix.lower().removeprefix("."), dpi)
+    _save(figure, Path(path), Path(path).suffix.lower().removeprefix("."), dpi, note)
+
+
+def note_in(file: Path) -> str:
+    """Return what a PNG file says about itself; nothing if there is no such file, or it is none."""
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        with Image.open(file) as image:
+            return str(image.info.get(NOTE, ""))
+    except (OSError, UnidentifiedImageError):
+        return ""
 
 
 def png_of(figure: Figure, dpi: float | None = None) -> bytes:
@@ -113,7 +131,8 @@ def svg_of(figure: Figure) -> str:
     return text[text.index("<svg") :]
 
 
-def _save(figure: Figure, to: Path | BytesIO | StringIO, form: str, dpi: float | None) -> None:
+def _save(figure: Figure, to: Path | BytesIO | StringIO, form: str, dpi: float | None, note: str = "") -> None:
+    said = {NOTE: note} if note and form == "png" else {}
     with matplotlib.rc_context({"svg.hashsalt": "turgor"}):
         packed: dict[str, Any] = {"pil_kwargs": {"compress_level": PACKED}} if form == "png" else {}
-        figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form], **packed)
+        figure.savefig(to, format=form, dpi=dpi or figure.dpi, metadata=METADATA[form] | said, **packed)

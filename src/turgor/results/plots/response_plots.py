@@ -165,10 +165,10 @@ def _plot_lines(axes: Axes, response: Response, drive: str, names: list[str]) ->
     return axes
 
 
-def write_plot(path: str | Path, response: Response, title: str = "") -> None:
-    """Write `response_figure` as PNG or SVG, by the ending of the path."""
+def write_plot(path: str | Path, response: Response, title: str = "", note: str = "") -> None:
+    """Write `response_figure` as PNG or SVG, by the ending of the path; ``note`` is that of `write_figure`."""
     check_ending(path, "plot")
-    write_figure(path, response_figure(response, title), dpi=160)
+    write_figure(path, response_figure(response, title), dpi=160, note=note)
 
 
 def response_svg(response: Response) -> str:

@@ -14,6 +14,7 @@ from turgor.finding import Finding, Severity
 from turgor.meshing.quality.cell_quality import MeshQuality
 from turgor.response import Column, Response, unit_text
 from turgor.results.drive import drive_of, pressures_in
+from turgor.results.fields.path_fields import PathFields
 from turgor.results.measures.field_measures import BY_REGION
 from turgor.results.measures.headlines import headlines, in_regions, with_parts
 from turgor.results.measures.measures import MEASURES, find_measure
@@ -75,6 +76,8 @@ class Report:
         Text of the job file that repeats the run.
     measured : tuple of Measured
         Points of experiments, drawn with the curve beside the viewer.
+    fields : PathFields or None
+        Fields of the solution that others read, too.
     """
 
     title: str
@@ -91,6 +94,7 @@ class Report:
     comparisons: tuple[tuple[str, str, str], ...] = ()
     job: str = ""
     measured: tuple[Measured, ...] = ()
+    fields: PathFields | None = None
 
 
 def write_report(path: str | Path, report: Report) -> None:
@@ -160,7 +164,7 @@ def _viewer(report: Report) -> dict[str, object]:
     if not report.solution.states:
         return {"viewer": "", "viewer_style": "", "viewer_scripts": "", "viewer_notes": []}
     linked = report.response if len(report.response) == len(report.solution.states) else None
-    scene = scene_of(report.solution, linked, report.measured)
+    scene = scene_of(report.solution, linked, report.measured, report.fields)
     return {
         "viewer": viewer_markup(scene),
         "viewer_style": viewer_style(),

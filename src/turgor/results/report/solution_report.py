@@ -5,8 +5,8 @@ from pathlib import Path
 from turgor.errors import TurgorError
 from turgor.meshing.quality.cell_quality import quality
 from turgor.response import Response
-from turgor.results.fields.state_fields import MeshFacts, StateFields
-from turgor.results.measures.measures import measure
+from turgor.results.fields.path_fields import PathFields
+from turgor.results.measures.measures import Reader
 from turgor.results.pictures.path_pictures import CAPTIONS
 from turgor.results.pictures.picture import Picture
 from turgor.results.pictures.state_picture import picture_title, shared_view, state_figure
@@ -53,7 +53,8 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
     path = Path(path)
     if path.suffix.lower() != ".html":
         raise TurgorError(f"report '{path}' ends in '{path.suffix}'; allowed is .html.")
-    shown = measure(of) if response is None else response
+    fields = PathFields(of)
+    shown = Reader().response(of, fields) if response is None else response
     if len(shown) != len(of.states):
         raise TurgorError(f"the response has {len(shown)} rows, but the solution {len(of.states)} states.")
     name = of.model.mesh.name if title is None else title
@@ -63,20 +64,20 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
         response=shown,
         findings=of.findings,
         quality=quality(of.model.mesh),
-        pictures=(_picture(of, shown, name),) if of.states else (),
+        pictures=(_picture(fields, shown, name),) if of.states else (),
+        fields=fields,
     )
     write_report(path, content)
     return path
 
 
-def _picture(of: Solution, response: Response, name: str) -> Picture:
+def _picture(fields: PathFields, response: Response, name: str) -> Picture:
     """The last state with the outline of the first, for print and for browsers without WebGL."""
-    facts = MeshFacts(of.model.mesh)
-    first, last = StateFields(of.states[0], facts), StateFields(of.states[-1], facts)
+    first, last = fields.at(0), fields.at(-1)
     figure = state_figure(
         last,
         shared_view([first, last], STILL),
         title=picture_title(response, -1, name),
-        ghost=first if len(of.states) > 1 else None,
+        ghost=first if len(fields.solution.states) > 1 else None,
     )
     return Picture(caption=CAPTIONS["deformed"], png=png_of(figure))

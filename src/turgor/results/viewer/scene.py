@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.response import Response
 from turgor.results.fields.contact import extents_of
+from turgor.results.fields.path_fields import PathFields
 from turgor.results.fields.state_fields import Image, MeshFacts, StateFields
 from turgor.results.pictures.beside.obstacle_skin import obstacle_skin
 from turgor.results.pictures.picture import caption
@@ -55,7 +56,12 @@ class Scene:
     notes: tuple[str, ...]
 
 
-def scene_of(solution: Solution, response: Response | None = None, measured: Sequence[Measured] = ()) -> Scene:
+def scene_of(
+    solution: Solution,
+    response: Response | None = None,
+    measured: Sequence[Measured] = (),
+    fields: PathFields | None = None,
+) -> Scene:
     """Collect what the viewer draws: surface, fields, fibers, obstacles and curves at evenly spaced states.
 
     Parameters
@@ -66,6 +72,8 @@ def scene_of(solution: Solution, response: Response | None = None, measured: Seq
         Measures at every state; gives the curves and the words of each step.
     measured : sequence of Measured
         Experiments, drawn with the curves.
+    fields : PathFields, optional
+        Fields of the solution that others read, too.
 
     Returns
     -------
@@ -80,26 +88,25 @@ def scene_of(solution: Solution, response: Response | None = None, measured: Seq
         raise TurgorError("the viewer needs a solution with at least one state.")
     if response is not None and len(response) != len(solution.states):
         raise TurgorError(f"the response has {len(response)} rows, but the solution {len(solution.states)} states.")
-    facts = MeshFacts(solution.model.mesh)
-    surface = surface_of(StateFields(solution.states[0], facts))
+    fields = fields or PathFields(solution, most=0)
+    surface = surface_of(fields.at(0))
     steps = chosen_steps(len(solution.states), len(surface.node))
-    values = _values(solution, response, surface, steps)
+    values = _values(fields, response, surface, steps)
     while len(steps) > 2 and _letters(values) > MOST_TEXT:
         steps = [*steps[:-1:2], steps[-1]]
-        values = _values(solution, response, surface, steps)
+        values = _values(fields, response, surface, steps)
     values["curves"] = None if response is None else curves_of(response, steps, measured)
     return Scene(values=values, steps=tuple(steps), notes=_notes(len(solution.states), steps, surface))
 
 
-def _values(solution: Solution, response: Response | None, surface: Surface, steps: Sequence[int]) -> dict[str, Any]:
+def _values(path: PathFields, response: Response | None, surface: Surface, steps: Sequence[int]) -> dict[str, Any]:
     """What the page reads of some states of a solution."""
-    facts = MeshFacts(solution.model.mesh)
-    states = [StateFields(solution.states[k], facts) for k in steps]
+    states = [path.at(k) for k in steps]
     inside = inside_of(states[0], len(states), BYTES)
     return {
-        "steps": [{"state": k, "label": _label(solution, response, k)} for k in steps],
-        "surface": _surface(states, surface, facts),
-        "images": [_matrix(image) for image in facts.images],
+        "steps": [{"state": k, "label": _label(path.solution, response, k)} for k in steps],
+        "surface": _surface(states, surface, path.facts),
+        "images": [_matrix(image) for image in path.facts.images],
         "fields": shown_fields(states, surface, inside),
         "inside": None if inside is None else _inside(states, inside),
         "obstacles": _obstacles(states),

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.colors import Colormap, to_rgb
 from numpy.typing import NDArray
 
-from turgor.engine.percentiles import PERCENTILE, volume_percentile
+from turgor.engine.percentiles import PERCENTILE
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.pictures.colors import CONTACT_PRESSURE, RUBBER, VON_MISES, color_map
 from turgor.results.viewer.inside import Inside
@@ -101,12 +101,12 @@ def shown_fields(states: Sequence[StateFields], surface: Surface, inside: Inside
     values: dict[str, list[list[Array]]] = {field.key: [[] for _ in on] for field, _ in known}
     most = dict.fromkeys((VON_MISES, "stretch"), 0.0)
     for at in states:
+        at.settle()
         for field, of in known:
             for place, found in zip(on, values[field.key], strict=True):
                 found.append(of(at, place) / field.scale)
-        most[VON_MISES] = max(most[VON_MISES], volume_percentile(at.cells, at.cells.von_mises) / kPa)
-        most["stretch"] = max(most["stretch"], volume_percentile(at.cells, at.cells.stretch))
-        at.__dict__.pop("cells", None)  # the largest field by far; nothing below needs it
+        most[VON_MISES] = max(most[VON_MISES], at.von_mises_p99 / kPa)
+        most["stretch"] = max(most["stretch"], at.stretch_p99)
     out = []
     for field, _ in known:
         every = [np.stack(found) for found in values[field.key]]
