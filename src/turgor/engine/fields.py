@@ -140,8 +140,7 @@ def _deviator(A: Array) -> Array:
 
 def _squared(A: Array) -> Array:
     """Sum of the squares of all components, A : A."""
-    flat = A.reshape(*A.shape[:-2], 9)
-    return np.asarray((flat * flat).sum(axis=-1))  # einsum adds in an order that depends on where the array lies
+    return np.einsum("...ij,...ij->...", A, A)
 
 
 def _largest_eigenvalue(B: Array, trace: Array) -> Array:

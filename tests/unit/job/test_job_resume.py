@@ -172,7 +172,8 @@ def test_a_report_writes_the_fields_where_they_are_not_those_of_the_path(file, t
 
 
 def test_a_report_draws_the_pictures_that_do_not_show_the_path(file, tmp_path):
-    folder = run_job(read_job(file), tmp_path / "run", threads=1).folder
+    job = read_job(file)
+    folder = run_job(replace(job, output=replace(job.output, pictures=True)), tmp_path / "run", threads=1).folder
     pictures = [folder / name for name in ("undeformed.png", "deformed.png", "response.png")]
 
     def drawn():
@@ -194,7 +195,10 @@ def test_a_report_draws_the_pictures_that_do_not_show_the_path(file, tmp_path):
 
 
 def test_a_report_evaluates_each_state_once(file, tmp_path, monkeypatch):
-    folder = run_job(read_job(file), tmp_path / "run", threads=1).folder
+    job = read_job(file)
+    shown = replace(job.output, pictures=True, report=True)
+    folder = run_job(replace(job, output=shown), tmp_path / "run", threads=1).folder
+    (folder / "deformed.png").unlink()
     seen = []
 
     def counted(model, displacement, *rest):
