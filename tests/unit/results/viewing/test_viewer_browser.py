@@ -191,6 +191,65 @@ def test_dragging_turns_the_picture(shown):
     assert (np.abs(image(shown.pixels()) - before).max(axis=2) > 40).mean() < 0.01
 
 
+def test_a_slow_browser_turns_a_rough_picture_and_rests_with_the_whole_one(shown):
+    state = """() => {
+      const { stage, body } = document.querySelector(".viewer").viewer;
+      return [stage.renderer.domElement.width / stage.box.clientWidth, body.ghost.map((line) => line.visible)];
+    }"""
+    shown.change("slider", "2")
+    whole = image(shown.pixels())
+    canvas = shown.page.locator(".v-picture canvas")
+    canvas.scroll_into_view_if_needed()
+    box = canvas.bounding_box()
+    shown.page.mouse.move(box["x"] + 200, box["y"] + 200)
+    shown.page.mouse.down()
+    shown.page.mouse.move(box["x"] + 260, box["y"] + 220)
+    ratio, ghost = shown.page.evaluate(state)
+    turning = shown.pixels()
+    shown.page.mouse.up()
+    at_rest, outline = shown.page.evaluate(state)
+    shown.page.locator("[data-v=start]").click()
+    assert ratio == pytest.approx(0.5, abs=0.01)
+    assert not any(ghost)
+    assert colored(turning) > 0.08
+    assert at_rest == 1
+    assert all(outline) and outline
+    np.testing.assert_array_equal(image(shown.pixels()), whole)
+
+
+def test_a_fast_browser_turns_the_whole_picture_until_frames_are_late(shown):
+    """Frames are told to come at 60, then at 20 per second."""
+    found = shown.page.evaluate(
+        """() => {
+          const { stage } = document.querySelector(".viewer").viewer;
+          const [slow, later, due] = [stage.slow, window.requestAnimationFrame, []];
+          window.requestAnimationFrame = (told) => due.push(told);
+          let time = 0;
+          const frame = (passed) => { stage.draw(); due.splice(0).forEach((told) => told((time += passed))); };
+          stage.waiting = stage.slow = false;
+          stage.controls.dispatchEvent({ type: "start" });
+          const rough = [16, 16, 16, 50, 16, 16, 50, 50].map((passed) => (frame(passed), stage.rough));
+          stage.controls.dispatchEvent({ type: "end" });
+          rough.push(stage.rough);
+          window.requestAnimationFrame = later;
+          [stage.slow, stage.waiting] = [slow, false];
+          return rough;
+        }"""
+    )
+    assert found == [False] * 7 + [True, False]
+
+
+def test_the_inner_side_of_a_closed_body_is_not_seen(shown):
+    shown.change("slider", "2")
+    side, pictures = "document.querySelector('.viewer').viewer.body.surface.side", []
+    for number in (2, 1, 0):  # both sides, the inner one, the outer one
+        shown.page.evaluate(f"{side} = {number}")
+        pictures.append(image(shown.pixels()))
+    inner, outer = ((np.abs(each - pictures[0]).max(axis=2) > 10).mean() for each in pictures[1:])
+    assert outer < 2e-3  # pixels of lines at the rim
+    assert inner > 0.02
+
+
 def test_frames_are_drawn(shown, record_property):
     """A processor draws here instead of a graphics card, so the rate is told, not judged."""
     frames = shown.page.evaluate(

@@ -2,6 +2,8 @@
 
 const INK = 0x262b34;
 const AZIMUTH = (20 * Math.PI) / 180; // the direction of the still pictures
+const SMOOTH = 1000 / 30; // milliseconds between two frames that look like motion
+const ROUGH = 0.5; // share of the pixels in each direction that is drawn while the picture turns too slowly
 const ELEVATION = (18 * Math.PI) / 180;
 
 // Whether a processor draws in place of a graphics card. It is some fifty times slower, so the viewer asks less of it.
@@ -18,7 +20,8 @@ class Stage {
     this.box = box;
     this.slow = drawsInSoftware();
     this.renderer = new THREE.WebGLRenderer({ antialias: !this.slow, stencil: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(this.slow ? 1 : Math.min(2, window.devicePixelRatio || 1));
+    this.ratio = this.slow ? 1 : Math.min(2, window.devicePixelRatio || 1);
+    this.renderer.setPixelRatio(this.ratio);
     this.renderer.setClearColor(0xffffff, 1);
     this.renderer.localClippingEnabled = true;
     box.append(this.renderer.domElement);
@@ -29,6 +32,8 @@ class Stage {
     this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
     this.controls.enableZoom = false; // until the picture was clicked, so that the page scrolls past it
     this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => this.#turn(true));
+    this.controls.addEventListener("end", () => this.#turn(false));
     box.addEventListener("pointerdown", () => (this.controls.enableZoom = true));
     box.addEventListener("pointerleave", () => (this.controls.enableZoom = false));
     this.ambient = new THREE.AmbientLight(0xffffff, 1);
@@ -37,6 +42,8 @@ class Stage {
     this.light(true);
     this.frames = 0;
     this.listeners = [];
+    this.faint = []; // what is left out while the picture turns too slowly
+    this.rough = false;
     this.waiting = false;
     new ResizeObserver(() => this.fit()).observe(box);
   }
@@ -126,10 +133,40 @@ class Stage {
   draw() {
     if (this.waiting) return;
     this.waiting = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((time) => {
       this.waiting = false;
+      if (this.turning) this.#watch(time);
       this.now();
     });
+  }
+
+  // While a user turns the picture, frames that come too slowly are drawn roughly; at rest all is drawn again.
+  #turn(on) {
+    this.turning = on;
+    this.late = 0;
+    this.before = null;
+    this.#draft(on && this.slow);
+  }
+
+  // Two frames after each other that are late, and not because the pointer rested, make the next ones rough.
+  #watch(time) {
+    const passed = this.before === null ? 0 : time - this.before;
+    this.before = time;
+    this.late = passed > SMOOTH && passed < 10 * SMOOTH ? this.late + 1 : 0;
+    if (this.late > 1) {
+      this.slow = true; // the next turn begins so
+      this.#draft(true);
+    }
+  }
+
+  #draft(on) {
+    if (on === this.rough) return;
+    this.rough = on;
+    this.hidden?.forEach((each) => (each.visible = true));
+    this.hidden = on ? this.faint.filter((each) => each.visible) : [];
+    this.hidden.forEach((each) => (each.visible = false));
+    this.renderer.setPixelRatio(on ? ROUGH * this.ratio : this.ratio);
+    this.draw();
   }
 
   now() {

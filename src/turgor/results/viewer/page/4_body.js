@@ -8,7 +8,7 @@ class Body {
     this.skin = skin;
     this.plane = new THREE.Plane(new THREE.Vector3(0, 1, 0), 0);
     this.surface = new THREE.MeshLambertMaterial({
-      side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2,
+      side: THREE.FrontSide, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2,
     });
     this.meshes = stage.repeat(() => this.#mesh(skin.geometry, this.surface, 6));
     this.inks = {};
@@ -42,6 +42,7 @@ class Body {
     const ink = new THREE.LineBasicMaterial({ color: 0x9aa3ae });
     this.ghost = this.stage.repeat(() => this.#line(copy, ink));
     this.ghost.forEach((line) => (line.renderOrder = 4));
+    this.stage.faint = [...this.ghost, ...this.lines.cells];
   }
 
   paint(colors) {
@@ -64,8 +65,14 @@ class Body {
 
   transparent(on) {
     Object.assign(this.surface, { transparent: on, opacity: on ? 0.35 : 1, depthWrite: !on });
-    this.surface.needsUpdate = true;
+    this.#sides();
     this.stage.draw();
+  }
+
+  // A closed body hides its inner side, which need not be drawn.
+  #sides() {
+    this.surface.side = this.open || this.surface.transparent ? THREE.DoubleSide : THREE.FrontSide;
+    this.surface.needsUpdate = true;
   }
 
   // Cut away one side of a plane across an axis (0, 1, 2, or -1 for none) at a place [m]: the one towards the camera of
@@ -83,6 +90,7 @@ class Body {
     }
     this.cap.set(on, axis, place);
     this.open = on;
+    this.#sides();
     this.stage.draw();
   }
 

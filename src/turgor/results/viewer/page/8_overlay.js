@@ -4,6 +4,7 @@ class Overlay {
   constructor(stage, box) {
     this.stage = stage;
     this.drawn = svg("svg", { class: "v-axes", viewBox: "0 0 90 90" }, box);
+    this.way = new THREE.Vector3();
     this.ends = ["x", "y", "z"].map((name) => ({
       line: svg("path", { class: "v-axis" }, this.drawn),
       text: svg("text", { class: "v-number", "text-anchor": "middle" }, this.drawn, name),
@@ -17,13 +18,15 @@ class Overlay {
   draw() {
     const turn = this.stage.camera.matrixWorldInverse;
     this.ends.forEach(({ line, text }, k) => {
-      const way = new THREE.Vector3().setComponent(k, 1).transformDirection(turn);
+      const way = this.way.set(0, 0, 0).setComponent(k, 1).transformDirection(turn);
       const [x, y] = [45 + 28 * way.x, 45 - 28 * way.y];
       line.setAttribute("d", `M45 45L${x} ${y}`);
       text.setAttribute("x", 45 + 38 * way.x);
       text.setAttribute("y", 49 - 38 * way.y);
       text.style.opacity = Math.hypot(way.x, way.y) < 0.15 ? 0 : 1;
     });
+    if (this.stage.pixel === this.pixel) return; // turning does not change the scale
+    this.pixel = this.stage.pixel;
     const long = ticks(0, 120 * this.stage.pixel, 2).filter((l) => l > 0)[0] || 120 * this.stage.pixel;
     this.scale.style.width = `${long / this.stage.pixel}px`;
     this.scale.textContent = `${written(1000 * long)} mm`;
