@@ -32,13 +32,15 @@ from turgor.results.report.response_table import is_zero, parted, response_table
 from turgor.results.report.templated import rendered
 from turgor.results.report.tidy import tidy
 from turgor.results.viewer.curves import Measured
-from turgor.results.viewer.scene import scene_of
+from turgor.results.viewer.scene import MOST_TEXT, scene_of
 from turgor.results.viewer.viewer import viewer_markup, viewer_scripts, viewer_style
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, Timing
 
 #: Largest width and height of a picture on the page, in its pixels.
 PAGE_WIDTH, PICTURE_HEIGHT = 984, 760
+#: Size of a page that can be sent by mail [bytes].
+MOST_BYTES = 10_000_000
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
@@ -100,7 +102,8 @@ class Report:
 def write_report(path: str | Path, report: Report) -> None:
     """Write a report as one HTML file that needs no other: viewer, pictures, plots and style are inside.
 
-    Where the browser has no WebGL, and in print, the still pictures take the place of the viewer.
+    Where the browser has no WebGL, and in print, the still pictures take the place of the viewer. The viewer shows as
+    many states as fit on a page of `MOST_BYTES`.
 
     Parameters
     ----------
@@ -110,11 +113,15 @@ def write_report(path: str | Path, report: Report) -> None:
         What it tells.
     """
     source = files("turgor.results.report").joinpath("templates/report.html").read_text(encoding="utf-8")
-    Path(path).write_text(rendered(source, _context(report)), encoding="utf-8")
+    page = rendered(source, _context(report)).encode()
+    if len(page) > MOST_BYTES:
+        room = max(0, MOST_TEXT - (len(page) - MOST_BYTES))
+        page = rendered(source, _context(report, room)).encode()
+    Path(path).write_bytes(page)
 
 
-def _context(report: Report) -> dict[str, object]:
-    """Everything the template names, as text, lists and pairs."""
+def _context(report: Report, most_text: int = MOST_TEXT) -> dict[str, object]:
+    """Everything the template names, as text, lists and pairs; the scene of the viewer has that many letters."""
     solution, model = report.solution, report.solution.model
     staged = isinstance(solution.procedure, Stages)
     return {
@@ -125,7 +132,7 @@ def _context(report: Report) -> dict[str, object]:
         "message": solution.message,
         "advice": solution.advice,
         "findings": list(report.findings),
-        **_viewer(report),
+        **_viewer(report, most_text),
         **_response(report),
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
         "picture_width": _picture_width(report.pictures),
@@ -159,12 +166,12 @@ def _model(report: Report, staged: bool) -> dict[str, object]:
     }
 
 
-def _viewer(report: Report) -> dict[str, object]:
+def _viewer(report: Report, most_text: int) -> dict[str, object]:
     """The viewer as markup, style and scripts, and what it leaves out."""
     if not report.solution.states:
         return {"viewer": "", "viewer_style": "", "viewer_scripts": "", "viewer_notes": []}
     linked = report.response if len(report.response) == len(report.solution.states) else None
-    scene = scene_of(report.solution, linked, report.measured, report.fields)
+    scene = scene_of(report.solution, linked, report.measured, report.fields, most_text)
     return {
         "viewer": viewer_markup(scene),
         "viewer_style": viewer_style(),

@@ -1,5 +1,6 @@
 """Text of the report: title, units, digits, zeros, sources, and what repeats the run."""
 
+import json
 import re
 from dataclasses import replace
 
@@ -7,6 +8,7 @@ import numpy as np
 import pytest
 import results_cases as cases
 
+import turgor as tg
 from turgor.materials.laws.laws import LAWS, Hooke
 from turgor.response import Column, Response
 from turgor.results.plots.linked import places_of_points
@@ -122,3 +124,19 @@ def test_the_page_knows_where_the_points_of_a_plot_lie():
     assert axes.x0 < line[0][0] < line[1][0] < axes.x1
     assert line[0][1] > line[1][1]  # a larger value lies higher, counted from the top
     assert line[2] is None
+
+
+def test_a_page_that_is_too_large_shows_fewer_states(tmp_path, monkeypatch):
+    model = cases.model(cases.body(half=True))
+    path = cases.solution([cases.state(model, cases.bent(f), f) for f in (0.0, 0.3, 0.6, 0.8, 1.0)])
+    file = tmp_path / "r.html"
+    tg.report(path, file)
+    whole = file.stat().st_size
+    fewer = "of 5 states, to keep the page small."
+    assert fewer not in file.read_text(encoding="utf-8")
+    letters = len(json.dumps(scene_of(path).values))
+    monkeypatch.setattr("turgor.results.report.page.MOST_BYTES", whole - letters // 4)
+    monkeypatch.setattr("turgor.results.report.page.MOST_TEXT", letters)
+    tg.report(path, file)
+    assert file.stat().st_size < whole - letters // 4
+    assert fewer in file.read_text(encoding="utf-8")
