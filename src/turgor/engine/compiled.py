@@ -1,12 +1,53 @@
-"""Compiled loops in several files: what keeps numba's cache on disk true when one of them changes."""
+"""Compiled loops: their threads, and what keeps numba's cache on disk true when one of several files changes."""
 
+import os
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextvars import ContextVar
+from functools import cache
 from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
-from typing import TypeVar
+from typing import Any, TypeVar
+
+import numba
 
 Loop = TypeVar("Loop", bound=Callable)
+
+
+#: Threads of `over`, where `turgor.engine.runtime.use_threads` says how many.
+THREADS: ContextVar[int | None] = ContextVar("threads", default=None)
+
+#: Passes of a loop below which another thread costs more than it saves, and parts of a loop for each thread, so that
+#: none waits long for another.
+LEAST, PARTS = 256, 4
+
+
+def over(count: int, loop: Callable[..., None], *arguments: Any) -> None:
+    """Call ``loop(begin, end, *arguments)`` for ranges that together are 0 to ``count``, on several threads.
+
+    The loop is compiled with ``nogil=True`` and writes only what belongs to its range. It compiles in a third of the
+    time of a parallel loop of numba.
+    """
+    threads = min(processors() if THREADS.get() is None else THREADS.get() or 1, count // LEAST)
+    if threads < 2:
+        if count:
+            loop(0, count, *arguments)
+        return
+    ends = [count * k // (PARTS * threads) for k in range(PARTS * threads + 1)]
+    list(_pool(threads, os.getpid()).map(lambda k: loop(ends[k], ends[k + 1], *arguments), range(len(ends) - 1)))
+
+
+def processors() -> int:
+    """Processors of this process, or as many as numba was told to use, where that is fewer."""
+    there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(there, int(numba.config.NUMBA_NUM_THREADS))
+
+
+@cache
+def _pool(threads: int, _process: int) -> ThreadPoolExecutor:
+    """Threads that wait for the next loop; a process that was forked has its own."""
+    return ThreadPoolExecutor(threads, thread_name_prefix="turgor-loop")
 
 
 def calls(*modules: ModuleType) -> Callable[[Loop], Loop]:

@@ -1,16 +1,15 @@
 """Runtime: threads, the linear solver's name, and the one-time compilation of the kernels."""
 
-import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from threading import Timer
 from time import perf_counter
 
-import numba
 from threadpoolctl import threadpool_limits
 
 from turgor.engine.cells.kernels_warmup import touch_kernels
+from turgor.engine.compiled import THREADS, processors
 from turgor.engine.contact.warmup import touch_contact_kernels
 from turgor.errors import TurgorError, unknown
 
@@ -20,12 +19,6 @@ MIXED, NEWTON, PLAIN = "mixed", "newton", "plain"
 
 #: Compilation that lasts longer than this [s] is announced.
 QUIET_SECONDS = 1.5
-
-
-def _processors() -> int:
-    """Processors of this process, or as many as numba was told to use, where that is fewer."""
-    there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return min(there, int(numba.config.NUMBA_NUM_THREADS))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,7 +41,7 @@ class EngineOptions:
     """
 
     linear_solver: str = "auto"
-    threads: int = field(default_factory=_processors)
+    threads: int = field(default_factory=processors)
     notify: Callable[[str], None] | None = None
     iteration: str = MIXED
 
@@ -61,17 +54,16 @@ class EngineOptions:
 
 @contextmanager
 def use_threads(threads: int) -> Iterator[None]:
-    """Run the kernels on a number of threads, at most as many as the machine started with.
+    """Run the kernels on a number of threads.
 
     NumPy's own library stays on one: its products are small here, and its waiting threads take time from the solver's.
     """
-    before = numba.get_num_threads()
-    numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
+    before = THREADS.set(threads)
     try:
         with threadpool_limits(1, user_api="blas"):
             yield
     finally:
-        numba.set_num_threads(before)
+        THREADS.reset(before)
 
 
 def compile_kernels(notify: Callable[[str], None] | None, nodes: int = 10, mixed: bool = True, sides: int = 0) -> float:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
-from numba import njit, prange
+from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.pattern import Pattern
@@ -67,10 +67,10 @@ class NodeFrames:
         return (turn @ matrix @ turn.T).tocsc()
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def turn_lower(data: Array, indptr: Ints, indices: NDArray[np.int32], place: Ints, axes: Array) -> None:
     """Turn K into A K Aᵀ with a block A of each node, in the lower triangle of K; ``place`` is −1 where A is one."""
-    for b in prange(len(place)):
+    for b in range(len(place)):
         if place[b] >= 0:
             A = axes[place[b]]
             block = np.empty((3, 3))

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
-from numba import njit, prange
+from numba import njit
 from numpy.typing import NDArray
 
 
@@ -60,11 +60,11 @@ def _incidence(unknowns: NDArray[np.int64], size: int) -> sp.csr_matrix:
     )
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def locate(indptr, indices, rows, columns):
     """Positions of entries (row, column), swapped into the lower triangle where needed, (k,) int32; -1 if absent."""
     out = np.empty(len(rows), dtype=np.int32)
-    for k in prange(len(rows)):
+    for k in range(len(rows)):
         row = max(rows[k], columns[k])
         column = min(rows[k], columns[k])
         low, high = indptr[column], indptr[column + 1]

@@ -147,6 +147,8 @@ class CellMaterials:
     def _in_stretches(self, F: Array, history: History) -> tuple[Array, Array]:
         """Stress and tangent in the gradient cells whose law is one in stretches; zero in the others."""
         among, count = self._spectral, len(self.gradient_cells)
+        if not len(among):
+            return np.zeros((count, F.shape[1], 6)), np.zeros((count, F.shape[1], spectral.TANGENT))
         bar, directions, scale = spectral.principal_stretches(F if len(among) == count else F[among])
         W = np.empty((9, *scale.shape))
         for region in self._regions:

@@ -8,13 +8,13 @@ mean stresses of its own, for comparison with codes that have no mixed element, 
 Stress and tangent are formed once per point in the reference configuration (`turgor.engine.cells.kernels_point`),
 pushed to ∂P/∂F and contracted with the shape function gradients; node loops run over contiguous arrays so that the
 compiler vectorizes them. Laws in stretches bring the isochoric S and 4 ∂²W/∂C² along (`turgor.engine.cells.spectral`).
-Symbols follow the review's section 3.1. Arrays are taken out of the named tuples ahead of a parallel loop.
+Symbols follow the review's section 3.1.
 """
 
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.cells import kernels_geometry, kernels_point, kernels_volume
@@ -37,7 +37,7 @@ from turgor.engine.cells.kernels_volume import (
     moment_changes,
     penalty_stress_at,
 )
-from turgor.engine.compiled import calls
+from turgor.engine.compiled import calls, over
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -106,23 +106,13 @@ class Response(NamedTuple):
         return self._replace(W=np.ascontiguousarray(self.W[:, chosen]), rows=self.rows[chosen])
 
 
-@njit(cache=True, parallel=True, fastmath=FAST)
+@njit(cache=True, nogil=True, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
-def residual(cells, u, p, laws):
-    """Gradient of the energy by cell: internal forces (node by node), then volume constraints.
-
-    Parameters
-    ----------
-    cells : Cells
-    u, p : (n, 3), (m,) arrays
-        Displacements and mean stresses.
-    laws : Response
-    """
+def _residual(begin, end, out, cells, u, p, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W1, W2, rows, stress = laws.W[0], laws.W[1], laws.rows, laws.stress
-    count, q_count = len(nodes), len(dN)
-    out = np.empty((count, 3 * len(shape) + len(modes)))
-    for c in prange(count):
+    q_count = len(dN)
+    for c in range(begin, end):
         ue = np.empty((3, len(shape)))
         G = np.empty((3, len(shape)))
         F = np.empty((3, 3))
@@ -156,23 +146,30 @@ def residual(cells, u, p, laws):
             volume = w * (lost - extra * compliance[c])
             for m in range(len(modes)):
                 out[c, 3 * len(shape) + m] += M[q, m] * volume
+
+
+def residual(cells: Cells, u: Array, p: Array, laws: Response) -> Array:
+    """Gradient of the energy by cell: internal forces (node by node), then volume constraints.
+
+    Parameters
+    ----------
+    cells : Cells
+    u, p : (n, 3), (m,) arrays
+        Displacements and mean stresses.
+    laws : Response
+    """
+    out = np.empty((len(cells.nodes), 3 * len(cells.shape) + len(cells.modes)))
+    over(len(out), _residual, out, cells, u, p, laws)
     return out
 
 
-@njit(cache=True, parallel=True, fastmath=FAST)
+@njit(cache=True, nogil=True, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
-def extrapolated_stress(cells, u, p, du, dp, laws):
-    """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 6).
-
-    It enters the geometric stiffness of the next iteration in place of the stress itself: the mixed integration
-    point iteration of Magisano, Leonetti and Garcea (2017), doi 10.1016/j.cma.2016.10.023. The other parameters are
-    those of `residual`.
-    """
+def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W, rows, stress, moduli = laws
-    count, q_count = len(nodes), len(dN)
-    out = np.empty((count, q_count, 6))
-    for c in prange(count):
+    q_count = len(dN)
+    for c in range(begin, end):
         ue = np.empty((3, len(shape)))
         de = np.empty((3, len(shape)))
         G = np.empty((3, len(shape)))
@@ -214,6 +211,17 @@ def extrapolated_stress(cells, u, p, du, dp, laws):
                 for w in range(6):
                     total += D[v, w] * E[w]
                 out[c, q, v] = total
+
+
+def extrapolated_stress(cells: Cells, u: Array, p: Array, du: Array, dp: Array, laws: Response) -> Array:
+    """Stress S + D : ΔE linearized about (u, p) for the update (du, dp), (c, q, 6).
+
+    It enters the geometric stiffness of the next iteration in place of the stress itself: the mixed integration
+    point iteration of Magisano, Leonetti and Garcea (2017), doi 10.1016/j.cma.2016.10.023. The other parameters are
+    those of `residual`.
+    """
+    out = np.empty((*cells.dV.shape, 6))
+    over(len(out), _extrapolated_stress, out, cells, u, p, du, dp, laws)
     return out
 
 
@@ -275,19 +283,12 @@ def _pack(shape, modes, K, Kup, Kpp, out):
             at += 1
 
 
-@njit(cache=True, parallel=True, fastmath=FAST)
+@njit(cache=True, nogil=True, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
-def tangent(cells, u, p, laws, geometric, use_geometric):
-    """Hessian of the energy by cell, lower triangles packed row by row.
-
-    ``geometric`` (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set; the other
-    parameters are those of `residual`.
-    """
+def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W, rows, stress, moduli = laws
-    unknowns = 3 * len(shape) + len(modes)
-    out = np.empty((len(nodes), unknowns * (unknowns + 1) // 2))
-    for c in prange(len(nodes)):
+    for c in range(begin, end):
         ue, G, T9 = np.empty((3, len(shape))), np.empty((3, len(shape))), np.empty((3, len(shape)))
         F, Cof = np.empty((3, 3)), np.empty((3, 3))
         C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
@@ -336,4 +337,15 @@ def tangent(cells, u, p, laws, geometric, use_geometric):
                     Kpp[m, n] -= w * compliance[c] * M[q, m] * M[q, n]
         _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp)
         _pack(shape, modes, K, Kup, Kpp, out[c])
+
+
+def tangent(cells: Cells, u: Array, p: Array, laws: Response, geometric: Array, use_geometric: bool) -> Array:
+    """Hessian of the energy by cell, lower triangles packed row by row.
+
+    ``geometric`` (c, q, 6) replaces the stress in the geometric stiffness where ``use_geometric`` is set; the other
+    parameters are those of `residual`.
+    """
+    unknowns = 3 * len(cells.shape) + len(cells.modes)
+    out = np.empty((len(cells.nodes), unknowns * (unknowns + 1) // 2))
+    over(len(out), _tangent, out, cells, u, p, laws, geometric, use_geometric)
     return out

@@ -4,7 +4,13 @@ Loops in other files that call functions of this one name it in `turgor.engine.c
 """
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
+from numpy.typing import NDArray
+
+from turgor.engine.compiled import over
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
 
@@ -47,13 +53,13 @@ def load_cell(shape, nodes, u, ue):
             ue[i, a] = u[nodes[a], i]
 
 
-@njit(cache=True, parallel=True, fastmath=FAST)
+@njit(cache=True, fastmath=FAST)
 def reference_geometry(shape, points, cells, dN, weights):
     """Inverse Jacobian (c, q, 3, 3) and volume weight (c, q) of the curved reference cells."""
     count, q_count = len(cells), len(weights)
     Jinv = np.empty((count, q_count, 3, 3))
     dV = np.empty((count, q_count))
-    for c in prange(count):
+    for c in range(count):
         A = np.empty((3, 3))
         Cof = np.empty((3, 3))
         for q in range(q_count):
@@ -71,20 +77,16 @@ def reference_geometry(shape, points, cells, dN, weights):
     return Jinv, dV
 
 
-@njit(cache=True, parallel=True, fastmath=FAST)
-def kinematics(shape, cells, u, dN, Jinv):
-    """Isochoric invariants Ī₁, Ī₂ and volume ratio J at all points; J ≤ 0 gives NaN invariants."""
-    count, q_count = len(cells), len(dN)
-    I1 = np.empty((count, q_count))
-    I2 = np.empty((count, q_count))
-    ratio = np.empty((count, q_count))
-    for c in prange(count):
+@njit(cache=True, nogil=True, fastmath=FAST)
+def _kinematics(begin, end, out, shape, cells, u, dN, Jinv):
+    I1, I2, ratio = out
+    for c in range(begin, end):
         ue = np.empty((3, len(shape)))
         G = np.empty((3, len(shape)))
         F = np.empty((3, 3))
         Cof = np.empty((3, 3))
         load_cell(shape, cells[c], u, ue)
-        for q in range(q_count):
+        for q in range(len(dN)):
             gradient_at(shape, dN[q], Jinv[c, q], G)
             deformation_gradient_at(shape, ue, G, F)
             J = cofactor_at(F, Cof)
@@ -102,19 +104,29 @@ def kinematics(shape, cells, u, dN, Jinv):
             else:
                 I1[c, q] = np.nan
                 I2[c, q] = np.nan
-    return I1, I2, ratio
 
 
-@njit(cache=True, parallel=True, fastmath=FAST)
-def deformation_gradients(shape, cells, u, dN, Jinv):
-    """Deformation gradient F (c, q, 3, 3) at all points, for results."""
+def kinematics(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: Array) -> tuple[Array, Array, Array]:
+    """Isochoric invariants Ī₁, Ī₂ and volume ratio J at all points; J ≤ 0 gives NaN invariants."""
     count, q_count = len(cells), len(dN)
-    out = np.empty((count, q_count, 3, 3))
-    for c in prange(count):
+    out = np.empty((count, q_count)), np.empty((count, q_count)), np.empty((count, q_count))
+    over(count, _kinematics, out, shape, cells, u, dN, Jinv)
+    return out
+
+
+@njit(cache=True, nogil=True, fastmath=FAST)
+def _deformation_gradients(begin, end, out, shape, cells, u, dN, Jinv):
+    for c in range(begin, end):
         ue = np.empty((3, len(shape)))
         G = np.empty((3, len(shape)))
         load_cell(shape, cells[c], u, ue)
-        for q in range(q_count):
+        for q in range(len(dN)):
             gradient_at(shape, dN[q], Jinv[c, q], G)
             deformation_gradient_at(shape, ue, G, out[c, q])
+
+
+def deformation_gradients(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: Array) -> Array:
+    """Deformation gradient F (c, q, 3, 3) at all points, for results."""
+    out = np.empty((len(cells), len(dN), 3, 3))
+    over(len(cells), _deformation_gradients, out, shape, cells, u, dN, Jinv)
     return out

@@ -7,7 +7,7 @@ The formulas are those of `turgor.materials.history.isochoric`, at many points.
 # numba infers the types of the compiled loops, as in `turgor.engine.cells.kernels`
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 
 _FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
 
@@ -50,14 +50,14 @@ def _add(h, product, Ci, stress, tangent):
             at += 1
 
 
-@njit(cache=True, parallel=True, fastmath=_FAST)
+@njit(cache=True, fastmath=_FAST)
 def add_known_stress(F, rows, known, scale, stress, tangent):
     """Add stress and tangent of a known tensor, divided by a scale, in place.
 
     ``known`` (c, q, 6) belongs to the cells ``rows`` (c,) of ``F`` (s, q, 3, 3), ``stress`` (s, q, 6) and ``tangent``
     (s, q, 21), lower triangles.
     """
-    for c in prange(len(rows)):
+    for c in range(len(rows)):
         row = rows[c]
         C = np.empty(6)
         inverse = np.empty(6)

@@ -11,7 +11,12 @@ orthogonal to round-off however close the stretches are.
 # numba infers the types of the compiled loops, as in `turgor.engine.cells.kernels`
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
+from numpy.typing import NDArray
+
+from turgor.engine.compiled import over
+
+Array = NDArray[np.float64]
 
 _FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
 
@@ -71,17 +76,11 @@ def _principal_axes(A, N):
         _rotate(A, N, 1, 2)
 
 
-@njit(cache=True, parallel=True, fastmath=_FAST)
-def principal_stretches(F):
-    """Isochoric principal stretches (3, c, q), principal directions of C as columns (c, q, 3, 3), and J^(1/3) (c, q).
-
-    J ≤ 0 gives NaN stretches.
-    """
-    count, q_count = F.shape[0], F.shape[1]
-    stretches = np.empty((3, count, q_count))
-    directions = np.empty((count, q_count, 3, 3))
-    scale = np.empty((count, q_count))
-    for c in prange(count):
+@njit(cache=True, nogil=True, fastmath=_FAST)
+def _principal_stretches(begin, end, out, F):
+    stretches, directions, scale = out
+    q_count = F.shape[1]
+    for c in range(begin, end):
         C = np.empty((3, 3))
         for q in range(q_count):
             f = F[c, q]
@@ -97,7 +96,17 @@ def principal_stretches(F):
             scale[c, q] = J ** (1.0 / 3.0) if J > 0.0 else np.nan
             for i in range(3):
                 stretches[i, c, q] = np.sqrt(C[i, i]) / scale[c, q]
-    return stretches, directions, scale
+
+
+def principal_stretches(F: Array) -> tuple[Array, Array, Array]:
+    """Isochoric principal stretches (3, c, q), principal directions of C as columns (c, q, 3, 3), and J^(1/3) (c, q).
+
+    J ≤ 0 gives NaN stretches.
+    """
+    points = F.shape[:2]
+    out = np.empty((3, *points)), np.empty((*points, 3, 3)), np.empty(points)
+    over(len(F), _principal_stretches, out, F)
+    return out
 
 
 @njit(cache=True, fastmath=_FAST)
@@ -136,16 +145,11 @@ def _principal_response(bar, scale, W1, W2, S, D):
     return G
 
 
-@njit(cache=True, parallel=True, fastmath=_FAST)
-def spectral_response(stretches, directions, scale, W1, W2):
-    """Isochoric stress S (c, q, 6) and tangent 4 ∂²W/∂C∂C, lower triangles (c, q, 21).
-
-    ``W1`` (3, c, q) and ``W2`` (6, c, q) are the derivatives of the energy by the isochoric principal stretches.
-    """
-    count, q_count = scale.shape
-    stress = np.empty((count, q_count, 6))
-    tangent = np.empty((count, q_count, TANGENT))
-    for c in prange(count):
+@njit(cache=True, nogil=True, fastmath=_FAST)
+def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2):
+    stress, tangent = out
+    q_count = scale.shape[1]
+    for c in range(begin, end):
         S = np.empty(3)
         D = np.empty((3, 3))
         M = np.empty((6, 6))  # dyads of the principal directions, then nᵢ⊗nⱼ + nⱼ⊗nᵢ, by component
@@ -170,4 +174,13 @@ def spectral_response(stretches, directions, scale, W1, W2):
                         value += G[k] * M[3 + k, v] * M[3 + k, w]
                     tangent[c, q, at] = value
                     at += 1
-    return stress, tangent
+
+
+def spectral_response(stretches: Array, directions: Array, scale: Array, W1: Array, W2: Array) -> tuple[Array, Array]:
+    """Isochoric stress S (c, q, 6) and tangent 4 ∂²W/∂C∂C, lower triangles (c, q, 21).
+
+    ``W1`` (3, c, q) and ``W2`` (6, c, q) are the derivatives of the energy by the isochoric principal stretches.
+    """
+    out = np.empty((*scale.shape, 6)), np.empty((*scale.shape, TANGENT))
+    over(len(scale), _spectral_response, out, stretches, directions, scale, W1, W2)
+    return out

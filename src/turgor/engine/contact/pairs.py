@@ -7,14 +7,14 @@ on the two sides are opposite and on one line, and the turning of the normal nee
 """
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 
 from turgor.engine.compiled import calls
 from turgor.engine.contact import closest
 from turgor.engine.contact.closest import curvature, place, shapes
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 @calls(closest)
 def press_forces(position, sides, N1, points, partner, at, spring):
     """Nodal forces (k, n1 + n2, 3) on primary, then secondary side, of the k points ``(side, q)`` pressed together.
@@ -24,7 +24,7 @@ def press_forces(position, sides, N1, points, partner, at, spring):
     primary, secondary = sides
     n1, n2 = primary.shape[1], secondary.shape[1]
     out = np.zeros((len(points), n1 + n2, 3))
-    for k in prange(len(points)):
+    for k in range(len(points)):
         N, D, H = np.empty(n2), np.empty((n2, 2)), np.empty((n2, 3))
         shapes(at[k, 0], at[k, 1], N, D, H)
         side, q = points[k, 0], points[k, 1]
@@ -41,7 +41,7 @@ def press_forces(position, sides, N1, points, partner, at, spring):
     return out
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 @calls(closest)
 def press_tangents(position, sides, N1, points, partner, at, spring, start):
     """Tangents (g, m, m), m = 3 (n1 + n2), summed over the points start[g] to start[g + 1] that share both sides."""
@@ -49,7 +49,7 @@ def press_tangents(position, sides, N1, points, partner, at, spring, start):
     n1, n2 = primary.shape[1], secondary.shape[1]
     nodes = n1 + n2
     out = np.zeros((len(start) - 1, 3 * nodes, 3 * nodes))
-    for g in prange(len(start) - 1):
+    for g in range(len(start) - 1):
         N, D, H = np.empty(n2), np.empty((n2, 2)), np.empty((n2, 3))
         y, d, h, apart = np.empty(3), np.empty((2, 3)), np.empty((3, 3)), np.empty(3)
         corners, c, b = np.empty((n2, 3)), np.empty(nodes), np.empty((2, 3 * nodes))
@@ -89,12 +89,12 @@ def press_tangents(position, sides, N1, points, partner, at, spring, start):
     return out
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def tie_tangents(weights, matrices, start):
     """Tangents (g, 3 m, 3 m) of points tied by weights (k, m) of nodes and matrices (k, 3, 3), summed by groups."""
     m = weights.shape[1]
     out = np.zeros((len(start) - 1, 3 * m, 3 * m))
-    for g in prange(len(start) - 1):
+    for g in range(len(start) - 1):
         for k in range(start[g], start[g + 1]):
             for a in range(m):
                 for e in range(a + 1):

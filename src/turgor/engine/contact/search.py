@@ -6,12 +6,13 @@ point wins.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 from numpy.typing import NDArray
 
-from turgor.engine.compiled import calls
+from turgor.engine.compiled import calls, over
 from turgor.engine.contact import closest
 from turgor.engine.contact.closest import foot_point, overhang
 
@@ -71,12 +72,12 @@ class Grid:
         return Grid(low, float(edge), counts, start, order)
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def centers_of(position, sides, corners):
     """Centers (s, 3) of the corners of sides, radii (s,) about them that hold all nodes, and unit normals (s, 3)."""
     count, nodes = sides.shape
     center, radius, normal = np.zeros((count, 3)), np.zeros(count), np.empty((count, 3))
-    for k in prange(count):
+    for k in range(count):
         for a in range(corners):
             for i in range(3):
                 center[k, i] += position[sides[k, a], i] / corners
@@ -109,13 +110,13 @@ def _unit_cross(a, b, out):
             out[i] /= length
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def points_of(position, sides, N, dN):
     """Positions and unit normals (s, q, 3) at the quadrature points of sides, and how much their area has grown."""
     count, nodes = sides.shape
     points = len(N)
     x, n, area = np.zeros((count, points, 3)), np.zeros((count, points, 3)), np.zeros((count, points))
-    for k in prange(count):
+    for k in range(count):
         t = np.empty((2, 3))
         for q in range(points):
             t[:] = 0.0
@@ -135,29 +136,16 @@ def points_of(position, sides, N, dN):
     return x, n, area
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, nogil=True)
 @calls(closest)
-def find_partners(looking, position, sides, about, grid, allowed, reach, apart):
-    """Nearest partner of every point: side (s, q), −1 for none; its place (s, q, 2); signed gap (s, q), inf for none.
-
-    ``looking`` holds positions and normals of the points; ``about`` holds centers, radii and normals of their sides,
-    then of the partner sides; ``grid`` low, edge, counts, start, order; ``allowed`` the overhang allowed over each edge
-    of a side and the depth allowed behind it; ``apart`` lists for each side of the points, in rows, the sides that it
-    never touches (start, list).
-    """
-    (center, radius, normal), (others, radii, normals) = about  # a parallel loop takes arrays, no tuples of tuples
+def _find_partners(begin, end, out, looking, position, sides, about, grid, allowed, reach, apart):
+    partner, at, gap = out
+    own, other = about
     x, n = looking
-    low, edge, counts, start, order = grid
-    overhanging, depth = allowed
-    first, never = apart
-    count, points = x.shape[:2]
-    partner = np.full((count, points), -1, dtype=np.int64)
-    at, gap = np.zeros((count, points, 2)), np.full((count, points), np.inf)
-    for k in prange(count):
-        near = np.empty(MOST_NEAR, dtype=np.int64)
-        own, other = (center, radius, normal), (others, radii, normals)
-        cubes = (low, edge, counts, start, order)
-        found = _near_sides(k, own, other, cubes, depth, reach, (first, never), near)
+    depth, radii = allowed[1], other[1]
+    points, near = x.shape[1], np.empty(MOST_NEAR, dtype=np.int64)
+    for k in range(begin, end):
+        found = _near_sides(k, own, other, grid, depth, reach, apart, near)
         if found == 0:
             continue
         some, far = np.empty(found, dtype=np.int64), np.empty(found)
@@ -166,9 +154,31 @@ def find_partners(looking, position, sides, about, grid, allowed, reach, apart):
             if few > 0:
                 best = (x[k, q], n[k, q], some[:few], far[:few], bound)
                 partner[k, q], at[k, q, 0], at[k, q, 1], gap[k, q] = _nearest(
-                    best, position, sides, radii, (overhanging, depth), reach
+                    best, position, sides, radii, allowed, reach
                 )
-    return partner, at, gap
+
+
+def find_partners(
+    looking: tuple[Array, Array],
+    position: Array,
+    sides: Ints,
+    about: tuple[Any, Any],
+    grid: tuple[Any, ...],
+    allowed: tuple[Array, Array],
+    reach: float,
+    apart: tuple[Ints, Ints],
+) -> tuple[Ints, Array, Array]:
+    """Nearest partner of every point: side (s, q), −1 for none; its place (s, q, 2); signed gap (s, q), inf for none.
+
+    ``looking`` holds positions and normals of the points; ``about`` holds centers, radii and normals of their sides,
+    then of the partner sides; ``grid`` low, edge, counts, start, order; ``allowed`` the overhang allowed over each edge
+    of a side and the depth allowed behind it; ``apart`` lists for each side of the points, in rows, the sides that it
+    never touches (start, list).
+    """
+    points = looking[0].shape[:2]
+    out = np.full(points, -1, dtype=np.int64), np.zeros((*points, 2)), np.full(points, np.inf)
+    over(len(looking[0]), _find_partners, out, looking, position, sides, about, grid, allowed, reach, apart)
+    return out
 
 
 @njit(cache=True)
@@ -268,20 +278,14 @@ def _listed(value, low, high, rows):
     return i < high
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, nogil=True)
 @calls(closest)
-def follow_partners(looking, position, sides, partner, at, around, overhanging, walk):
-    """Foot points near those that are known: side (s, q), place (s, q, 2) and signed gap (s, q).
-
-    Where the foot has left its side, the sides around (start, list) are tried, as far as ``walk`` times; a point that
-    then has none keeps its partner with a gap of inf.
-    """
+def _follow_partners(begin, end, out, looking, position, sides, partner, at, around, overhanging, walk):
+    side, place, gap = out
     x, n = looking
     first, neighbors = around
-    count, points = partner.shape
-    nodes = sides.shape[1]
-    side, place, gap = partner.copy(), at.copy(), np.full((count, points), np.inf)
-    for k in prange(count):
+    points, nodes = partner.shape[1], sides.shape[1]
+    for k in range(begin, end):
         N, D, H = np.empty(nodes), np.empty((nodes, 2)), np.empty((nodes, 3))
         y, d, h, unit = np.empty(3), np.empty((2, 3)), np.empty((3, 3)), np.empty(3)
         corners = np.empty((nodes, 3))
@@ -317,7 +321,26 @@ def follow_partners(looking, position, sides, partner, at, around, overhanging, 
             side[k, q] = j
             if walk == 0 or least <= 0.0 or least <= overhanging[j, edge]:
                 gap[k, q] = distance
-    return side, place, gap
+
+
+def follow_partners(
+    looking: tuple[Array, Array],
+    position: Array,
+    sides: Ints,
+    partner: Ints,
+    at: Array,
+    around: tuple[Ints, Ints],
+    overhanging: Array,
+    walk: int,
+) -> tuple[Ints, Array, Array]:
+    """Foot points near those that are known: side (s, q), place (s, q, 2) and signed gap (s, q).
+
+    Where the foot has left its side, the sides around (start, list) are tried, as far as ``walk`` times; a point that
+    then has none keeps its partner with a gap of inf.
+    """
+    out = partner.copy(), at.copy(), np.full(partner.shape, np.inf)
+    over(len(partner), _follow_partners, out, looking, position, sides, partner, at, around, overhanging, walk)
+    return out
 
 
 @njit(cache=True)

@@ -10,7 +10,7 @@ zero: locking.
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import reference_cell
@@ -73,11 +73,11 @@ def surface_gradients(points: Array, triangles: NDArray[np.int64]) -> tuple[Arra
     return frames.gradients, frames.areas
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def membrane_stress(x, dx, triangles, gradients, areas, moduli):
     """Stress S + ℂ : ΔE linearized about nodal positions ``x`` for an update ``dx``, (f, q, 3)."""
     out = np.empty((len(triangles), areas.shape[1], 3))
-    for f in prange(len(triangles)):
+    for f in range(len(triangles)):
         for q in range(areas.shape[1]):
             t = np.zeros((2, 3))
             d = np.zeros((2, 3))
@@ -98,11 +98,11 @@ def membrane_stress(x, dx, triangles, gradients, areas, moduli):
     return out
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def membrane_forces(x, triangles, gradients, areas, stress):
     """Nodal forces (f, n, 3) of a stress (f, q, 3) at nodal positions ``x``."""
     out = np.zeros((len(triangles), triangles.shape[1], 3))
-    for f in prange(len(triangles)):
+    for f in range(len(triangles)):
         for q in range(areas.shape[1]):
             t = np.zeros((2, 3))
             for a in range(triangles.shape[1]):
@@ -118,11 +118,11 @@ def membrane_forces(x, triangles, gradients, areas, stress):
     return out
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def membrane_tangents(x, triangles, gradients, areas, moduli, stress):
     """Stiffness (f, 3n, 3n) at nodal positions ``x``: moduli (f, q, 3, 3), stress (f, q, 3) in the geometric part."""
     out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
-    for f in prange(len(triangles)):
+    for f in range(len(triangles)):
         B = np.zeros((3, 3 * triangles.shape[1]))
         for q in range(areas.shape[1]):
             g, C = gradients[f, q], moduli[f, q]

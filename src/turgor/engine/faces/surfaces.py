@@ -1,7 +1,7 @@
 """Sides of cells on the body: follower pressure with its consistent tangent, enclosed volume, vector area."""
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import side_tables
@@ -69,11 +69,11 @@ def nodal_weights(points: Array, triangles: Triangles) -> Array:
     return np.bincount(triangles.ravel(), local.ravel(), minlength=len(points)).astype(float)
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def pressure_forces(x, triangles, N, dN, weights):
     """Unit pressure on each triangle: ∫ N n da per node, (f, n, 3); n points out of the solid."""
     out = np.zeros((len(triangles), triangles.shape[1], 3))
-    for f in prange(len(triangles)):
+    for f in range(len(triangles)):
         for q in range(len(weights)):
             r = np.zeros(3)
             s = np.zeros(3)
@@ -88,11 +88,11 @@ def pressure_forces(x, triangles, N, dN, weights):
     return out
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def pressure_tangents(x, triangles, N, dN, weights):
     """Derivative of `pressure_forces` by the nodal positions, (f, 3n, 3n); it is not symmetric triangle by triangle."""
     out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
-    for f in prange(len(triangles)):
+    for f in range(len(triangles)):
         for q in range(len(weights)):
             r = np.zeros(3)
             s = np.zeros(3)

@@ -10,7 +10,7 @@ threads go slack: below λ = 1 a share of the stiffness remains, nothing or all 
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 from numpy.typing import NDArray
 
 from turgor.shown import brief
@@ -55,12 +55,12 @@ class Pieces:
     __repr__ = brief
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def fiber_tensions(x, dx, sides, along, stiffness, pushed):
     """Stretch λ and tension N + E A n·Δt of each piece, linearized about positions ``x`` for an update ``dx``."""
     stretch = np.empty(len(sides))
     tension = np.empty(len(sides))
-    for k in prange(len(sides)):
+    for k in range(len(sides)):
         t = np.zeros(3)
         d = np.zeros(3)
         for a in range(sides.shape[1]):
@@ -75,11 +75,11 @@ def fiber_tensions(x, dx, sides, along, stiffness, pushed):
     return stretch, tension
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def fiber_forces(x, sides, along, weights, tension):
     """Nodal forces (k, n, 3) of tensions (k,) at positions ``x``."""
     out = np.zeros((len(sides), sides.shape[1], 3))
-    for k in prange(len(sides)):
+    for k in range(len(sides)):
         t = np.zeros(3)
         for a in range(sides.shape[1]):
             for i in range(3):
@@ -91,12 +91,12 @@ def fiber_forces(x, sides, along, weights, tension):
     return out
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def fiber_tangents(x, sides, along, weights, stiffness, tension):
     """Stiffness (k, 3n, 3n) at positions ``x`` with tensions in its geometric part; ``stiffness`` is that of now."""
     n = sides.shape[1]
     out = np.empty((len(sides), 3 * n, 3 * n))
-    for k in prange(len(sides)):
+    for k in range(len(sides)):
         t = np.zeros(3)
         for a in range(n):
             for i in range(3):
