@@ -8,6 +8,7 @@ from pathlib import Path
 from time import perf_counter
 
 from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.cells.kernels_warmup import needed_by
 from turgor.engine.contact.build import may_touch
 from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
 from turgor.engine.system import System
@@ -169,7 +170,8 @@ def _solved(
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
         cell, mixed = model.mesh.cell_type, model.formulation != DISPLACEMENT
-        compiling = compile_kernels(options.notify, cell.nodes, mixed, cell.side.nodes if may_touch(model) else 0)
+        sides = cell.side.nodes if may_touch(model) else 0
+        compiling = compile_kernels(options.notify, cell.nodes, mixed, sides, needed_by(model))
         setup = perf_counter()
         system = System(model, method.controlled(model, procedure))
         history = system.history(step=inf)  # slow enough to relax, unless the procedure knows its time

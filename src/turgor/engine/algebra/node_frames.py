@@ -70,18 +70,21 @@ class NodeFrames:
 @njit(cache=True)
 def turn_lower(data: Array, indptr: Ints, indices: NDArray[np.int32], place: Ints, axes: Array) -> None:
     """Turn K into A K Aᵀ with a block A of each node, in the lower triangle of K; ``place`` is −1 where A is one."""
+    block, half = np.empty((3, 3)), np.empty((3, 3))
     for b in range(len(place)):
         if place[b] >= 0:
             A = axes[place[b]]
-            block = np.empty((3, 3))
             for j in range(3):
                 for i in range(j, 3):
                     block[i, j] = data[indptr[3 * b + j] + i - j]
                     block[j, i] = block[i, j]
-            block = A @ block @ A.T
+            for i in range(3):
+                for j in range(3):
+                    half[i, j] = A[i, 0] * block[0, j] + A[i, 1] * block[1, j] + A[i, 2] * block[2, j]
             for j in range(3):
                 for i in range(j, 3):
-                    data[indptr[3 * b + j] + i - j] = block[i, j]
+                    turned = half[i, 0] * A[j, 0] + half[i, 1] * A[j, 1] + half[i, 2] * A[j, 2]
+                    data[indptr[3 * b + j] + i - j] = turned
             for r in range(indptr[3 * b + 1] - indptr[3 * b] - 3):
                 p0, p1, p2 = indptr[3 * b] + 3 + r, indptr[3 * b + 1] + 2 + r, indptr[3 * b + 2] + 1 + r
                 d0, d1, d2 = data[p0], data[p1], data[p2]

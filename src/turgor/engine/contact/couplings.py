@@ -68,8 +68,8 @@ class Layout:
         both = (base + graph).tocsc()
         both.sort_indices()
         self.pattern = Pattern(size, both.indptr.astype(np.int64), both.indices.astype(np.int32))
-        columns = np.repeat(np.arange(size, dtype=np.int32), np.diff(self.base.indptr))
-        self._place = locate(self.pattern.indptr, self.pattern.indices, self.base.indices, columns)
+        columns = np.repeat(np.arange(size), np.diff(self.base.indptr))
+        self._place = locate(self.pattern.indptr, self.pattern.indices, self.base.indices.astype(np.int64), columns)
         self._find_held()
 
     def spread(self, data: Array) -> Array:

@@ -159,7 +159,7 @@ class PairPart(PointsPart):
 
     def _press(self, position: Array, found: Found) -> Array:
         every = self._all(position, found.place)
-        points = found.touching
+        points = np.ascontiguousarray(found.touching)
         i, q = points.T
         partner, at = found.partner[i, q], found.at[i, q]
         spring = self._springs(points, partner) * self._weights(points)

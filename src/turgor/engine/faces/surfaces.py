@@ -73,15 +73,15 @@ def nodal_weights(points: Array, triangles: Triangles) -> Array:
 def pressure_forces(x, triangles, N, dN, weights):
     """Unit pressure on each triangle: ∫ N n da per node, (f, n, 3); n points out of the solid."""
     out = np.zeros((len(triangles), triangles.shape[1], 3))
+    r, s = np.empty(3), np.empty(3)
     for f in range(len(triangles)):
         for q in range(len(weights)):
-            r = np.zeros(3)
-            s = np.zeros(3)
-            for a in range(triangles.shape[1]):
-                for i in range(3):
+            for i in range(3):
+                r[i], s[i] = 0.0, 0.0
+                for a in range(triangles.shape[1]):
                     r[i] += dN[q, a, 0] * x[triangles[f, a], i]
                     s[i] += dN[q, a, 1] * x[triangles[f, a], i]
-            n = np.cross(r, s)
+            n = (r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0])
             for a in range(triangles.shape[1]):
                 for i in range(3):
                     out[f, a, i] += weights[q] * N[q, a] * n[i]
@@ -92,16 +92,17 @@ def pressure_forces(x, triangles, N, dN, weights):
 def pressure_tangents(x, triangles, N, dN, weights):
     """Derivative of `pressure_forces` by the nodal positions, (f, 3n, 3n); it is not symmetric triangle by triangle."""
     out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
+    r, s, v = np.empty(3), np.empty(3), np.empty(3)
     for f in range(len(triangles)):
         for q in range(len(weights)):
-            r = np.zeros(3)
-            s = np.zeros(3)
-            for a in range(triangles.shape[1]):
-                for i in range(3):
+            for i in range(3):
+                r[i], s[i] = 0.0, 0.0
+                for a in range(triangles.shape[1]):
                     r[i] += dN[q, a, 0] * x[triangles[f, a], i]
                     s[i] += dN[q, a, 1] * x[triangles[f, a], i]
             for b in range(triangles.shape[1]):
-                v = dN[q, b, 1] * r - dN[q, b, 0] * s  # ∂n/∂x_b = [v]×
+                for i in range(3):
+                    v[i] = dN[q, b, 1] * r[i] - dN[q, b, 0] * s[i]  # ∂n/∂x_b = [v]×
                 for a in range(triangles.shape[1]):
                     w = weights[q] * N[q, a]
                     out[f, 3 * a, 3 * b + 1] -= w * v[2]
