@@ -112,14 +112,14 @@ def _residual(begin, end, out, cells, u, p, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W1, W2, rows, stress = laws.W[0], laws.W[1], laws.rows, laws.stress
     q_count = len(dN)
+    ue = np.empty((3, len(shape)))
+    G = np.empty((3, len(shape)))
+    F = np.empty((3, 3))
+    Cof = np.empty((3, 3))
+    P = np.empty((3, 3))
+    C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
+    s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
     for c in range(begin, end):
-        ue = np.empty((3, len(shape)))
-        G = np.empty((3, len(shape)))
-        F = np.empty((3, 3))
-        Cof = np.empty((3, 3))
-        P = np.empty((3, 3))
-        C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
-        s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
         cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
         load_cell(shape, nodes[c], u, ue)
         out[c, :] = 0.0
@@ -169,17 +169,17 @@ def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W, rows, stress, moduli = laws
     q_count = len(dN)
+    ue = np.empty((3, len(shape)))
+    de = np.empty((3, len(shape)))
+    G = np.empty((3, len(shape)))
+    F = np.empty((3, 3))
+    H = np.empty((3, 3))
+    Cof = np.empty((3, 3))
+    C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
+    s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
+    D = np.empty((6, 6))
+    E = np.empty(6)
     for c in range(begin, end):
-        ue = np.empty((3, len(shape)))
-        de = np.empty((3, len(shape)))
-        G = np.empty((3, len(shape)))
-        F = np.empty((3, 3))
-        H = np.empty((3, 3))
-        Cof = np.empty((3, 3))
-        C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
-        s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
-        D = np.empty((6, 6))
-        E = np.empty(6)
         cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
         load_cell(shape, nodes[c], u, ue)
         load_cell(shape, nodes[c], du, de)
@@ -288,14 +288,15 @@ def _pack(shape, modes, K, Kup, Kpp, out):
 def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W, rows, stress, moduli = laws
+    ue, G, T9 = np.empty((3, len(shape))), np.empty((3, len(shape))), np.empty((3, len(shape)))
+    F, Cof = np.empty((3, 3)), np.empty((3, 3))
+    C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
+    s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
+    D, A = np.empty((6, 6)), np.empty((9, 9))
+    K, Kpp = np.empty((3, 3, len(shape), len(shape))), np.empty((len(modes), len(modes)))
+    Kup = np.empty((len(modes), 3, len(shape)))
     for c in range(begin, end):
-        ue, G, T9 = np.empty((3, len(shape))), np.empty((3, len(shape))), np.empty((3, len(shape)))
-        F, Cof = np.empty((3, 3)), np.empty((3, 3))
-        C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
-        s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
-        D, A = np.empty((6, 6)), np.empty((9, 9))
-        K, Kpp = np.zeros((3, 3, len(shape), len(shape))), np.zeros((len(modes), len(modes)))
-        Kup = np.zeros((len(modes), 3, len(shape)))
+        K[:], Kpp[:], Kup[:] = 0.0, 0.0, 0.0
         cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
         load_cell(shape, nodes[c], u, ue)
         moments = lost_moments(shape, modes, ue, p, (dN, M), cell)

@@ -59,9 +59,9 @@ def reference_geometry(shape, points, cells, dN, weights):
     count, q_count = len(cells), len(weights)
     Jinv = np.empty((count, q_count, 3, 3))
     dV = np.empty((count, q_count))
+    A = np.empty((3, 3))
+    Cof = np.empty((3, 3))
     for c in range(count):
-        A = np.empty((3, 3))
-        Cof = np.empty((3, 3))
         for q in range(q_count):
             for i in range(3):
                 for k in range(3):
@@ -80,11 +80,11 @@ def reference_geometry(shape, points, cells, dN, weights):
 @njit(cache=True, nogil=True, fastmath=FAST)
 def _kinematics(begin, end, out, shape, cells, u, dN, Jinv):
     I1, I2, ratio = out
+    ue = np.empty((3, len(shape)))
+    G = np.empty((3, len(shape)))
+    F = np.empty((3, 3))
+    Cof = np.empty((3, 3))
     for c in range(begin, end):
-        ue = np.empty((3, len(shape)))
-        G = np.empty((3, len(shape)))
-        F = np.empty((3, 3))
-        Cof = np.empty((3, 3))
         load_cell(shape, cells[c], u, ue)
         for q in range(len(dN)):
             gradient_at(shape, dN[q], Jinv[c, q], G)
@@ -116,9 +116,9 @@ def kinematics(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: A
 
 @njit(cache=True, nogil=True, fastmath=FAST)
 def _deformation_gradients(begin, end, out, shape, cells, u, dN, Jinv):
+    ue = np.empty((3, len(shape)))
+    G = np.empty((3, len(shape)))
     for c in range(begin, end):
-        ue = np.empty((3, len(shape)))
-        G = np.empty((3, len(shape)))
         load_cell(shape, cells[c], u, ue)
         for q in range(len(dN)):
             gradient_at(shape, dN[q], Jinv[c, q], G)

@@ -80,8 +80,8 @@ def _principal_axes(A, N):
 def _principal_stretches(begin, end, out, F):
     stretches, directions, scale = out
     q_count = F.shape[1]
+    C = np.empty((3, 3))
     for c in range(begin, end):
-        C = np.empty((3, 3))
         for q in range(q_count):
             f = F[c, q]
             J = (
@@ -149,11 +149,11 @@ def _principal_response(bar, scale, W1, W2, S, D):
 def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2):
     stress, tangent = out
     q_count = scale.shape[1]
+    S = np.empty(3)
+    D = np.empty((3, 3))
+    M = np.empty((6, 6))  # dyads of the principal directions, then nᵢ⊗nⱼ + nⱼ⊗nᵢ, by component
+    DM = np.empty((3, 6))
     for c in range(begin, end):
-        S = np.empty(3)
-        D = np.empty((3, 3))
-        M = np.empty((6, 6))  # dyads of the principal directions, then nᵢ⊗nⱼ + nⱼ⊗nᵢ, by component
-        DM = np.empty((3, 6))
         for q in range(q_count):
             G = _principal_response(stretches[:, c, q], scale[c, q], W1[:, c, q], W2[:, c, q], S, D)
             N = directions[c, q]

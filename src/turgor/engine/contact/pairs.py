@@ -24,8 +24,8 @@ def press_forces(position, sides, N1, points, partner, at, spring):
     primary, secondary = sides
     n1, n2 = primary.shape[1], secondary.shape[1]
     out = np.zeros((len(points), n1 + n2, 3))
+    N, D, H = np.empty(n2), np.empty((n2, 2)), np.empty((n2, 3))
     for k in range(len(points)):
-        N, D, H = np.empty(n2), np.empty((n2, 2)), np.empty((n2, 3))
         shapes(at[k, 0], at[k, 1], N, D, H)
         side, q = points[k, 0], points[k, 1]
         for i in range(3):
@@ -49,10 +49,10 @@ def press_tangents(position, sides, N1, points, partner, at, spring, start):
     n1, n2 = primary.shape[1], secondary.shape[1]
     nodes = n1 + n2
     out = np.zeros((len(start) - 1, 3 * nodes, 3 * nodes))
+    N, D, H = np.empty(n2), np.empty((n2, 2)), np.empty((n2, 3))
+    y, d, h, apart = np.empty(3), np.empty((2, 3)), np.empty((3, 3)), np.empty(3)
+    corners, c, b = np.empty((n2, 3)), np.empty(nodes), np.empty((2, 3 * nodes))
     for g in range(len(start) - 1):
-        N, D, H = np.empty(n2), np.empty((n2, 2)), np.empty((n2, 3))
-        y, d, h, apart = np.empty(3), np.empty((2, 3)), np.empty((3, 3)), np.empty(3)
-        corners, c, b = np.empty((n2, 3)), np.empty(nodes), np.empty((2, 3 * nodes))
         for k in range(start[g], start[g + 1]):
             side, q = points[k, 0], points[k, 1]
             for a in range(n2):

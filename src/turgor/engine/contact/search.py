@@ -116,8 +116,8 @@ def points_of(position, sides, N, dN):
     count, nodes = sides.shape
     points = len(N)
     x, n, area = np.zeros((count, points, 3)), np.zeros((count, points, 3)), np.zeros((count, points))
+    t = np.empty((2, 3))
     for k in range(count):
-        t = np.empty((2, 3))
         for q in range(points):
             t[:] = 0.0
             for a in range(nodes):
@@ -285,10 +285,10 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
     x, n = looking
     first, neighbors = around
     points, nodes = partner.shape[1], sides.shape[1]
+    N, D, H = np.empty(nodes), np.empty((nodes, 2)), np.empty((nodes, 3))
+    y, d, h, unit = np.empty(3), np.empty((2, 3)), np.empty((3, 3)), np.empty(3)
+    corners = np.empty((nodes, 3))
     for k in range(begin, end):
-        N, D, H = np.empty(nodes), np.empty((nodes, 2)), np.empty((nodes, 3))
-        y, d, h, unit = np.empty(3), np.empty((2, 3)), np.empty((3, 3)), np.empty(3)
-        corners = np.empty((nodes, 3))
         for q in range(points):
             j = partner[k, q]
             if j < 0:

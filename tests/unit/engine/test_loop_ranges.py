@@ -1,0 +1,70 @@
+"""Loops on several threads: every pass is made once, and results do not depend on the number of threads."""
+
+import threading
+
+import numpy as np
+import pytest
+
+from turgor.engine.cells import spectral
+from turgor.engine.cells.kernels_warmup import SHEETS, STRETCHES, needed_by
+from turgor.engine.compiled import LEAST, over
+from turgor.engine.runtime import use_threads
+from turgor.materials.laws.laws import Hooke, NeoHooke, Ogden
+from turgor.materials.material import Material
+from turgor.model.model import Membrane, Model
+from turgor.model.supports import Fixed
+
+
+@pytest.mark.parametrize("count", [0, 1, LEAST - 1, 2 * LEAST, 10 * LEAST + 7])
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_every_pass_is_made_once(count, threads):
+    made, ran = np.zeros(count, dtype=int), set()
+
+    def loop(begin, end, out):
+        out[begin:end] += 1
+        ran.add(threading.get_ident())
+
+    with use_threads(threads):
+        over(count, loop, made)
+    assert (made == 1).all()
+    if threads == 1 or count < 2 * LEAST:
+        assert ran <= {threading.get_ident()}
+    else:
+        assert threading.get_ident() not in ran
+
+
+def test_an_error_in_a_thread_is_not_lost():
+    def loop(begin, end):
+        raise ValueError("bad range")
+
+    with use_threads(2), pytest.raises(ValueError, match="bad range"):
+        over(10 * LEAST, loop)
+
+
+def test_results_do_not_depend_on_threads():
+    F = np.eye(3) + 0.3 * np.random.default_rng(1).standard_normal((5 * LEAST, 2, 3, 3))
+    found = []
+    for threads in (1, 2):
+        with use_threads(threads):
+            found.append(spectral.principal_stretches(F))
+    for one, two in zip(*found, strict=True):
+        np.testing.assert_array_equal(one, two)
+
+
+def test_few_models_need_the_loops_of_stretches_and_sheets(results_body):
+    paper = Membrane(material=Material(name="paper", law=Hooke(E=1e9, nu=0.2)), thickness=1e-4)
+
+    def model(law, **faces):
+        rubber = Material(name="rubber", law=law)
+        return Model(results_body, dict.fromkeys(results_body.regions, rubber) | faces, [Fixed("fixed")], [])
+
+    assert needed_by(model(NeoHooke(C10=1e5))) == frozenset()
+    assert needed_by(model(Ogden(mu=(1e5,), alpha=(3.0,)))) == {STRETCHES}
+    assert needed_by(model(NeoHooke(C10=1e5), outside=paper)) == {SHEETS}
+
+
+@pytest.fixture
+def results_body():
+    import results_cases
+
+    return results_cases.body()
