@@ -35,7 +35,8 @@ class EngineOptions:
         Threads of the kernels and the linear solver; all processors by default, or ``NUMBA_NUM_THREADS`` of the
         environment where that is less.
     notify : callable or None
-        ``notify(text)``, called when something takes long, such as the first compilation on a machine.
+        ``notify(text)``, called when something takes long, such as the first compilation on a machine. Without it that
+        is told on the standard error stream.
     iteration : str
         How Newton's method iterates, to measure what its refinements save: ``"mixed"`` does all that it can,
         ``"newton"`` leaves out mixed integration points, ``"plain"`` also starts each step at the last state instead
@@ -82,7 +83,7 @@ def compile_kernels(
     """
     start = perf_counter()
     text = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"
-    timer = Timer(QUIET_SECONDS, notify or (lambda _: None), args=(text,))
+    timer = Timer(QUIET_SECONDS, notify or _say, args=(text,))
     timer.daemon = True
     timer.start()
     try:
@@ -95,6 +96,11 @@ def compile_kernels(
     finally:
         timer.cancel()
     return perf_counter() - start
+
+
+def _say(text: str) -> None:
+    sys.stderr.write(f"turgor: {text}\n")
+    sys.stderr.flush()
 
 
 def _compile_beside(sides: int) -> subprocess.Popen[bytes]:

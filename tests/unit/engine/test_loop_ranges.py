@@ -1,10 +1,12 @@
 """Loops on several threads: every pass is made once, and results do not depend on the number of threads."""
 
 import threading
+import time
 
 import numpy as np
 import pytest
 
+from turgor.engine import runtime
 from turgor.engine.cells import spectral
 from turgor.engine.cells.kernels_warmup import SHEETS, STRETCHES, needed_by
 from turgor.engine.compiled import LEAST, over
@@ -61,6 +63,17 @@ def test_few_models_need_the_loops_of_stretches_and_sheets(results_body):
     assert needed_by(model(NeoHooke(C10=1e5))) == frozenset()
     assert needed_by(model(Ogden(mu=(1e5,), alpha=(3.0,)))) == {STRETCHES}
     assert needed_by(model(NeoHooke(C10=1e5), outside=paper)) == {SHEETS}
+
+
+@pytest.mark.parametrize("told", [True, False])
+def test_a_compilation_that_takes_long_is_told(told, monkeypatch, capsys):
+    heard: list[str] = []
+    monkeypatch.setattr(runtime, "QUIET_SECONDS", 0.01)
+    monkeypatch.setattr(runtime, "touch_kernels", lambda *_: time.sleep(0.3))
+    runtime.compile_kernels(heard.append if told else None)
+    said = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"
+    assert heard == ([said] if told else [])
+    assert capsys.readouterr().err == ("" if told else f"turgor: {said}\n")
 
 
 @pytest.fixture

@@ -61,7 +61,7 @@ def scene_of(
     response: Response | None = None,
     measured: Sequence[Measured] = (),
     fields: PathFields | None = None,
-    most_text: int = MOST_TEXT,
+    most_text: int | None = None,
 ) -> Scene:
     """Collect what the viewer draws: surface, fields, fibers, obstacles and curves at evenly spaced states.
 
@@ -75,8 +75,8 @@ def scene_of(
         Experiments, drawn with the curves.
     fields : PathFields, optional
         Fields of the solution that others read, too.
-    most_text : int
-        Letters of the scene as text beyond which every second step is left out.
+    most_text : int, optional
+        Letters of the scene as text beyond which every second step is left out; `MOST_TEXT` by default.
 
     Returns
     -------
@@ -95,7 +95,7 @@ def scene_of(
     surface = surface_of(fields.at(0))
     steps = chosen_steps(len(solution.states), len(surface.node))
     values = _values(fields, response, surface, steps)
-    while len(steps) > 2 and _letters(values) > most_text:
+    while len(steps) > 2 and _letters(values) > (MOST_TEXT if most_text is None else most_text):
         steps = [*steps[:-1:2], steps[-1]]
         values = _values(fields, response, surface, steps)
     values["curves"] = None if response is None else curves_of(response, steps, measured)
