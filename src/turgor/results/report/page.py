@@ -32,7 +32,7 @@ from turgor.results.report.response_table import is_zero, parted, response_table
 from turgor.results.report.templated import rendered
 from turgor.results.report.tidy import tidy
 from turgor.results.viewer.curves import Measured
-from turgor.results.viewer.scene import MOST_TEXT, scene_of
+from turgor.results.viewer.scene import Scene, scene_of
 from turgor.results.viewer.viewer import viewer_markup, viewer_scripts, viewer_style
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution, Timing
@@ -103,7 +103,7 @@ def write_report(path: str | Path, report: Report) -> None:
     """Write a report as one HTML file that needs no other: viewer, pictures, plots and style are inside.
 
     Where the browser has no WebGL, and in print, the still pictures take the place of the viewer. The viewer shows as
-    many states as fit on a page of `MOST_BYTES`.
+    many states as fit on a page of `MOST_BYTES`, and two at least.
 
     Parameters
     ----------
@@ -112,16 +112,24 @@ def write_report(path: str | Path, report: Report) -> None:
     report : Report
         What it tells.
     """
-    source = files("turgor.results.report").joinpath("templates/report.html").read_text(encoding="utf-8")
-    page = rendered(source, _context(report)).encode()
-    if len(page) > MOST_BYTES:
-        room = max(0, MOST_TEXT - (len(page) - MOST_BYTES))
-        page = rendered(source, _context(report, room)).encode()
+    scene = _scene(report)
+    page = _page(report, scene)
+    while scene is not None and (excess := len(page) - MOST_BYTES) > 0:
+        fewer = _scene(report, max(0, scene.letters - excess))
+        if fewer is None or fewer.steps == scene.steps:  # the rest of the page is too large by itself
+            break
+        scene, page = fewer, _page(report, fewer)
     Path(path).write_bytes(page)
 
 
-def _context(report: Report, most_text: int = MOST_TEXT) -> dict[str, object]:
-    """Everything the template names, as text, lists and pairs; the scene of the viewer has that many letters."""
+def _page(report: Report, scene: Scene | None) -> bytes:
+    """The page with this scene in its viewer."""
+    source = files("turgor.results.report").joinpath("templates/report.html").read_text(encoding="utf-8")
+    return rendered(source, _context(report, scene)).encode()
+
+
+def _context(report: Report, scene: Scene | None) -> dict[str, object]:
+    """Everything the template names, as text, lists and pairs."""
     solution, model = report.solution, report.solution.model
     staged = isinstance(solution.procedure, Stages)
     return {
@@ -132,7 +140,7 @@ def _context(report: Report, most_text: int = MOST_TEXT) -> dict[str, object]:
         "message": solution.message,
         "advice": solution.advice,
         "findings": list(report.findings),
-        **_viewer(report, most_text),
+        **_viewer(scene),
         **_response(report),
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
         "picture_width": _picture_width(report.pictures),
@@ -166,12 +174,18 @@ def _model(report: Report, staged: bool) -> dict[str, object]:
     }
 
 
-def _viewer(report: Report, most_text: int) -> dict[str, object]:
-    """The viewer as markup, style and scripts, and what it leaves out."""
+def _scene(report: Report, most_text: int | None = None) -> Scene | None:
+    """What the viewer shows in so many letters, if two states need no more; nothing of a solution without states."""
     if not report.solution.states:
-        return {"viewer": "", "viewer_style": "", "viewer_scripts": "", "viewer_notes": []}
+        return None
     linked = report.response if len(report.response) == len(report.solution.states) else None
-    scene = scene_of(report.solution, linked, report.measured, report.fields, most_text)
+    return scene_of(report.solution, linked, report.measured, report.fields, most_text)
+
+
+def _viewer(scene: Scene | None) -> dict[str, object]:
+    """The viewer as markup, style and scripts, and what it leaves out."""
+    if scene is None:
+        return {"viewer": "", "viewer_style": "", "viewer_scripts": "", "viewer_notes": []}
     return {
         "viewer": viewer_markup(scene),
         "viewer_style": viewer_style(),

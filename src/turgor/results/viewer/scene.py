@@ -49,11 +49,14 @@ class Scene:
         The states of the solution that it shows.
     notes : tuple of str
         What was left out.
+    letters : int
+        Letters of its texts without the curves: what fewer states make smaller.
     """
 
     values: dict[str, Any]
     steps: tuple[int, ...]
     notes: tuple[str, ...]
+    letters: int
 
 
 def scene_of(
@@ -95,11 +98,12 @@ def scene_of(
     surface = surface_of(fields.at(0))
     steps = chosen_steps(len(solution.states), len(surface.node))
     values = _values(fields, response, surface, steps)
-    while len(steps) > 2 and _letters(values) > (MOST_TEXT if most_text is None else most_text):
+    room = MOST_TEXT if most_text is None else most_text
+    while (letters := _letters(values)) > room and len(steps) > 2:
         steps = [*steps[:-1:2], steps[-1]]
         values = _values(fields, response, surface, steps)
     values["curves"] = None if response is None else curves_of(response, steps, measured)
-    return Scene(values=values, steps=tuple(steps), notes=_notes(len(solution.states), steps, surface))
+    return Scene(values=values, steps=tuple(steps), notes=_notes(len(solution.states), steps, surface), letters=letters)
 
 
 def _values(path: PathFields, response: Response | None, surface: Surface, steps: Sequence[int]) -> dict[str, Any]:

@@ -136,7 +136,6 @@ def test_a_page_that_is_too_large_shows_fewer_states(tmp_path, monkeypatch):
     assert fewer not in file.read_text(encoding="utf-8")
     letters = len(json.dumps(scene_of(path).values))
     monkeypatch.setattr("turgor.results.report.page.MOST_BYTES", whole - letters // 4)
-    monkeypatch.setattr("turgor.results.report.page.MOST_TEXT", letters)
     tg.report(path, file)
     assert file.stat().st_size < whole - letters // 4
     assert fewer in file.read_text(encoding="utf-8")
