@@ -261,6 +261,11 @@ class System:
         pressed = float(np.linalg.norm(self.joined(pressing)[~self.held]))
         return Evaluation(unknowns, load_factor, total, outer, laws, contacts, pressed, sought, history, addition)
 
+    def contacts(self, unknowns: Array, load_factor: float) -> Contacts:
+        """What touches at a point, followed from the last search."""
+        position = self.points + self.split(unknowns)[0]
+        return self.contact.look(position, self.springs(unknowns), load_factor)
+
     def history(self, memory: Memory | None = None, step: float = 0.0) -> History:
         """What a state with a memory, at rest where that is None, brings into a step of a length [s].
 

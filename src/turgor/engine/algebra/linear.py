@@ -21,6 +21,10 @@ Array = NDArray[np.float64]
 #: Unknowns from which single precision factors pay; below, there is nothing to gain.
 SINGLE_FROM = 10_000
 
+#: Unknowns from which two threads or more factor faster in the order of nested dissection, by a quarter at 35,000, than
+#: in the one with the fewest entries, whose tree of fronts is too narrow to share.
+DISSECTED_FROM = 10_000
+
 #: Refinements at most of a solution from single precision factors, and the relative residual that may be left.
 REFINEMENTS = 4
 REFINED = 1e-5
@@ -61,7 +65,8 @@ class RslabSolver:
         self._pattern = pattern
         lower = pattern.matrix(np.ones(len(pattern.indices)))
         self._settings = {"threads": threads, "scaling": "identity"}
-        self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads)
+        ordering = "metis" if threads > 1 and pattern.size >= DISSECTED_FROM else "auto"
+        self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads, ordering=ordering)
         self._data = np.empty(0)
         self._factor: rslab.Ldlt | None = None
         self.double = pattern.size < SINGLE_FROM

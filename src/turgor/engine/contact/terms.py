@@ -54,6 +54,11 @@ class Contacts:
         """Whether friction acts anywhere."""
         return any(found.friction is not None and len(found.friction.points) > 0 for found in self.found)
 
+    @property
+    def touch(self) -> bool:
+        """Whether any point is inside what it touches."""
+        return any(found.inside.any() for found in self.found)
+
     def with_friction(self, friction: Friction) -> "Contacts":
         """The same contacts with a friction history."""
         each = friction or (None,) * len(self.found)

@@ -22,7 +22,7 @@ from turgor.solvers.continuation.path_points import (
     plain_point,
     settings_of,
 )
-from turgor.solvers.continuation.predictor import BY_LOAD, predicted
+from turgor.solvers.continuation.predictor import BY_LOAD, gentle_share, predicted
 from turgor.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import rate_at, rate_in_step
@@ -126,12 +126,15 @@ class LoadStrategy:
     relaxations: int = 0
 
     def next_parameter(self, run: Run) -> float:
-        """The parameter to try next, limited so that supports move nearly straight within the step."""
+        """The parameter to try next: supports move nearly straight on the way, and walls meet gently at its end."""
         now = run.history[-1].parameter
         load = run.stepping.next_load(now)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
-        return load
+        if run.task.tangent.plain:
+            return load
+        gently = now + gentle_share(run.task.system, run.history, load) * (load - now)
+        return min(load, max(gently, now + run.stepping.min_step))
 
     def predict(self, run: Run, parameter: float) -> Start:
         """Extrapolate, compared by the relative residual."""

@@ -119,7 +119,8 @@ def accept(run: Run, now: Point, result: NewtonResult) -> Outcome | None:
         return stopped_by(task.system.model, state, reason)
     if ending is not None:
         return ending.outcome(run)
-    run.stepping = run.stepping.accepted(now.parameter - last.parameter, result.hardest or result.iterations)
+    touches = result.evaluation is not None and result.evaluation.contacts.touch
+    run.stepping = run.stepping.accepted(now.parameter - last.parameter, result.hardest or result.iterations, touches)
     task.strategy.accepted(run, now)
     next_conditions(run, last, now)
     if now.parameter in task.kinks:

@@ -9,6 +9,8 @@ from turgor.solvers.continuation.thresholds import (
     ROUND_OFF,
     STEP_CUT,
     STRETCH,
+    TOUCHING_GROWTH,
+    TOUCHING_ITERATIONS,
     WRINKLING_ITERATIONS,
 )
 from turgor.solvers.procedures.step_options import StepOptions
@@ -75,12 +77,23 @@ class StepControl:
         tidy = round(load_factor + self.length, LOAD_DIGITS)
         return tidy if load_factor < tidy < target else load_factor + self.length
 
-    def accepted(self, increment: float, iterations: int) -> "StepControl":
-        """Grow after an easy step, shrink after a hard one; a step shortened by a target does not shrink the next."""
-        factor = min(2.0, max(0.5, self.comfortable / max(iterations, 1)))
+    def accepted(self, increment: float, iterations: int, touches: bool = False) -> "StepControl":
+        """Grow after an easy step, shrink after a hard one; a step shortened by a target does not shrink the next.
+
+        Where walls touch it does, because what shortened it was how deep they would be pressed into each other.
+
+        Examples
+        --------
+        >>> from turgor.solvers.procedures.static import Static
+        >>> control = StepControl.of(Static(first_step=0.2, max_step=0.5))
+        >>> [round(control.accepted(0.1, 4, touches).length, 3) for touches in (False, True)]
+        [0.3, 0.15]
+        """
+        comfortable = max(self.comfortable, TOUCHING_ITERATIONS) if touches else self.comfortable
+        factor = min(TOUCHING_GROWTH if touches else 2.0, max(0.5, comfortable / max(iterations, 1)))
         if self.patience < 2:
             factor = min(factor, 1.0)
-        reference = max(increment, self.length) if factor >= 1 else increment
+        reference = max(increment, self.length) if factor >= 1 and not touches else increment
         return replace(self, length=min(self.max_step, reference * factor), patience=self.patience + 1)
 
     def turned(self, first_step: float) -> "StepControl":

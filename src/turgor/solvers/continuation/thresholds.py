@@ -106,6 +106,10 @@ COMFORTABLE_ITERATIONS = 6
 #: The same where sheets wrinkle: each step finds anew which points are slack, in 6 to 9 iterations whatever its length.
 WRINKLING_ITERATIONS = 9
 
+#: The same where walls touch: each step finds anew which points do, in 5 to 9 iterations whatever its length. A
+#: step grows by this factor at most there.
+TOUCHING_ITERATIONS, TOUCHING_GROWTH = 9, 1.5
+
 #: A failed step is tried again with this share of its length.
 STEP_CUT = 0.35
 

@@ -28,6 +28,8 @@ from turgor.solvers.newton.thresholds import (
     KEEP_FACTORS_CONTRACTION,
     SHORTEST_TOUCHING_STEP,
     STALE_FACTORS,
+    VAIN_SHARE,
+    VAIN_UPDATES,
 )
 from turgor.solvers.reasons import Cause, Reason
 
@@ -186,6 +188,8 @@ def newton(
         if constraint.sought.system.contact.parts and max(now.lengths[-CUT_SHORT:]) <= SHORTEST_TOUCHING_STEP:
             now.at = last
             return _failure(now, iteration, Reason(Cause.DEEP_PENETRATION), tangent)
+        if iteration >= VAIN_UPDATES and _in_vain(now):
+            return _failure(now, iteration, Reason(Cause.TOO_MANY_ITERATIONS, iteration), tangent)
         _choose_factors(run, now, last, update)
     return _failure(now, iteration, Reason(Cause.TOO_MANY_ITERATIONS, settings.max_iterations), tangent)
 
@@ -242,6 +246,11 @@ def _take(run: _Newton, now: _Iterate, step: tuple[Array, Array], reported: tupl
     now.lengths.append(length)
     report(iteration, residual, correction, length)
     return True
+
+
+def _in_vain(now: _Iterate) -> bool:
+    """Whether walls touch and no update has brought the residual far below the first one."""
+    return now.at.contacts.touch and min(now.residuals[1:]) > VAIN_SHARE * now.residuals[0]
 
 
 def _choose_factors(run: _Newton, now: _Iterate, last: Evaluation, update: Array) -> None:

@@ -72,6 +72,10 @@ STALE_FACTORS = 0.05
 #: It gives up where so many updates in a row are cut to the shortest because they press walls too deep.
 CUT_SHORT = 3
 
+#: It also gives up where walls touch and so many updates have not brought the residual below this share of the first.
+#: Fifteen updates were never better then, and a shorter step is cheaper than they are.
+VAIN_UPDATES, VAIN_SHARE = 6, 0.5
+
 # --- pseudo transient
 
 #: The first viscous step moves no node by more than about this many edge lengths.
