@@ -247,9 +247,15 @@ def between(points: Sequence[Point], parameter: float) -> Start:
     """The polynomial through points, at a parameter."""
     weights = lagrange_weights([point.parameter for point in points], parameter)
     pairs = list(zip(weights, points, strict=True))
-    unknowns = np.asarray(sum(w * p.unknowns for w, p in pairs))
+    unknowns = unknowns_between(points, parameter)
     scalars = np.asarray(sum(w * p.scalars for w, p in pairs))
     return Start(unknowns, Stresses.combine([(w, p.stresses) for w, p in pairs]), scalars)
+
+
+def unknowns_between(points: Sequence[Point], parameter: float) -> Array:
+    """Unknowns (size,) of the polynomial through points, at a parameter."""
+    weights = lagrange_weights([point.parameter for point in points], parameter)
+    return np.asarray(sum(w * p.unknowns for w, p in zip(weights, points, strict=True)))
 
 
 def lagrange_weights(parameters: Sequence[float], parameter: float) -> list[float]:

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
-from turgor.solvers.continuation.path_points import Point, between
-from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, SHORTENINGS, WRINKLING_HISTORY
+from turgor.solvers.continuation.path_points import Point, between, unknowns_between
+from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, SHORTENINGS, TOUCHING_REACH, WRINKLING_HISTORY
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
@@ -119,7 +119,8 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
         return 1.0
     last = history[-1]
     here = system.contacts(last.unknowns, last.parameter)
-    return system.contact.shortening(here, system.contacts(between(history, parameter).unknowns, parameter))
+    share = system.contact.shortening(here, system.contacts(unknowns_between(history, parameter), parameter))
+    return min(1.0, TOUCHING_REACH * share) if here.touch else share
 
 
 def _between(system: System, points: Sequence[Point], parameter: float) -> Start:

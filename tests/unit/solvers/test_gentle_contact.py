@@ -1,0 +1,51 @@
+"""Steps of load control in which walls meet."""
+
+import pytest
+
+import turgor as tg
+from turgor.engine.system import System
+from turgor.solvers.continuation.path_points import Point, unknowns_between
+from turgor.solvers.continuation.predictor import gentle_share
+from turgor.solvers.restart import unknowns_of
+from turgor.units import kPa, mm
+
+#: Pressure of a load factor of 1, and the load factor at which extrapolated walls have gone far through each other; they
+#: meet between 8 and 9 kPa.
+FULL, FAR = 6 * kPa, 2.4
+
+
+@pytest.fixture(scope="module")
+def path() -> tuple[System, list[Point]]:
+    """A fast PneuNet of three chambers, half of it, and its path until shortly before the walls meet."""
+    rubber = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
+    model = tg.Model(
+        tg.mesh(tg.FastPneuNet(chambers=3, length=30 * mm).build(), size=4 * mm),
+        materials={"body": rubber, "base": rubber},
+        supports=[tg.Fixed("fixed")],
+        loads=[tg.Pressure("cavity", FULL)],
+    )
+    solution = tg.solve(model)
+    system, states = System(model), solution.states
+    first = system.evaluate(unknowns_of(system, states[0]), 0.0)  # searches for what may touch
+    assert first is not None
+    points = [
+        Point(s.load_factor, unknowns_of(system, s), first.unknowns[:0], None, None, None, s)  # type: ignore[arg-type]
+        for s in states[-3:]
+    ]
+    return system, points
+
+
+def test_a_step_far_beyond_the_touch_is_shortened_to_just_beyond_it(path: tuple[System, list[Point]]) -> None:
+    system, points = path
+    last = points[-1]
+    share = gentle_share(system, points, FAR)
+    assert 0.05 < share < 0.6
+    gently = last.parameter + share * (FAR - last.parameter)
+    there = [system.contacts(unknowns_between(points, load), load).touch for load in (gently - 0.1, gently + 0.05)]
+    assert there == [False, True]
+
+
+def test_a_step_that_brings_no_wall_to_another_is_taken_whole(path: tuple[System, list[Point]]) -> None:
+    system, points = path
+    assert gentle_share(system, points, points[-1].parameter + 0.02) == 1.0
+    assert gentle_share(system, points[:1], FAR) == 1.0  # nothing to extrapolate
