@@ -9,9 +9,9 @@ from turgor.solvers.continuation.predictor import gentle_share
 from turgor.solvers.restart import unknowns_of
 from turgor.units import kPa, mm
 
-#: Pressure of a load factor of 1, and the load factor at which extrapolated walls have gone far through each other; they
-#: meet between 8 and 9 kPa.
-FULL, FAR = 6 * kPa, 2.4
+#: Pressure of a load factor of 1, shortly before the walls meet, and a load factor at which a line through the last two
+#: states has brought them far through each other.
+FULL, BEYOND = 7.5 * kPa, 2.0
 
 
 @pytest.fixture(scope="module")
@@ -26,11 +26,11 @@ def path() -> tuple[System, list[Point]]:
     )
     solution = tg.solve(model)
     system, states = System(model), solution.states
-    first = system.evaluate(unknowns_of(system, states[0]), 0.0)  # searches for what may touch
+    first = system.evaluate(unknowns_of(system, states[-1]), 1.0)  # searches for what may touch
     assert first is not None
     points = [
         Point(s.load_factor, unknowns_of(system, s), first.unknowns[:0], None, None, None, s)  # type: ignore[arg-type]
-        for s in states[-3:]
+        for s in states[-2:]
     ]
     return system, points
 
@@ -38,14 +38,14 @@ def path() -> tuple[System, list[Point]]:
 def test_a_step_far_beyond_the_touch_is_shortened_to_just_beyond_it(path: tuple[System, list[Point]]) -> None:
     system, points = path
     last = points[-1]
-    share = gentle_share(system, points, FAR)
+    share = gentle_share(system, points, BEYOND)
     assert 0.05 < share < 0.6
-    gently = last.parameter + share * (FAR - last.parameter)
-    there = [system.contacts(unknowns_between(points, load), load).touch for load in (gently - 0.1, gently + 0.05)]
+    gently = last.parameter + share * (BEYOND - last.parameter)
+    there = [system.contacts(unknowns_between(points, load), load).touch for load in (gently - 0.15, gently)]
     assert there == [False, True]
 
 
 def test_a_step_that_brings_no_wall_to_another_is_taken_whole(path: tuple[System, list[Point]]) -> None:
     system, points = path
     assert gentle_share(system, points, points[-1].parameter + 0.02) == 1.0
-    assert gentle_share(system, points[:1], FAR) == 1.0  # nothing to extrapolate
+    assert gentle_share(system, points[:1], BEYOND) == 1.0  # nothing to extrapolate

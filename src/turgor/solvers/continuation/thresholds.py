@@ -89,9 +89,9 @@ WRINKLING_HISTORY = 3
 #: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
 GOOD_PREDICTION = 0.05
 
-#: A step between walls that touch already may press them this many times as deep, by extrapolation, as one in which they
-#: meet. The demo at 3, 3.5 and 4 mm to 22.5 kPa took 140, 109 and 106 iterations, with 1 instead of 1.5 it took 143, 119
-#: and 109, both without a cut-back; with 2 the finest had a cut-back. Without this rule it took 176 at 3 mm.
+#: A step between walls that touch already may press them this many times as deep, by extrapolation, as one in which
+#: they meet. The demo at 3, 3.5 and 4 mm to 22.5 kPa took 140, 109 and 106 iterations, with 1 instead of 1.5 it took
+#: 143, 119 and 109, both without a cut-back; with 2 the finest had a cut-back. Without this rule it took 176 at 3 mm.
 TOUCHING_REACH = 1.5
 
 #: An extrapolation is shortened this often at most where it presses walls into each other.
