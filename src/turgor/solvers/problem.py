@@ -8,7 +8,7 @@ from turgor.engine.system import System
 from turgor.solvers.checkpoints.so_far import Record
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.restart import Restart
-from turgor.solvers.solution import LimitPoint, State, Step
+from turgor.solvers.solution import LimitPoint, Solution, State, Step
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,6 +26,8 @@ class Problem:
         What the start brings into the first step.
     record : Record or None
         Where checkpoints are kept.
+    guide : Solution or None
+        The path of a similar model.
     states, steps, limits : list
         What is found.
     """
@@ -36,6 +38,7 @@ class Problem:
     restart: Restart | None = None
     history: History | None = None
     record: Record | None = None
+    guide: Solution | None = None
     states: list[State] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
     limits: list[LimitPoint] = field(default_factory=list)

@@ -20,6 +20,7 @@ from turgor.solvers.checks.early import early_findings
 from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
+from turgor.solvers.continuation.guide import check_guide
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.methods import method_of
 from turgor.solvers.path_outcomes import limit_point_findings
@@ -45,6 +46,7 @@ def solve(
     stop: Stop | None = None,
     options: EngineOptions | None = None,
     folder: str | Path | None = None,
+    guide: Solution | None = None,
     throw: bool = True,
 ) -> Solution:
     """Follow the equilibrium path of a model from the undeformed state to the full load.
@@ -65,6 +67,10 @@ def solve(
     folder : str or Path, optional
         Where every accepted state is kept at once. Whatever ends the run, `resume` goes on from the last one, and
         `load` reads the path so far.
+    guide : Solution, optional
+        The path of a similar model: on a coarser mesh, of another rubber, or of a design that differs a little. Steps
+        of `Static` then start where it leads and go straight to the load factors asked for, at most ``max_step``
+        apart.
     throw : bool
         Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
 
@@ -77,11 +83,14 @@ def solve(
     ------
     TurgorError
         If the supports leave a rigid motion free, prescribe the whole surface of an incompressible body, or the folder
-        holds a run already.
+        holds a run already, or the guide is of another body or leads another procedure than `Static`.
     SolveError
         If the full load was not reached and ``throw`` is set.
     """
-    question = Question(model=model, procedure=procedure or Static(), options=options or EngineOptions())
+    procedure = procedure or Static()
+    if guide is not None:
+        check_guide(model, procedure, guide)
+    question = Question(model=model, procedure=procedure, options=options or EngineOptions(), guide=guide)
     record = None if folder is None else RunRecord.create(Path(folder), question)
     return follow_question(question, Listeners(progress, stop), record, throw)
 
@@ -139,7 +148,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     model, procedure = question.model, question.procedure
     solution = None if record is None else record.solution()
     if solution is None:
-        one = partial(_solved, question.options, record)
+        one = partial(_solved, question, record)
         if isinstance(procedure, Stages):
             solution = solve_stages(model, procedure, listeners, one)
         else:
@@ -155,7 +164,7 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
 
 
 def _solved(
-    options: EngineOptions,
+    question: Question,
     record: RunRecord | None,
     model: Model,
     procedure: OneProcedure,
@@ -163,7 +172,7 @@ def _solved(
     restart: Restart | None,
 ) -> tuple[Solution, Restart]:
     """Follow one procedure from rest, or from the restart of a former stage; return its own restart, too."""
-    method = method_of(procedure)
+    options, method = question.options, method_of(procedure)
     start = perf_counter()
     stage, model = (None, model) if record is None else record.stage(model)
     check_supports(model, inertia=method.may_be_free(model))
@@ -187,6 +196,7 @@ def _solved(
             restart=restart,
             history=history,
             record=None if stage is None else stage.of(system),
+            guide=question.guide,
         )
         outcome = method.follow(problem, procedure)
     timing = _timing(tangent, compiling, setup, start)

@@ -23,12 +23,13 @@ QUESTION, STAGE_MODEL, SOLUTION = "question", "model", "solution"
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Question:
-    """What a run was asked, and what checks found before it began."""
+    """What a run was asked, which similar run guides it, and what checks found before it began."""
 
     model: Model
     procedure: Procedure
     options: EngineOptions
     findings: tuple[Finding, ...] = ()
+    guide: Solution | None = None
 
 
 @dataclass(slots=True, eq=False)

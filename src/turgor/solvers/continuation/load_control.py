@@ -8,9 +8,11 @@ from time import perf_counter
 
 import numpy as np
 
+from turgor.engine.system import Evaluation
 from turgor.model.drive import kinks
 from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.constraints.loads import load_control
+from turgor.solvers.continuation.guide import ASTRAY, Guide
 from turgor.solvers.continuation.path_follower import accept, follow, noted
 from turgor.solvers.continuation.path_points import (
     Ending,
@@ -32,6 +34,7 @@ from turgor.solvers.continuation.thresholds import (
     RELAXATIONS,
     SHORTER_RELAXATION_REACH,
 )
+from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import NewtonResult, Start
 from turgor.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.solvers.outcomes import Outcome, converged, stuck
@@ -67,7 +70,8 @@ def load_run(
         Filled with the last points.
     """
     system, turns = problem.system, kinks(problem.system.model)
-    strategy = LoadStrategy(patient)
+    guide = None if problem.guide is None else Guide.of(system, problem.guide)
+    strategy = LoadStrategy(patient, guide=guide)
     if stop is not None:
         problem = replace(problem, listeners=replace(problem.listeners, stop=stop))
     task = Task(
@@ -83,7 +87,7 @@ def load_run(
     run = Run(
         task,
         constraint,
-        StepControl.of(procedure, turns, system.model.sheets_wrinkle),
+        StepControl.of(_stepped(procedure, guide), turns, system.model.sheets_wrinkle),
         history=[] if history is None else history,
     )
     rest = system.evaluate(unknowns_of(system, problem.start), 0.0, history=problem.history)
@@ -92,7 +96,7 @@ def load_run(
     run.states.append(run.history[-1].state)
     goes_on = problem.record is not None and problem.record.goes_on  # its checkpoint has the rate
     # loads that grow in proportion: all say how the first ones do
-    if run.stepping.length >= LONG_FIRST_STEP and not turns and not goes_on:
+    if guide is None and run.stepping.length >= LONG_FIRST_STEP and not turns and not goes_on:
         strategy.rate = rate_at(system, problem.tangent, rest)[0]
     return run
 
@@ -101,7 +105,22 @@ def _full_load(before: Point, now: Point, run: Run) -> Ending | None:
     """All of the load acts."""
     if now.parameter < 1.0:
         return None
-    return Ending(now.state, lambda run: converged(run.task.system.model, run.states, run.steps))
+    return Ending(now.state, _reached)
+
+
+def _reached(run: Run) -> Outcome:
+    """How a run ended that has all of the load; and from where on it went without its guide."""
+    outcome = converged(run.task.system.model, run.states, run.steps)
+    left = run.task.strategy.left if isinstance(run.task.strategy, LoadStrategy) else None
+    if left is None:
+        return outcome
+    without = f" From load factor {left:.3g} on the guide led astray; steps went on without it."
+    return replace(outcome, message=outcome.message + without)
+
+
+def _stepped(procedure: Static, guide: Guide | None) -> Static:
+    """A procedure whose first step is as long as any where a guide says where it leads."""
+    return procedure if guide is None else replace(procedure, first_step=procedure.max_step)
 
 
 @dataclass(slots=True, eq=False)
@@ -118,12 +137,21 @@ class LoadStrategy:
         How far nodes move with the load factor at the last state; infinite where that is not known.
     relaxations : int
         How often pseudo-transient continuation was tried.
+    guide : Guide or None
+        The path of a similar model.
+    astray : int
+        Attempts from where the guide led to that found no state.
+    left : float or None
+        Load factor from which on the run has gone without its guide.
     """
 
     patient: bool
     lost_stability: bool = False
     rate: float = inf
     relaxations: int = 0
+    guide: Guide | None = None
+    astray: int = 0
+    left: float | None = None
 
     def next_parameter(self, run: Run) -> float:
         """The parameter to try next: supports move nearly straight on the way, and walls meet gently at its end."""
@@ -131,7 +159,7 @@ class LoadStrategy:
         load = run.stepping.next_load(now)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
-        if run.task.tangent.plain:
+        if run.task.tangent.plain or self._leads_to(load):
             return load
         gently = now + gentle_share(run.task.system, run.history, load) * (load - now)
         return min(load, max(gently, now + run.stepping.min_step))
@@ -141,7 +169,29 @@ class LoadStrategy:
         last = run.history[-1]
         if run.task.tangent.plain:
             return Start(last.unknowns, last.stresses)
+        led = self._led(run, parameter) if self._leads_to(parameter) else None
+        if led is not None:
+            return Start(led.unknowns, run.task.system.stresses(led), evaluation=led)
         return predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
+
+    def _leads_to(self, load: float) -> bool:
+        return self.guide is not None and self.guide.leads_to(load)
+
+    def _led(self, run: Run, parameter: float) -> Evaluation | None:
+        """The last state moved on as the guide moves; None where that turns a cell inside out."""
+        assert self.guide is not None
+        last, held = run.history[-1], run.task.system.held
+        unknowns = last.unknowns + self.guide.at(parameter) - self.guide.at(last.parameter)
+        unknowns[held] = last.unknowns[held]
+        return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
+
+    def _misled(self, run: Run) -> None:
+        """Go on without a guide that has led astray too often."""
+        if self.guide is None:
+            return
+        self.astray += 1
+        if self.astray >= ASTRAY:
+            self.guide, self.left = None, run.history[-1].parameter
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
         """Reject a state that may lie on another path, unless the step cannot be shorter."""
@@ -152,6 +202,7 @@ class LoadStrategy:
                 why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
         if not result.converged or result.evaluation is None or why is not None:
             self.lost_stability |= bool(result.unstable_modes)
+            self._misled(run)
             return Judgment(None, result.reason or why)
         self.lost_stability, self.rate = False, rate
         point = plain_point(run, result.evaluation, (parameter, result.scalars), result.unstable_modes)
