@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 
 import turgor as tg
+from peers.problem import STEPS as PEER_STEPS
+from peers.problem import mesh_file, stated
 from turgor.engine.runtime import EngineOptions
 from turgor.units import MPa, kPa, mm
 
@@ -22,10 +24,9 @@ BENDER = ROOT / "tests" / "verification" / "data" / "reference_bender"
 STEPS = 20
 
 
-def bender_model() -> tg.Model:
-    """The reference bender as its files state it: the peers' mesh, materials, clamp and pressure."""
-    problem = json.loads((BENDER / "problem.json").read_text(encoding="utf-8"))
-    arrays = np.load(BENDER / "bender_S.npz")
+def bender_model(size: str = "S", share: float = 1.0) -> tg.Model:
+    """The reference bender as its files state it: the peers' mesh, materials, clamp, and a share of the pressure."""
+    problem, arrays = stated(), np.load(mesh_file(size))
     points, cells = arrays["points_linear"] * mm, arrays["tets"].astype(np.int64)
     stiff = arrays["stiff"].astype(bool)
     mesh = tg.Mesh(
@@ -33,7 +34,7 @@ def bender_model() -> tg.Model:
         cells=cells,
         regions={"body": np.flatnonzero(~stiff), "base": np.flatnonzero(stiff)},
         faces={"cavity": outward(points, cells, arrays["cavity"].astype(np.int64)), "fixed": clamped(cells, points)},
-        name="reference bender S",
+        name=f"reference bender {size}",
     )
     soft, hard = problem["materials"]["soft"], problem["materials"]["stiff"]
     return tg.Model(
@@ -43,7 +44,7 @@ def bender_model() -> tg.Model:
             "base": rubber(tg.laws.NeoHooke(C10=hard["C1"] * MPa), hard["nu0"]),
         },
         supports=[tg.Fixed("fixed")],
-        loads=[tg.Pressure("cavity", problem["load"]["p_max"] * MPa)],
+        loads=[tg.Pressure("cavity", share * problem["load"]["p_max"] * MPa)],
         formulation="continuous",  # the element of the peers
     )
 
@@ -87,6 +88,19 @@ def bender(*, solver: str, threads: int) -> dict[str, Any]:
     got = np.array([at[i + 1].displacement[node] / mm for i in range(STEPS)])
     off = np.linalg.norm(got - expected, axis=1) / np.linalg.norm(expected, axis=1)
     return facts(solution) | {"deviation": float(off.max())}
+
+
+def peer_bender(*, solver: str, threads: int, size: str) -> dict[str, Any]:
+    """The reference bender as `peers/compare.py` asks for it: the steps of a size, and the way of the tip."""
+    steps = PEER_STEPS[size]
+    at = tuple((i + 1) / steps for i in range(steps))
+    procedure = tg.Static(first_step=1 / steps, max_step=1 / steps, at=at, tolerance=1e-8)
+    options = EngineOptions(linear_solver=solver, threads=threads)
+    solution = tg.solve(bender_model(size, steps / STEPS), procedure, options=options)
+    node = int(np.load(mesh_file(size))["tip"][0])
+    got = {state.load_factor: (state.displacement[node] / mm).tolist() for state in solution.states}
+    told = facts(solution)
+    return told | {"tips": [got[factor] for factor in at], "memory": (told["memory"] or np.nan) / 2**20}
 
 
 def demo(*, solver: str, threads: int) -> dict[str, Any]:
@@ -151,4 +165,5 @@ BEFORE = peak_memory()
 
 if __name__ == "__main__":
     request = json.loads(sys.argv[1])
-    print(json.dumps({"bender": bender, "demo": demo, "growth": growth}[request.pop("case")](**request)))
+    cases = {"bender": bender, "peer_bender": peer_bender, "demo": demo, "growth": growth}
+    print(json.dumps(cases[request.pop("case")](**request)))

@@ -1,6 +1,7 @@
 """`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
 
-python benchmarks/run.py [bender] [demo] [growth] [contact] [bellows] [newton] [running] [meshing]
+python benchmarks/run.py [bender] [demo] [growth] [contact] [bellows] [newton] [running] [meshing] [peers_S] [peers_M]
+    [peers_L]
 
 All by default; renews results.md.
 """
@@ -11,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +24,7 @@ import meshing
 import newton
 import running
 from machine import machine
+from peers import compare
 from tables import table
 from turgor.engine.algebra.linear import available_solvers
 
@@ -30,18 +33,6 @@ PAGE = HERE / "results.md"
 TWO = min(2, os.cpu_count() or 1)
 
 GROWTH_SIZES = (4.0e-3, 2.4e-3, 1.6e-3, 1.15e-3, 0.85e-3, 0.625e-3)  # 15,000 to 500,000 unknowns
-
-#: CPU seconds of other codes for the reference bender: whole process, per iteration, and the number of iterations. Same
-#: mesh, same 20 steps. With the 14 points used here FElupe needs 0.90 s an iteration.
-PEERS = (
-    ("FEniCSx (dolfinx 0.5.2, MUMPS)", 50, 0.45, 111),
-    ("NGSolve 6.2.2608 (sparsecholesky)", 70, 0.62, 113),
-    ("FElupe 11.3 (PyPardiso, 4 points)", 90, 0.79, 114),
-)
-PEERS_FROM = (
-    "Peers: this project's measurements of 2026, one thread, two-core AMD EPYC (Zen 4), good to perhaps 20 %. In the "
-    "same hours turgor took 9.9 s, so compare them with that number, and runs of today with each other."
-)
 
 Facts = Mapping[str, Any]
 
@@ -76,10 +67,12 @@ def bender() -> str:
         each = sum(facts[key] for key in ("assembly", "residual", "factorization", "solve")) / facts["iterations"]
         cells = (f"{facts['cpu']:.1f}", f"{each:.3f}", str(facts["iterations"]), f"{facts['deviation']:.1e}")
         rows.append((f"turgor, {solver}", *cells, memory(facts)))
-    rows += [(name, str(cpu), f"{each:.2f}", str(count), "", "") for name, cpu, each, count in PEERS]
     head = ("code", "CPU s, whole process", "s an iteration", "iterations", "tip off FEniCSx by", "peak MiB")
-    text = "20 equal steps to 100 kPa, residual to 1e-8, 15,779 unknowns, one thread, kernels compiled before."
-    return f"## Reference bender\n\n{text} {PEERS_FROM}\n\n{table(head, rows)}\n"
+    text = (
+        "20 equal steps to 100 kPa, residual to 1e-8, 15,779 unknowns, one thread, kernels compiled before. "
+        "Other codes: see the peers."
+    )
+    return f"## Reference bender\n\n{text}\n\n{table(head, rows)}\n"
 
 
 def demo() -> str:
@@ -157,6 +150,7 @@ def main() -> None:
     parts = {"bender": bender, "demo": demo, "growth": growth, "contact": contact.section}
     parts["bellows"] = contact_axisymmetric.section
     parts |= {"newton": newton.section, "running": running.section, "meshing": meshing.section}
+    parts |= {f"peers_{size}": partial(compare.section, size) for size in compare.problem.STEPS}
     chosen = sys.argv[1:] or list(parts)
     if unknown := [name for name in chosen if name not in parts]:
         sys.exit(f"unknown part {', '.join(unknown)}; known: {', '.join(parts)}.")

@@ -1,0 +1,142 @@
+"""The reference bender in turgor and in other codes, one after another on this machine.
+
+Each code runs in a process of its own with one thread asked for, in an environment of its own: FEniCSx in the system's
+Python with Debian's packages, the others in virtual environments below build/peers. What cannot be installed has a row
+that says so.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from peers import problem
+from tables import table
+from turgor.engine.algebra.linear import available_solvers
+
+HERE = Path(__file__).parent
+THREADS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS", "RAYON_NUM_THREADS")
+LONGEST = 1800
+
+Facts = Mapping[str, Any]
+
+
+class NotThereError(Exception):
+    """A code cannot be had on this machine."""
+
+
+def with_debian(*packages: str) -> Path:
+    """The system's Python with packages of Debian."""
+    python = Path("/usr/bin/python3")
+    ask = [str(python), "-c", "import dolfinx"]
+    if not python.exists():
+        raise NotThereError("there is no /usr/bin/python3")
+    if subprocess.run(ask, capture_output=True).returncode == 0:
+        return python
+    command = ["apt-get", "install", "-y", "--no-install-recommends", *packages]
+    try:
+        subprocess.run(command, capture_output=True, check=True)
+        subprocess.run(ask, capture_output=True, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        raise NotThereError(f"needs Debian's {' '.join(packages)}") from None
+    return python
+
+
+def with_pip(name: str, *packages: str) -> Path:
+    """A virtual environment with packages of PyPI."""
+    folder = problem.BUILD / name
+    python = folder / "bin" / "python"
+    try:
+        if not (folder / "complete").exists():
+            subprocess.run([sys.executable, "-m", "venv", str(folder)], capture_output=True, check=True)
+            subprocess.run([str(python), "-m", "pip", "install", "-q", *packages], capture_output=True, check=True)
+            (folder / "complete").touch()
+    except (OSError, subprocess.CalledProcessError):
+        raise NotThereError(f"{' and '.join(packages)} could not be installed") from None
+    return python
+
+
+#: Where each peer's Python comes from, and its script.
+PEERS: dict[str, tuple[Callable[[], Path], str]] = {
+    "FEniCSx": (lambda: with_debian("python3-dolfinx", "python3-petsc4py"), "fenicsx.py"),
+    "NGSolve": (lambda: with_pip("ngsolve", "ngsolve", "numpy"), "ngsolve_.py"),
+    "FElupe": (lambda: with_pip("felupe", "felupe", "pypardiso"), "felupe_.py"),
+}
+
+
+def run(command: list[str]) -> Facts:
+    """What a process prints last, and its wall time."""
+    began = time.perf_counter()
+    done = subprocess.run(
+        command, env=os.environ | dict.fromkeys(THREADS, "1"), capture_output=True, text=True, timeout=LONGEST
+    )
+    if done.returncode:
+        last = (done.stderr.strip().splitlines() or ["no message"])[-1]
+        raise NotThereError(f"ended with '{last}'")
+    return json.loads(done.stdout.splitlines()[-1]) | {"wall": time.perf_counter() - began}
+
+
+def turgor(solver: str, size: str) -> Facts:
+    """The bender in turgor."""
+    request = {"case": "peer_bender", "solver": solver, "threads": 1, "size": size}
+    return run([sys.executable, str(HERE.parent / "case.py"), json.dumps(request)])
+
+
+def found(size: str) -> tuple[list[Facts], list[tuple[str, str]]]:
+    """What each code says of a size, and why others say nothing."""
+    problem.mesh_file(size)
+    turgor(available_solvers()[0], "S")  # compiles the kernels if they are not
+    codes: dict[str, Callable[[], Facts]] = {f"turgor, {s}": lambda s=s: turgor(s, size) for s in available_solvers()}
+    file, steps = str(problem.mesh_file(size)), str(problem.STEPS[size])
+    for name, (python, script) in PEERS.items():
+        codes[name] = lambda python=python, script=script: run([str(python()), str(HERE / script), file, steps])
+    facts, missing = [], []
+    for name, call in codes.items():
+        try:
+            facts.append({"code": name} | dict(call()))
+        except NotThereError as error:
+            missing.append((name, str(error)))
+        except subprocess.TimeoutExpired:
+            missing.append((name, f"not done after {LONGEST} s"))
+    return facts, missing
+
+
+def rows(facts: list[Facts]) -> list[tuple[str, ...]]:
+    """A row for each code; times and tips beside those of turgor."""
+    first = facts[0]
+    tips = np.array(first["tips"])
+    out = []
+    for each in facts:
+        off = np.linalg.norm(np.array(each["tips"]) - tips, axis=1) / np.linalg.norm(tips, axis=1)
+        out.append(
+            (
+                each["code"],
+                f"{each['unknowns']:,}",
+                f"{each['cpu']:.1f}",
+                f"{each['wall']:.1f}",
+                f"{each['wall'] / first['wall']:.1f}",
+                str(each["iterations"]),
+                f"{each['memory']:.0f}",
+                f"{off.max():.0e}",
+            )
+        )
+    return out
+
+
+def section(size: str) -> str:
+    """The table of a size."""
+    facts, missing = found(size)
+    head = ("code", "unknowns", "CPU s", "wall s", "over turgor", "iterations", "peak MiB", "tip off turgor by")
+    steps = problem.STEPS[size]
+    text = (
+        f"Reference bender, mesh {size}, {steps} {'steps' if steps > 1 else 'step'} of 5 kPa, residual to 1e-8, P2-P1 "
+        "on straight edges, one thread asked for, whole processes, one after another."
+    )
+    told = "".join(f"\n- {name}: {why}." for name, why in missing)
+    return f"## Peers, mesh {size}\n\n{text}\n\n{table(head, rows(facts))}\n{told}\n"
