@@ -118,6 +118,8 @@ def test_procedures_that_no_guide_leads_are_refused(procedure: object, said: str
 
 def test_guides_of_other_bodies_and_models_with_a_memory_are_refused(coarse: tg.Solution) -> None:
     model = cantilever(10 * mm)
+    with pytest.raises(tg.TurgorError, match="guide is 'folder'; allowed is a Solution"):
+        tg.solve(model, guide="folder")  # type: ignore[arg-type]
     large = replace(model, mesh=replace(model.mesh, points=2.0 * model.mesh.points))
     with pytest.raises(tg.TurgorError, match="is the solution of another body: its corners are off by 25%"):
         tg.solve(large, guide=coarse)

@@ -75,9 +75,11 @@ def check_guide(model: Model, procedure: Procedure, guide: Solution) -> None:
     Raises
     ------
     TurgorError
-        If the procedure is not `Static` without a duration, what acts depends on the path, or the guide is of another
-        body.
+        If the guide is no solution, the procedure is not `Static` without a duration, what acts depends on the path, or
+        the guide is of another body.
     """
+    if not isinstance(guide, Solution):
+        raise TurgorError(f"guide is {guide!r}; allowed is a Solution, as `solve` and `load` return it.")
     if not isinstance(procedure, Static) or procedure.duration is not None:
         name = type(procedure).__name__
         raise TurgorError(f"guide leads the steps of Static without a duration; the procedure is {name}.")
