@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.engine.algebra.pattern import build_pattern, locate, scatter_add
+from turgor.engine.algebra.pattern import build_pattern, cell_places, locate, scatter_add
 from turgor.engine.cells import kernels, kernels_geometry, spectral
 from turgor.engine.cells.element import DISPLACEMENT_DEGREE
 from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes, side_tables
@@ -61,6 +61,7 @@ def touch_kernels(nodes: int, mixed: bool = True, more: frozenset[str] = frozens
 def touch_first_kernel() -> bool:
     """Call one small kernel; return whether it had to be compiled, as all others then will."""
     pattern = build_pattern(np.arange(3)[None], 3)
+    cell_places(pattern, np.arange(3)[None])
     locate(pattern.indptr, pattern.indices, np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.int64))
     return bool(locate.stats.cache_misses)
 

@@ -1,5 +1,9 @@
 """Predictor: extrapolate the last points of a path, with the highest order that a lower one does not improve.
 
+The residual compares extrapolations with each other, not with the last state: where a slender body turns, any of them
+stretches its walls a little, and the residual of that is large although the next update removes it at once. So the last
+state is taken only where walls touch, where sheets wrinkle, or where stresses are not linearized.
+
 Where sheets wrinkle, the order is at most that of a parabola, and stress and strain of the sheets follow a line: each
 point of a sheet has a kink in its path where it goes slack, and the residual, to which a stiff sheet adds much for
 small moves, does not tell a good order from a bad one.
@@ -80,7 +84,8 @@ def predicted(
         history = history[-WRINKLING_HISTORY:]
     best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
     for count in range(len(history), 0, -1):
-        if count == 1 and not how.stay and np.isfinite(smallest):
+        stays = how.stay and not (best.evaluation is not None and _moves_on(tangent, best.evaluation))
+        if count == 1 and not stays and np.isfinite(smallest):
             break
         trial = _between(system, history[-count:], parameter)
         unknowns, at = trial.unknowns, evaluate(constraint, tangent, (trial.unknowns, trial.scalars), parameter)
@@ -121,6 +126,11 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
     here = system.contacts(last.unknowns, last.parameter)
     share = system.contact.shortening(here, system.contacts(unknowns_between(history, parameter), parameter))
     return min(1.0, TOUCHING_REACH * share) if here.touch else share
+
+
+def _moves_on(tangent: Tangent, at: Evaluation) -> bool:
+    """Whether Newton's method removes at once what an extrapolation stretches, so that it is better than to stay."""
+    return tangent.mixed_points and not at.contacts.touch
 
 
 def _between(system: System, points: Sequence[Point], parameter: float) -> Start:
