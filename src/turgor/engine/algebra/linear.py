@@ -132,20 +132,21 @@ class Rslab:
         ordering = "metis" if dissected else "auto"
         self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads, ordering=ordering)
         self._factor: rslab.Ldlt | None = None
+        self._precision: type = np.float64
 
     def factor(self, data: Array, single: bool) -> None:
         """Factor new values."""
         self._factor = None  # frees the old factors before the new ones are made
-        precision = {"factor_dtype": "float32"} if single else {}
+        self._precision = np.float32 if single else np.float64  # of its own copy of the matrix, too
         try:
-            self._factor = self._symbolic.factor(data, **precision, **self._settings)
+            self._factor = self._symbolic.factor(data.astype(self._precision, copy=False), **self._settings)
         except RuntimeError as error:
             raise SingularTangentError(str(error)) from error
 
     def solve(self, right: Array) -> Array:
         """Solve with the last factors."""
         assert self._factor is not None
-        return np.asarray(self._factor.solve(right))
+        return np.asarray(self._factor.solve(right.astype(self._precision, copy=False)), dtype=np.float64)
 
     def negative_pivots(self) -> int:
         """Negative pivots from the inertia of D."""
