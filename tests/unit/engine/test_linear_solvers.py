@@ -88,9 +88,8 @@ def test_refinement_that_does_not_settle_turns_to_double_precision_for_good(monk
     exact = np.cos(np.arange(pattern.size))
     right = pattern.product(data, exact)
     solver.factor(data)
-    monkeypatch.setattr(
-        Watched, "solve", lambda self, right: (0.5 if self.singles[-1] else 1.0) * self.inner.solve(right)
-    )
+    share = {True: 0.5, False: 1.0}  # single precision solves badly
+    monkeypatch.setattr(Watched, "solve", lambda self, right: share[self.singles[-1]] * self.inner.solve(right))
     np.testing.assert_allclose(solver.solve(right), exact, rtol=1e-8, atol=1e-8)
     assert solver.double
     solver.factor(data)
