@@ -84,7 +84,7 @@ def predicted(
         history = history[-WRINKLING_HISTORY:]
     best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
     for count in range(len(history), 0, -1):
-        stays = how.stay and not (best.evaluation is not None and _moves_on(tangent, best.evaluation))
+        stays = how.stay and not (best.evaluation is not None and _moves_on(system, tangent, best.evaluation))
         if count == 1 and not stays and np.isfinite(smallest):
             break
         trial = _between(system, history[-count:], parameter)
@@ -128,9 +128,9 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
     return min(1.0, TOUCHING_REACH * share) if here.touch else share
 
 
-def _moves_on(tangent: Tangent, at: Evaluation) -> bool:
+def _moves_on(system: System, tangent: Tangent, at: Evaluation) -> bool:
     """Whether Newton's method removes at once what an extrapolation stretches, so that it is better than to stay."""
-    return tangent.mixed_points and not at.contacts.touch
+    return tangent.mixed_points and not at.contacts.touch and not system.model.sheets_wrinkle
 
 
 def _between(system: System, points: Sequence[Point], parameter: float) -> Start:
