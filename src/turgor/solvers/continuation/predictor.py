@@ -1,8 +1,9 @@
 """Predictor: extrapolate the last points of a path, with the highest order that a lower one does not improve.
 
 The residual compares extrapolations with each other, not with the last state: where a slender body turns, any of them
-stretches its walls a little, and the residual of that is large although the next update removes it at once. So the last
-state is taken only where walls touch, where sheets wrinkle, or where stresses are not linearized.
+stretches its walls a little, and the residual of that is large although the next update removes it at once. So on the
+first steps of a path, the last state is taken only where walls touch, where sheets wrinkle, or where stresses are not
+linearized.
 
 Where sheets wrinkle, the order is at most that of a parabola, and stress and strain of the sheets follow a line: each
 point of a sheet has a kink in its path where it goes slack, and the residual, to which a stiff sheet adds much for
@@ -19,7 +20,13 @@ from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between, unknowns_between
-from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, SHORTENINGS, TOUCHING_REACH, WRINKLING_HISTORY
+from turgor.solvers.continuation.thresholds import (
+    GOOD_PREDICTION,
+    HISTORY,
+    SHORTENINGS,
+    TOUCHING_REACH,
+    WRINKLING_HISTORY,
+)
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
@@ -84,7 +91,7 @@ def predicted(
         history = history[-WRINKLING_HISTORY:]
     best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
     for count in range(len(history), 0, -1):
-        stays = how.stay and not (best.evaluation is not None and _moves_on(system, tangent, best.evaluation))
+        stays = how.stay and not (len(history) < HISTORY and _moves_on(system, tangent, best.evaluation))
         if count == 1 and not stays and np.isfinite(smallest):
             break
         trial = _between(system, history[-count:], parameter)
@@ -128,9 +135,9 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
     return min(1.0, TOUCHING_REACH * share) if here.touch else share
 
 
-def _moves_on(system: System, tangent: Tangent, at: Evaluation) -> bool:
+def _moves_on(system: System, tangent: Tangent, at: Evaluation | None) -> bool:
     """Whether Newton's method removes at once what an extrapolation stretches, so that it is better than to stay."""
-    return tangent.mixed_points and not at.contacts.touch and not system.model.sheets_wrinkle
+    return at is not None and tangent.mixed_points and not at.contacts.touch and not system.model.sheets_wrinkle
 
 
 def _between(system: System, points: Sequence[Point], parameter: float) -> Start:
