@@ -52,9 +52,10 @@ class Pattern:
 def build_pattern(cell_unknowns: Ints, size: int, *more: Ints) -> Pattern:
     """Build the lower triangle from the (c, n) unknowns of the cells, and of what else ties unknowns, −1 for none."""
     groups = [unknowns for unknowns in (cell_unknowns, *more) if unknowns.size]
-    widths = [np.full(len(unknowns), unknowns.shape[1]) for unknowns in groups]
-    members = np.concatenate([unknowns.ravel() for unknowns in groups] or [np.zeros(0, dtype=np.int64)])
-    first = np.concatenate([[0], np.cumsum(np.concatenate(widths or [[]]))]).astype(np.int64)
+    none = np.zeros(0, dtype=np.int64)
+    members = np.concatenate([none, *(unknowns.ravel() for unknowns in groups)])
+    widths = np.concatenate([none, *(np.full(len(unknowns), unknowns.shape[1]) for unknowns in groups)])
+    first = np.concatenate([[0], np.cumsum(widths)]).astype(np.int64)
     of_first, of = _transposed(members, size)
     piece = np.repeat(np.arange(len(first) - 1), np.diff(first))[of]  # pieces of each unknown
     count = np.empty(size, dtype=np.int64)
