@@ -12,11 +12,15 @@ if TYPE_CHECKING:
     from turgor.calibration.result import Calibration as Calibration
     from turgor.calibration.trial import Trial as Trial
     from turgor.calibration.write import write_calibration as write_calibration
+    from turgor.study.computation import Computation as Computation
     from turgor.study.evaluations import Evaluations as Evaluations
+    from turgor.study.factor import Factor as Factor
     from turgor.study.run_all import Ended as Ended
     from turgor.study.run_all import run_all as run_all
     from turgor.study.runs import Computed as Computed
     from turgor.study.runs import Run as Run
+    from turgor.study.study import Row as Row
+    from turgor.study.study import Study as Study
     from turgor.study.workspaces import WorkspaceRuns as WorkspaceRuns
     from turgor.study.workspaces import workspace_of as workspace_of
     from turgor.uncertainty.band import Band as Band
@@ -24,7 +28,6 @@ if TYPE_CHECKING:
     from turgor.uncertainty.cases import Case as Case
     from turgor.uncertainty.cases import library_alternatives as library_alternatives
     from turgor.uncertainty.figure import uncertainty_figure as uncertainty_figure
-    from turgor.uncertainty.plan import Computation as Computation
     from turgor.uncertainty.propagate import propagate as propagate
     from turgor.uncertainty.spread import Alternatives as Alternatives
     from turgor.uncertainty.spread import Spread as Spread

@@ -104,7 +104,8 @@ def kept(run: Run, folder: Path) -> Computed | None:
         return None
     told = json.loads(notes.read_text(encoding="utf-8"))
     read = read_response(table)
-    response = Response(columns=read.columns, source=Source(text=told["source"]), message=told["message"])
+    source, status = Source(text=told["source"]), told.get("status", "")
+    response = Response(columns=read.columns, source=source, status=status, message=told["message"])
     return Computed(
         response=response,
         picture=picture.read_bytes() if picture.is_file() else b"",
@@ -133,6 +134,7 @@ def keep(run: Run, found: Computed, folder: Path) -> None:
         "function": f"{run.function.__module__}.{run.function.__qualname__}",
         "values": dict(run.values),
         "source": str(found.response.source),
+        "status": found.response.status,
         "message": found.response.message,
         "cpu_seconds": round(found.seconds, 3),
     }

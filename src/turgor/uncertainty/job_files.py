@@ -7,8 +7,8 @@ from pathlib import Path
 
 from turgor.calibration.job_files import JobFile, keys_of, mean_and_deviation
 from turgor.errors import TurgorError
+from turgor.study.computation import Computation
 from turgor.study.job_runs import JobNumber, find_number, read_number, solved_job
-from turgor.uncertainty.plan import Computation
 from turgor.uncertainty.spread import Alternatives, Input, Spread
 from turgor.units import UNITS
 

@@ -139,7 +139,7 @@ def test_lock_pins_what_the_project_asks_for(lock):
     lines = read(f"requirements/{lock}.lock").splitlines()
     pinned = dict(line.split(" ;")[0].split("==") for line in lines)
     extra = PROJECT["optional-dependencies"].get(lock, [])
-    asked = {re.match(r"[\w-]+", entry)[0] for entry in (*PROJECT["dependencies"], *extra)}
+    asked = {re.match(r"[\w-]+", entry)[0].lower() for entry in (*PROJECT["dependencies"], *extra)}
     assert asked <= set(pinned)
 
 

@@ -1,6 +1,6 @@
 """Guideline 7.4-3: the bottom matters most for the angle, then the walls between chambers, then the gap."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, run_of
 from turgor.guidelines.values import Value, at, listed
@@ -103,7 +103,7 @@ GUIDELINE = Guideline(
     sources=("Hu et al. 2018",),
     families=MULTI_CHAMBERED,
     studies=(
-        Study(
+        GuidelineTest(
             title="Bottom, wall and gap half as large again",
             setup="Fast "
             + SETUP.format(count="of two chambers (four at the full setting)")

@@ -2,7 +2,7 @@
 
 from math import log
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.omnidirectional.chambers import REFERENCE, SETUP, angle_at, omni
 from turgor.guidelines.values import Value, listed
@@ -101,7 +101,7 @@ GUIDELINE = Guideline(
     sources=("Yan et al. 2016", "Xie et al. 2018"),
     families=("omnidirectional_actuator", "three_extenders"),
     studies=(
-        Study(
+        GuidelineTest(
             title="One parameter at a time",
             setup=SETUP
             + "; wall outside the chambers, length, diameter of the chambers and of the circle that they leave "

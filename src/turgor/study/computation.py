@@ -1,0 +1,42 @@
+"""Computation: a function of numbers, with its further arguments, from which runs are made."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
+
+from turgor.response import Response
+from turgor.study.evaluations import rounded
+from turgor.study.runs import Computed, Run
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Computation:
+    """A function that computes a response, with its further arguments.
+
+    Parameters
+    ----------
+    function : callable
+        Function of a module that takes numbers in SI units as keywords and returns a `Response`.
+    values : mapping
+        Further arguments.
+    nominal : mapping
+        Arguments of the nominal run alone, such as one that asks for the mesh error.
+    gather : str
+        Name of an argument that takes all numbers as one mapping; by default each is a keyword.
+    """
+
+    function: Callable[..., Response | Computed]
+    values: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    nominal: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    gather: str = ""
+
+    def run(self, numbers: Mapping[str, float | str], *, nominal: bool = False) -> Run:
+        """Return the run with numbers."""
+        given = {name: value if isinstance(value, str) else rounded(value) for name, value in numbers.items()}
+        shown = ", ".join(
+            f"{name} {value}" if isinstance(value, str) else f"{name} {value:.5g}" for name, value in given.items()
+        )
+        keywords: dict[str, Any] = {self.gather: given} if self.gather else given
+        more = self.nominal if nominal else {}
+        return Run(name=shown, function=self.function, values={**self.values, **more, **keywords})
