@@ -1,4 +1,4 @@
-"""Studies: parameters calibrated against experiments, uncertainty carried to responses, runs kept on disk."""
+"""Studies: parameters calibrated, uncertainty carried to responses, derivatives of measures, runs kept on disk."""
 
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,10 @@ if TYPE_CHECKING:
     from turgor.calibration.result import Calibration as Calibration
     from turgor.calibration.trial import Trial as Trial
     from turgor.calibration.write import write_calibration as write_calibration
+    from turgor.gradients.keys import model_numbers as model_numbers
+    from turgor.gradients.keys import with_number as with_number
+    from turgor.gradients.result import Gradient as Gradient
+    from turgor.gradients.variation import Variation as Variation
     from turgor.study.computation import Computation as Computation
     from turgor.study.evaluations import Evaluations as Evaluations
     from turgor.study.factor import Factor as Factor

@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 #: Rooms in the order of import: a room may import from itself and from those before it.
 ROOMS = (
     "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers",
-    "setups", "section", "results", "adaptivity", "laboratory", "job", "study", "calibration", "uncertainty",
-    "guidelines", "cli",
+    "setups", "section", "results", "gradients", "adaptivity", "laboratory", "job", "study", "calibration",
+    "uncertainty", "guidelines", "cli",
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
