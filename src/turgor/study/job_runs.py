@@ -16,7 +16,7 @@ from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.response import Response
 from turgor.solvers.solve import solve
-from turgor.study.evaluations import rounded
+from turgor.study.rounding import rounded
 from turgor.units import UNITS, parse_quantity, split_quantity
 
 #: Sections of a job whose numbers are no quantities of the actuator.
