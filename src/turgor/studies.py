@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     from turgor.study.study import Study as Study
     from turgor.study.workspaces import WorkspaceRuns as WorkspaceRuns
     from turgor.study.workspaces import workspace_of as workspace_of
+    from turgor.surrogates.fit import surrogate as surrogate
+    from turgor.surrogates.held_out import HeldOut as HeldOut
+    from turgor.surrogates.surrogate import Prediction as Prediction
+    from turgor.surrogates.surrogate import Surrogate as Surrogate
     from turgor.uncertainty.band import Band as Band
     from turgor.uncertainty.band import Uncertainty as Uncertainty
     from turgor.uncertainty.cases import Case as Case

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 ROOMS = (
     "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers",
     "setups", "section", "results", "adaptivity", "laboratory", "job", "study", "calibration", "uncertainty",
-    "guidelines", "cli",
+    "sensitivity", "surrogates", "guidelines", "cli",
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
@@ -50,13 +50,15 @@ HOME = {
     "mkl": ("engine",),
     "numba": ("engine",),
     "rslab": ("engine",),
-    "threadpoolctl": ("engine",),
+    "threadpoolctl": ("engine", "surrogates"),
     "netgen": ("geometry", "meshing"),
     "netgen.occ": ("geometry",),
     "netgen.meshing": ("meshing",),
     "embreex": ("results",),
     "jinja2": ("results",),
     "matplotlib": ("results",),
+    "SALib": ("sensitivity",),
+    "sklearn": ("surrogates",),
     "pydantic": ("job",),
     "rich": ("cli",),
     "typer": ("cli",),
