@@ -12,6 +12,20 @@ if TYPE_CHECKING:
     from turgor.calibration.result import Calibration as Calibration
     from turgor.calibration.trial import Trial as Trial
     from turgor.calibration.write import write_calibration as write_calibration
+    from turgor.sensitivity.anova import Anova as Anova
+    from turgor.sensitivity.anova import Term as Term
+    from turgor.sensitivity.anova import anova as anova
+    from turgor.sensitivity.asked import Direct as Direct
+    from turgor.sensitivity.figure import anova_figure as anova_figure
+    from turgor.sensitivity.figure import indices_figure as indices_figure
+    from turgor.sensitivity.indices import Indices as Indices
+    from turgor.sensitivity.indices import Screening as Screening
+    from turgor.sensitivity.indices import screening as screening
+    from turgor.sensitivity.indices import sobol_indices as sobol_indices
+    from turgor.sensitivity.local import LocalSensitivity as LocalSensitivity
+    from turgor.sensitivity.local import Tolerance as Tolerance
+    from turgor.sensitivity.local import local_sensitivities as local_sensitivities
+    from turgor.sensitivity.local import sensitivities_of as sensitivities_of
     from turgor.study.computation import Computation as Computation
     from turgor.study.evaluations import Evaluations as Evaluations
     from turgor.study.factor import Factor as Factor
