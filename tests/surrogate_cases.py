@@ -56,3 +56,27 @@ def study_of(
     ended = Evaluations().of([computation.run(each) for each in values])
     rows = tuple(Row(values=one, ended=other) for one, other in zip(values, ended, strict=True))
     return Study(factors=tuple(factors), rows=rows, source=Source(text="a test"))
+
+
+class Formula:
+    """A function of many points at once, as sensitivities ask for it.
+
+    Parameters
+    ----------
+    function : callable
+        (q, k) to (q,).
+    factors : sequence of Factor
+    """
+
+    measures = ("y",)
+    units: dict[str, str] = {"y": ""}  # noqa: RUF012
+
+    def __init__(self, function: Callable[[np.ndarray], np.ndarray], factors: Sequence[Factor]) -> None:
+        self.function, self.factors = function, tuple(factors)
+
+    def means(self, points: np.ndarray) -> np.ndarray:
+        """Return the function at points, (q, 1)."""
+        return self.function(points)[:, None]
+
+    def error(self, name: str) -> None:
+        """Return None: it is computed."""

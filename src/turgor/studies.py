@@ -39,6 +39,12 @@ if TYPE_CHECKING:
     from turgor.study.workspaces import workspace_of as workspace_of
     from turgor.surrogates.fit import surrogate as surrogate
     from turgor.surrogates.held_out import HeldOut as HeldOut
+    from turgor.surrogates.invert import Inverse as Inverse
+    from turgor.surrogates.invert import invert as invert
+    from turgor.surrogates.learn import Goal as Goal
+    from turgor.surrogates.learn import Learned as Learned
+    from turgor.surrogates.learn import learn as learn
+    from turgor.surrogates.next_design import next_design as next_design
     from turgor.surrogates.surrogate import Prediction as Prediction
     from turgor.surrogates.surrogate import Surrogate as Surrogate
     from turgor.uncertainty.band import Band as Band

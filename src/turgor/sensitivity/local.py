@@ -90,7 +90,8 @@ class LocalSensitivity:
         unit = f" {self.unit}" if self.unit else ""
         nominal, off = factor.shown(self.tolerance.nominal), factor.shown(self.tolerance.off)
         share = f" ({100 * change / value:+.2g} %)" if value else ""
-        return f"{factor.name} {nominal} + {off}: {column.words} {change:+.3g}{more}{unit}{share}, elasticity {self.elasticity:+.2g}."
+        effect = f"{change:+.3g}{more}{unit}{share}, elasticity {self.elasticity:+.2g}"
+        return f"{factor.name} {nominal} + {off}: {column.words} {effect}."
 
 
 def local_sensitivities(
