@@ -37,6 +37,8 @@ ROOMS = (
     "study",
     "calibration",
     "uncertainty",
+    "sensitivity",
+    "surrogates",
     "guidelines",
     "cli",
 )

@@ -15,6 +15,20 @@ if TYPE_CHECKING:
     from turgor.gradients.keys import with_number as with_number
     from turgor.gradients.result import Gradient as Gradient
     from turgor.gradients.variation import Variation as Variation
+    from turgor.sensitivity.anova import Anova as Anova
+    from turgor.sensitivity.anova import Term as Term
+    from turgor.sensitivity.anova import anova as anova
+    from turgor.sensitivity.asked import Direct as Direct
+    from turgor.sensitivity.figure import anova_figure as anova_figure
+    from turgor.sensitivity.figure import indices_figure as indices_figure
+    from turgor.sensitivity.indices import Indices as Indices
+    from turgor.sensitivity.indices import Screening as Screening
+    from turgor.sensitivity.indices import screening as screening
+    from turgor.sensitivity.indices import sobol_indices as sobol_indices
+    from turgor.sensitivity.local import LocalSensitivity as LocalSensitivity
+    from turgor.sensitivity.local import Tolerance as Tolerance
+    from turgor.sensitivity.local import local_sensitivities as local_sensitivities
+    from turgor.sensitivity.local import sensitivities_of as sensitivities_of
     from turgor.study.computation import Computation as Computation
     from turgor.study.designs import Designs as Designs
     from turgor.study.designs import factorial as factorial
@@ -34,6 +48,16 @@ if TYPE_CHECKING:
     from turgor.study.study import Study as Study
     from turgor.study.workspaces import WorkspaceRuns as WorkspaceRuns
     from turgor.study.workspaces import workspace_of as workspace_of
+    from turgor.surrogates.fit import surrogate as surrogate
+    from turgor.surrogates.held_out import HeldOut as HeldOut
+    from turgor.surrogates.invert import Inverse as Inverse
+    from turgor.surrogates.invert import invert as invert
+    from turgor.surrogates.learn import Goal as Goal
+    from turgor.surrogates.learn import Learned as Learned
+    from turgor.surrogates.learn import learn as learn
+    from turgor.surrogates.next_design import next_design as next_design
+    from turgor.surrogates.surrogate import Prediction as Prediction
+    from turgor.surrogates.surrogate import Surrogate as Surrogate
     from turgor.uncertainty.band import Band as Band
     from turgor.uncertainty.band import Uncertainty as Uncertainty
     from turgor.uncertainty.cases import Case as Case
