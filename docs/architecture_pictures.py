@@ -37,6 +37,7 @@ ROOMS = (
     "study",
     "calibration",
     "uncertainty",
+    "optimization",
     "guidelines",
     "cli",
 )

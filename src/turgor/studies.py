@@ -12,6 +12,18 @@ if TYPE_CHECKING:
     from turgor.calibration.result import Calibration as Calibration
     from turgor.calibration.trial import Trial as Trial
     from turgor.calibration.write import write_calibration as write_calibration
+    from turgor.optimization.figure import optimization_figure as optimization_figure
+    from turgor.optimization.goals import Limit as Limit
+    from turgor.optimization.goals import Maximize as Maximize
+    from turgor.optimization.goals import Minimize as Minimize
+    from turgor.optimization.goals import Target as Target
+    from turgor.optimization.goals import TipPath as TipPath
+    from turgor.optimization.manufacture import Casting as Casting
+    from turgor.optimization.manufacture import casting_rules as casting_rules
+    from turgor.optimization.result import Optimization as Optimization
+    from turgor.optimization.rules import Rule as Rule
+    from turgor.optimization.search import Ending as Ending
+    from turgor.optimization.search import Search as Search
     from turgor.study.computation import Computation as Computation
     from turgor.study.evaluations import Evaluations as Evaluations
     from turgor.study.factor import Factor as Factor

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 ROOMS = (
     "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers",
     "setups", "section", "results", "adaptivity", "laboratory", "job", "study", "calibration", "uncertainty",
-    "guidelines", "cli",
+    "optimization", "guidelines", "cli",
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
@@ -58,6 +58,7 @@ HOME = {
     "jinja2": ("results",),
     "matplotlib": ("results",),
     "pydantic": ("job",),
+    "pymoo": ("optimization",),
     "rich": ("cli",),
     "typer": ("cli",),
 }
