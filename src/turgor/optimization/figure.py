@@ -1,8 +1,11 @@
 """Figure of an optimization: how each goal came nearer from run to run, or the front of several objectives."""
 
+from io import BytesIO
+from textwrap import fill
 from typing import Any
 
 import numpy as np
+from matplotlib.image import imread
 
 from turgor.optimization.goals import MET, Goal, Limit, Minimize, TipPath
 from turgor.optimization.reading import Read
@@ -14,6 +17,9 @@ from turgor.results.plots.styling import INK, style_axes
 
 #: Gray of candidates that are not the best, and of those that miss a target or pass a limit.
 FAINT = "#9aa3ad"
+
+#: Letters of one line above a picture.
+TITLE_LETTERS = 90
 
 #: Height of one panel [inch].
 PANEL = 1.9
@@ -38,8 +44,37 @@ def optimization_figure(found: Optimization) -> PlotFigure:
     panels = np.atleast_1d(figure.subplots(len(found.goals), 1, sharex=True))
     for axes, goal in zip(panels, found.goals, strict=True):
         _history(axes, found, goal)
+    panels[0].legend(frameon=False, labelcolor=INK, fontsize=7)
     panels[-1].set_xlabel("run", color=INK)
     panels[0].set_title(found.message, loc="left", color=INK, fontsize=9, wrap=True)
+    return figure
+
+
+def before_and_after(found: Optimization) -> PlotFigure | None:
+    """Draw the start and the best design beside each other, with their values.
+
+    Parameters
+    ----------
+    found : Optimization
+        Whose runs have pictures, as those of jobs.
+
+    Returns
+    -------
+    matplotlib.figure.Figure or None
+        None where there are no two pictures.
+    """
+    pairs = [("before", found.start), ("after", found.best if found.best is not None else found.start)]
+    rows = [(name, number, found.study.rows[number]) for name, number in pairs]
+    pictures = [row.ended.found.picture if row.ended.found is not None else b"" for _, _, row in rows]
+    if not all(pictures):
+        return None
+    figure = PlotFigure(figsize=(11.0, 4.4))
+    for axes, picture, (name, number, row) in zip(figure.subplots(1, 2), pictures, rows, strict=True):
+        axes.imshow(imread(BytesIO(picture), format="png"))
+        axes.set_axis_off()
+        reached = "; ".join(f"{each.name} {each.short}" for each in found.reads(number))
+        text = f"{name}: {found.study.told(row.values)}\n{reached}"
+        axes.set_title("\n".join(fill(line, TITLE_LETTERS) for line in text.splitlines()), color=INK, fontsize=9)
     return figure
 
 
@@ -64,7 +99,6 @@ def _history(axes: Any, found: Optimization, goal: Goal) -> None:
         axes.axhline(level / COLUMN_UNITS.get(shown.unit, 1.0), color=INK, lw=0.9, ls="--", zorder=0)
     unit = f" [{unit_text(shown.unit)}]" if shown.unit else ""
     axes.set_ylabel(f"{shown.name}{unit}".replace(" at ", "\nat "), color=INK, fontsize=8)
-    axes.legend(frameon=False, labelcolor=INK, fontsize=7)
     style_axes(axes)
 
 

@@ -21,6 +21,9 @@ TARGET_TOLERANCE = 0.01
 #: A limit counts as kept up to this share of its scale: the surfaces that the search moves on are no better.
 LIMIT_TOLERANCE = 0.002
 
+#: A path is met within this distance [m].
+PATH_TOLERANCE = 1 * mm
+
 #: Points at which a path is compared.
 PATH_POINTS = 9
 
@@ -239,7 +242,7 @@ class TipPath:
     _: KW_ONLY
     at: tuple[str, Sequence[float]] | None = None
     measures: tuple[str, ...] = ("tip_displacement_x", "tip_displacement_z")
-    tolerance: float = 1 * mm
+    tolerance: float = PATH_TOLERANCE
 
     def __post_init__(self) -> None:
         given = np.array(self.points, dtype=np.float64)

@@ -58,7 +58,7 @@ class Read:
     def __str__(self) -> str:
         if not isfinite(self.value):
             return f"{self.name}: not reached ({self.asked})"
-        error = f" ± {shown_of(self.mesh_error, self.unit)} (mesh)" if isfinite(self.mesh_error) else ""
+        error = f" ± {shown_of(self.mesh_error, self.unit, 2)} (mesh)" if isfinite(self.mesh_error) else ""
         return f"{self.name}: {shown_of(self.value, self.unit)}{error} ({self.asked})"
 
 
@@ -122,7 +122,7 @@ def unit_of(row: Row, measure: Measure) -> str:
     return ""
 
 
-def shown_of(value: float, unit: str) -> str:
+def shown_of(value: float, unit: str, digits: int = 4) -> str:
     """Return a value with its unit.
 
     Examples
@@ -132,7 +132,7 @@ def shown_of(value: float, unit: str) -> str:
     """
     factor = COLUMN_UNITS.get(unit, unit_value(unit))
     sign = unit_text(unit)
-    return f"{value / factor:.4g}{'' if sign == '°' else ' '}{sign}".strip()
+    return f"{value / factor:.{digits}g}{'' if sign == '°' else ' '}{sign}".strip()
 
 
 def _in_row(row: Row, name: str, at: At) -> float:

@@ -31,11 +31,11 @@ class Computation:
     nominal: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     gather: str = ""
 
-    def run(self, numbers: Mapping[str, float | str], *, nominal: bool = False) -> Run:
-        """Return the run with numbers."""
-        given = {name: value if isinstance(value, str) else rounded(value) for name, value in numbers.items()}
+    def run(self, numbers: Mapping[str, float | int | str], *, nominal: bool = False) -> Run:
+        """Return the run with numbers; whole numbers stay whole."""
+        given = {name: rounded(value) if isinstance(value, float) else value for name, value in numbers.items()}
         shown = ", ".join(
-            f"{name} {value}" if isinstance(value, str) else f"{name} {value:.5g}" for name, value in given.items()
+            f"{name} {value:.5g}" if isinstance(value, float) else f"{name} {value}" for name, value in given.items()
         )
         keywords: dict[str, Any] = {self.gather: given} if self.gather else given
         more = self.nominal if nominal else {}
