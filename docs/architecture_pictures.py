@@ -39,6 +39,7 @@ ROOMS = (
     "uncertainty",
     "sensitivity",
     "surrogates",
+    "optimization",
     "guidelines",
     "cli",
 )

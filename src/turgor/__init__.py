@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from turgor.model.model import Model as Model
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
+    from turgor.optimization.optimize import optimize as optimize
     from turgor.response import Response as Response
     from turgor.results.files.vtu import write_vtu as write_vtu
     from turgor.results.measures.measures import bending_angle as bending_angle

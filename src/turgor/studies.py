@@ -15,6 +15,19 @@ if TYPE_CHECKING:
     from turgor.gradients.keys import with_number as with_number
     from turgor.gradients.result import Gradient as Gradient
     from turgor.gradients.variation import Variation as Variation
+    from turgor.optimization.figure import optimization_figure as optimization_figure
+    from turgor.optimization.goals import Limit as Limit
+    from turgor.optimization.goals import Maximize as Maximize
+    from turgor.optimization.goals import Minimize as Minimize
+    from turgor.optimization.goals import Target as Target
+    from turgor.optimization.goals import TipPath as TipPath
+    from turgor.optimization.manufacture import Casting as Casting
+    from turgor.optimization.manufacture import casting_rules as casting_rules
+    from turgor.optimization.result import Optimization as Optimization
+    from turgor.optimization.rules import Rule as Rule
+    from turgor.optimization.search import Ending as Ending
+    from turgor.optimization.search import Search as Search
+    from turgor.optimization.write import write_optimization as write_optimization
     from turgor.sensitivity.anova import Anova as Anova
     from turgor.sensitivity.anova import Term as Term
     from turgor.sensitivity.anova import anova as anova

@@ -15,6 +15,7 @@ from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.response import Response
+from turgor.solvers.solution import Solution
 from turgor.solvers.solve import solve
 from turgor.study.rounding import rounded
 from turgor.units import UNITS, parse_quantity, split_quantity
@@ -59,7 +60,7 @@ class JobNumber:
 
     def text(self, value: float) -> float | str:
         """Return an SI value in the form of a job file."""
-        number = rounded(value / self.factor)
+        number = round(value) if self.whole else rounded(value / self.factor)
         return f"{number!r} {self.unit}" if self.unit else number
 
 
@@ -143,11 +144,32 @@ def find_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
     TurgorError
         If the job has no number there, with the near match, or a whole one, which cannot vary by little.
     """
+    number = any_number(numbers, key)
+    if number.whole:
+        raise TurgorError(f"'{key}' is a whole number, {number.value:g}, which cannot vary by little.")
+    return number
+
+
+def any_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
+    """Return the number at a key, also a whole one.
+
+    Parameters
+    ----------
+    numbers : mapping of str to JobNumber
+    key : str
+
+    Returns
+    -------
+    JobNumber
+
+    Raises
+    ------
+    TurgorError
+        If the job has no number there, with the near match.
+    """
     if key not in numbers:
         same = [each for each in numbers if each.split(".")[0] == key.split(".")[0]]
         raise unknown("number of the job", key, same or numbers)
-    if numbers[key].whole:
-        raise TurgorError(f"'{key}' is a whole number, {numbers[key].value:g}, which cannot vary by little.")
     return numbers[key]
 
 
@@ -208,13 +230,46 @@ def solved_job(
     TurgorError
         If the job cannot be read, meshed or held with these numbers.
     """
+    asked, solution = solution_of_job(job, numbers)
+    return measured_job(asked, solution, mesh_error=mesh_error, measures=measures)
+
+
+def solution_of_job(job: str, numbers: Mapping[str, float | str]) -> tuple[Job, Solution]:
+    """Solve a job with other numbers, with one thread; the path as far as it goes.
+
+    Parameters
+    ----------
+    job, numbers
+        As those of `solved_job`.
+
+    Returns
+    -------
+    (Job, Solution)
+        The job with these numbers.
+    """
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
     records = {keys: value for keys, value in numbers.items() if isinstance(value, str)}
     single = {keys: value for keys, value in numbers.items() if not isinstance(value, str)}
     asked = read_job(job, changes_of(content, single) | record_changes(content, records))
     model, _ = prepare(asked)
+    return asked, solve(model, asked.procedure, options=EngineOptions(threads=1), throw=False)
+
+
+def measured_job(asked: Job, solution: Solution, *, mesh_error: bool = False, measures: Sequence[str] = ()) -> Response:
+    """Measure what `solution_of_job` gave; the message says why the path ended early.
+
+    Parameters
+    ----------
+    asked : Job
+    solution : Solution
+    mesh_error, measures
+        As those of `solved_job`.
+
+    Returns
+    -------
+    Response
+    """
     options = EngineOptions(threads=1)
-    solution = solve(model, asked.procedure, options=options, throw=False)
     estimated = mesh_error and len(solution.states) > 1
     response = measure(solution, *(measures or asked.output.chosen()), mesh_error=estimated, options=options)
     message = "" if solution.complete else f"{solution.message} {solution.advice}".strip()
@@ -263,7 +318,7 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict
     changes: dict[str, Any] = {}
     single = {key: number for keys, number in numbers.items() for key in keys.split(",")}
     for key, number in single.items():
-        value = find_number(known, key).text(number)
+        value = any_number(known, key).text(number)
         above, _, last = key.rpartition(".")
         there = _at(content, above.split("."))
         if isinstance(there, list) and not isinstance(there[0], dict):
