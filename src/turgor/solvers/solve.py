@@ -15,7 +15,7 @@ from turgor.engine.warmup.needs import Needs
 from turgor.errors import TurgorError
 from turgor.finding import by_weight
 from turgor.meshing.mesh import Mesh
-from turgor.model.model import DISPLACEMENT, Model
+from turgor.model.model import Model
 from turgor.solvers.checkpoints.record import Question, RunRecord
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
 from turgor.solvers.checks.early import early_findings
