@@ -9,6 +9,7 @@ from turgor.adaptivity.measure import mesh_error_of, with_mesh_error
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding, by_weight, not_told
+from turgor.job.ahead import compile_for
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK, claimed, clear, default_folder
 from turgor.job.output.growing import GrowingFiles
@@ -110,6 +111,7 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
         check_same_job(files.job, files.folder / LOCK)
         files.say("going on with the path that the folder holds")
         return RunRecord.open(folder)
+    compile_for(files.job)
     model, findings = prepare(files.job, files.say)
     clear(files.folder)
     files.begin()
