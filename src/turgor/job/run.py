@@ -15,8 +15,8 @@ from turgor.job.output.folder import LOCK, claimed, clear, default_folder
 from turgor.job.output.growing import GrowingFiles
 from turgor.job.output.lock import check_same_job
 from turgor.job.output.outcome import RunOutcome
+from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
-from turgor.job.output.write import write_results, write_tables
 from turgor.job.prepare import Notify, prepare, silent
 from turgor.response import Response
 from turgor.results.measures.measures import find_measure
@@ -100,8 +100,11 @@ def _written(files: GrowingFiles, solution: Solution, response: Response, findin
         notices=tuple(files.notices),
         folder=files.folder,
     )
-    write = write_tables if solution.status is Status.INTERRUPTED else write_results
-    return replace(outcome, files=write(outcome, files.say))
+    if solution.status is Status.INTERRUPTED:
+        return replace(outcome, files=write_tables(outcome, files.say))
+    from turgor.job.output.write import write_results  # here: it loads what draws, which a solve need not wait for
+
+    return replace(outcome, files=write_results(outcome, files.say))
 
 
 def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRecord:
