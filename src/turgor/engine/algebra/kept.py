@@ -13,7 +13,8 @@ from typing import ParamSpec, TypeVar
 
 import numpy as np
 
-P, Result = ParamSpec("P"), TypeVar("Result")
+P = ParamSpec("P")
+Result = TypeVar("Result")
 
 
 def kept(count: int) -> Callable[[Callable[P, Result]], Callable[P, Result]]:
