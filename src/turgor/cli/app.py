@@ -4,6 +4,7 @@ Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not conver
 Heavy imports stand inside the commands, so that help and error messages appear at once.
 """
 
+import gc
 import sys
 from collections.abc import Sequence
 from typing import Annotated
@@ -32,6 +33,10 @@ from turgor.cli.modes import modes_command
 from turgor.cli.options import JSON
 from turgor.cli.run import run_command
 
+#: How many new objects start a search for garbage, and how many searches a wider one. Loading libraries, compiling and
+#: drawing make millions of objects that stay; with Python's own numbers the searches take a tenth of the time.
+PATIENT = (100_000, 20, 50)
+
 app = typer.Typer(
     add_completion=True,
     rich_markup_mode=None,
@@ -43,6 +48,8 @@ app = typer.Typer(
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit code."""
+    if arguments is None:  # a process of our own
+        gc.set_threshold(*PATIENT)
     given = list(sys.argv[1:] if arguments is None else arguments)
     try:
         code = app(given or ["--help"], prog_name="turgor", standalone_mode=False)
