@@ -74,6 +74,8 @@ def test_walls_that_touch_move_on_along_the_tangent(monkeypatch: pytest.MonkeyPa
     there = next(unknowns_of(system, state) for state in solution.states if state.load_factor == NEXT)
     last, start = starts[NEXT]
     assert last.parameter == TOUCHING
+    along = last.unknowns + (NEXT - TOUCHING) * last.change
+    assert np.allclose(start.unknowns, along, rtol=0, atol=1e-12)
     moved = np.linalg.norm((there - last.unknowns)[system.moving])
-    assert np.linalg.norm((start.unknowns - there)[system.moving]) < 0.02 * moved
+    assert np.linalg.norm((along - there)[system.moving]) < 0.02 * moved
     assert start.evaluation is not None and start.evaluation.contacts.touch_as(system.contacts(there, NEXT))
