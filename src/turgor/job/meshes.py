@@ -1,6 +1,6 @@
-"""Mesh of a job."""
+"""Mesh of a job, and its settings at another size."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 from turgor.geometry import Geometry
@@ -50,3 +50,22 @@ class _Asked:
 @lru_cache(maxsize=2)
 def _mesh_of_family(asked: _Asked) -> Mesh:
     return mesh_with(asked.geometry, asked.settings)
+
+
+def settings_at(job: Job, size: float) -> MeshSettings:
+    """Settings of the mesh of a job at another size: the sizes of faces change alike.
+
+    Parameters
+    ----------
+    job : Job
+    size : float [m]
+
+    Returns
+    -------
+    MeshSettings
+    """
+    share = size / job.mesh_size
+    faces = {name: length * share for name, length in job.mesh.face_sizes.items()}
+    limit = job.mesh.ignore_features_below
+    limit = None if limit is None else min(limit, size)  # no mesh allows more than its size
+    return replace(job.mesh_settings, size=size, face_sizes=faces, ignore_features_below=limit)

@@ -17,7 +17,7 @@ from turgor.job.output.lock import check_same_job
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
-from turgor.job.prepare import Notify, prepare, silent
+from turgor.job.prepare import Notify, coarse_mesh, prepare, silent
 from turgor.response import Response
 from turgor.results.measures.measures import find_measure
 from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
@@ -118,7 +118,8 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
     model, findings = prepare(files.job, files.say)
     clear(files.folder)
     files.begin()
-    question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings)
+    coarse = coarse_mesh(files.job, model)
+    question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings, coarse=coarse)
     return RunRecord.create(folder, question)
 
 

@@ -41,10 +41,13 @@ class Guide:
         Load factors, rising.
     unknowns : sequence of (size,) array
         Scaled unknowns at them.
+    interpolated : bool
+        Whether they come from another mesh. The stress of such states is rough, and misleads a first update.
     """
 
     loads: Sequence[float]
     unknowns: Sequence[Array]
+    interpolated: bool = False
 
     @staticmethod
     def of(system: System, solution: Solution) -> "Guide":
@@ -56,7 +59,8 @@ class Guide:
         same = mesh.cells.shape == other.cells.shape and np.array_equal(mesh.cells, other.cells)
         same &= element_of(solution.model).mean_count == element_of(system.model).mean_count
         carried = _as_it_is if same else partial(_carried, Interpolation(mesh, other), system.model)
-        return Guide([each.load_factor for each in path], [unknowns_of(system, carried(each)) for each in path])
+        unknowns = [unknowns_of(system, carried(each)) for each in path]
+        return Guide([each.load_factor for each in path], unknowns, interpolated=not same)
 
     def leads_to(self, load: float) -> bool:
         """Whether it has come as far as a load factor."""
