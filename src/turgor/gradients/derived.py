@@ -55,6 +55,6 @@ def derived(base: Equilibrium, reading: Reading, variation: Variation) -> Derive
     for name in variation.values:
         neighbors = neighbors_of(base, variation, name)
         rates = rates_of(base, neighbors)
-        slopes.append(reading.slopes(neighbors, rates.places))
+        slopes.append(reading.slopes(neighbors, rates))
         solves, left = solves + rates.solves, max(left, rates.left)
     return Derived(np.array(slopes).T, DIRECT, solves, left)

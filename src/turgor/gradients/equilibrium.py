@@ -1,6 +1,7 @@
 """Equilibrium: a state of a path as a solution of its equations, with the factors of their tangent at hand."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf
 
 import numpy as np
@@ -39,8 +40,11 @@ Array = NDArray[np.float64]
 SETTINGS = NewtonSettings(tolerance=1e-9, max_iterations=12, mixed_points=False)
 ENOUGH = 1e-6
 
+#: Refinements of a solution at most, and the relative update at which they end.
+REFINEMENTS, REFINED = 8, 1e-11
 
-@dataclass(frozen=True, slots=True, eq=False)
+
+@dataclass(frozen=True, eq=False)
 class Equilibrium:
     """A state as a solution of its equations.
 
@@ -67,10 +71,35 @@ class Equilibrium:
     at: Evaluation
     scalars: Array
 
-    @property
+    @cached_property
     def conditions(self) -> Conditions:
         """What determines the scalars, and how it changes with unknowns and scalars."""
         return self.constraint.target.conditions(self.at.unknowns, self.state.load_factor, self.scalars)
+
+    @cached_property
+    def columns(self) -> Array:
+        """Derivatives (k, size) of the residual by the scalars, zero at held unknowns."""
+        return np.where(self.system.held, 0.0, self.constraint.sought.columns(self.at))
+
+    def answer(self, right: Array, errors: Array) -> tuple[Array, Array]:
+        """Changes of unknowns and scalars that right sides of equilibrium and conditions cause, refined.
+
+        Factors may be in single precision, and a long soft body amplifies what is left by the square of its length over
+        its thickness. So the answer is refined against the matrix until nothing more is gained.
+        """
+        unknowns, scalars = self.border.update(right, self.conditions, -errors)
+        before = np.inf
+        for _ in range(REFINEMENTS):
+            left = right - self.border.tangent.product(unknowns) - scalars @ self.columns
+            wrong = errors - self.conditions.rows @ unknowns - self.conditions.corner @ scalars
+            update, change = self.border.update(left, self.conditions, -wrong)
+            size = float(np.linalg.norm(update)) / max(float(np.linalg.norm(unknowns)), 1e-300)
+            if size > 0.5 * before:
+                break
+            unknowns, scalars, before = unknowns + update, scalars + change, size
+            if size < REFINED:
+                break
+        return unknowns, scalars
 
 
 def equilibrium_of(state: State, procedure: OneProcedure, options: EngineOptions) -> Equilibrium:

@@ -115,8 +115,8 @@ class Neighbors:
         moved = sum(each.weight * each.prescribed for each in self.each)
         return np.asarray(moved / self.step)
 
-    def look(self, rates: Array, scalars: Array) -> tuple[Place, ...]:
-        """Evaluate all, each with the unknowns and scalars moved at rates.
+    def look(self, rates: Array) -> tuple[Place, ...]:
+        """Evaluate all, each with the unknowns moved at rates.
 
         Raises
         ------
@@ -125,7 +125,7 @@ class Neighbors:
         """
         found = []
         for each in self.each:
-            place = each.look(each.steps * self.step * rates, each.steps * self.step * scalars)
+            place = each.look(each.steps * self.step * rates, np.zeros(len(each.base.scalars)))
             if place is None:
                 raise TurgorError(f"a cell turns inside out where '{self.name}' changes by little; mesh more finely.")
             found.append(place)

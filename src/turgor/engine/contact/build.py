@@ -90,10 +90,10 @@ def may_touch(model: Model) -> bool:
 
 
 def build_parts(
-    model: Model, surface: Surface, points: Array, length: float, bodies: Bodies
+    model: Model, surface: Surface, points: Array, scales: tuple[float, float], bodies: Bodies
 ) -> list[PairPart | ShapePart]:
     """Make a part for every obstacle, and those of the contact of the body with itself."""
-    mesh = model.mesh
+    mesh, (length, stress) = model.mesh, scales
     if mesh.cell_type.side.nodes == 8:
         if model.contact.obstacles:
             raise TurgorError("contact needs tetrahedra or 27-node hexahedra; this mesh has 20-node hexahedra.")
@@ -105,7 +105,7 @@ def build_parts(
     for obstacle in model.contact.obstacles:
         chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
         if obstacle.stiffness is not None:
-            chosen = _stiff(chosen, obstacle.stiffness, length, model)
+            chosen = _stiff(chosen, obstacle.stiffness * length / stress)
         unknown = bodies.unknowns[bodies.names.index(obstacle.name)] if obstacle.name in bodies.names else -1
         shape = scaled(obstacle.shape, length)
         if isinstance(shape, RigidSurface):
@@ -122,11 +122,9 @@ def _pinhole(mesh: Mesh, surface: Surface) -> NDArray[np.bool_]:
     return np.asarray(mesh.on_axis[surface.sides].all(axis=1))
 
 
-def _stiff(surface: Surface, stiffness: float, length: float, model: Model) -> Surface:
-    """A surface with a stiffness of its own [Pa/m]."""
-    stress = max(m.law.shear_modulus for m in model.region_materials.values())
-    spring = np.full(len(surface.sides), stiffness * length / stress)
-    return replace(surface, spring=spring)
+def _stiff(surface: Surface, stiffness: float) -> Surface:
+    """A surface with a scaled stiffness of its own."""
+    return replace(surface, spring=np.full(len(surface.sides), stiffness))
 
 
 def _with_itself(
