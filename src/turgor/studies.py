@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from turgor.gradients.result import Gradient as Gradient
     from turgor.gradients.variation import Variation as Variation
     from turgor.study.evaluations import Evaluations as Evaluations
+    from turgor.study.job_gradients import gradient_of_job as gradient_of_job
     from turgor.study.run_all import Ended as Ended
     from turgor.study.run_all import run_all as run_all
     from turgor.study.runs import Computed as Computed

@@ -6,6 +6,7 @@ from turgor.finding import Finding, by_weight
 from turgor.job.job import Job
 from turgor.job.meshes import mesh_of
 from turgor.job.round_parts import meridian_would_do
+from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.checks import check_mesh
 from turgor.model.model import Model
 from turgor.results.measures.measures import check_measures, find_measure
@@ -48,15 +49,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     say("meshing")
     made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
-    wound = tuple(job.fibers.values())
-    model = Model(
-        made,
-        materials=job.materials,
-        supports=job.all_supports,
-        loads=job.all_loads,
-        reinforcements=wound,
-        contact=job.contact,
-    )
+    model = model_of(job, made)
     asked = with_setup(model, job.setup)
     first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
@@ -66,6 +59,28 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
         check_markers(made, job.output.markers)
     found = (*check_mesh(made), *meridian_would_do(model, geometry), *early_findings(asked, job.procedure))
     return asked, by_weight((*geometry.findings, *found))
+
+
+def model_of(job: Job, mesh: Mesh) -> Model:
+    """Return the model of a job on a mesh, without what its setup adds.
+
+    Parameters
+    ----------
+    job : Job
+    mesh : Mesh
+
+    Returns
+    -------
+    Model
+    """
+    return Model(
+        mesh,
+        materials=job.materials,
+        supports=job.all_supports,
+        loads=job.all_loads,
+        reinforcements=tuple(job.fibers.values()),
+        contact=job.contact,
+    )
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:
