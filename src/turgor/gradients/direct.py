@@ -166,7 +166,7 @@ def motion_along(base: Equilibrium, unknowns: Array, scalars: Array) -> Motion:
     TurgorError
         If a cell turns inside out.
     """
-    itself = Neighbor(base, base.system, base.constraint, 0, 0.0)
+    itself = Neighbor(base, base.system, base.state.model, base.constraint, 0, 0.0)
     fastest = max(float(np.abs(unknowns).max()), float(np.abs(scalars).max(initial=0.0)), 1e-300)
     step = NUDGE / fastest
     ends = itself.look(step * unknowns, step * scalars), itself.look(-step * unknowns, -step * scalars)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.gradients.direct import Rates
 from turgor.gradients.equilibrium import Equilibrium
-from turgor.gradients.neighbors import Neighbors
+from turgor.gradients.neighbors import Neighbors, Place
 from turgor.gradients.refusals import check_alone
 from turgor.meshing.mesh import Mesh
 from turgor.results.fields.state_fields import MeshFacts, StateFields
@@ -100,9 +100,17 @@ class Reading:
                 values[row] += np.unwrap(each.read(path))[-1] - each(path[-1])
         return values
 
+    def facts(self) -> MeshFacts:
+        """Facts of the mesh of the state."""
+        return self._facts_of(self.base.state.model.mesh)
+
+    def by_number(self, neighbors: Neighbors, places: tuple[Place, ...]) -> Array:
+        """Derivatives (m,) [SI] of the measures by the number itself, where nothing moves but supports."""
+        return neighbors.difference(lambda each, place: self._near(each.state(place)), places)
+
     def slopes(self, neighbors: Neighbors, rates: Rates) -> Array:
         """Derivatives (m,) [SI] of the measures: by the number itself, and by the motion that it causes."""
-        direct = neighbors.difference(lambda each, place: self._near(each.state(place)), rates.places)
+        direct = self.by_number(neighbors, rates.places)
         if rates.motion is None:
             return direct
         one, other = (self._near(rates.motion.itself.state(end)) for end in rates.motion.ends)

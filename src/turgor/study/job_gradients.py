@@ -29,8 +29,8 @@ from turgor.study.job_runs import JobNumber, changes_of, find_number, write_whol
 #: Sections whose numbers are settings of a computation, not quantities of the actuator.
 _SETTINGS = ("mesh", "output", "engine")
 
-#: The section whose numbers change the shape, and with it the mesh.
-_SHAPE = "actuator"
+#: The section whose numbers change the shape, and with it the mesh; and those that change the procedure.
+_SHAPE, _PATH = "actuator", ("procedure", "stages")
 
 
 def gradient_of_job(
@@ -83,7 +83,8 @@ def gradient_of_job(
         stage = _stage(job, solution, state)
         asked = _Asked(file, job, values, solution.states[0].model.mesh, stage)
         units = {key: unit for key in keys if (unit := numbers[key.split(",")[0]].unit) in COLUMN_UNITS}
-        variation = Variation(asked.model, values, units, procedure=asked.procedure)
+        driven = any(single.split(".")[0] in _PATH for key in keys for single in key.split(","))
+        variation = Variation(asked.model, values, units, procedure=asked.procedure if driven else None)
         chosen = measures or [each for each in job.output.chosen() if each.along is None]
         return gradient(solution, chosen, variation, state=state, options=options)
 

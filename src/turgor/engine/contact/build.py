@@ -101,7 +101,7 @@ def build_parts(
     mirrors = of_face(mesh, surface, *mesh.cut_faces)
     cavities = of_face(mesh, surface, *mesh.cavities)
     outside = surface.chosen(~mirrors & ~cavities & ~_pinhole(mesh, surface))
-    parts = _with_itself(model, surface, outside, (points, length))
+    parts = _with_itself(model, surface, outside, points, length / stress)
     for obstacle in model.contact.obstacles:
         chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
         if obstacle.stiffness is not None:
@@ -128,23 +128,25 @@ def _stiff(surface: Surface, stiffness: float) -> Surface:
 
 
 def _with_itself(
-    model: Model, surface: Surface, outside: Surface, scaled_points: tuple[Array, float]
+    model: Model, surface: Surface, outside: Surface, points: Array, stiffness: float
 ) -> list[PairPart | ShapePart]:
-    """Walls outside, walls of cavities that are pressed together, and walls against their mirror images."""
+    """Walls outside, walls of cavities that are pressed together, and walls against their mirror images.
+
+    ``stiffness`` is the scaled one of 1 Pa/m.
+    """
     mesh, chosen = model.mesh, model.contact.self_contact
     if chosen is None:
         return []
     alone = [surface.chosen(of_face(mesh, surface, cavity)) for cavity in pressed_together(model)]
     if model.contact.for_mesh(mesh) is not None:
         alone.insert(0, outside)
-    points, length = scaled_points
     mirrored = np.zeros(len(points), dtype=bool)
     for name in mesh.cut_faces:
         mirrored[mesh.face_nodes(name)] = True
     parts: list[PairPart | ShapePart] = []
     for one in alone:
         if chosen.stiffness is not None:
-            one = _stiff(one, chosen.stiffness, length, model)
+            one = _stiff(one, chosen.stiffness * stiffness)
         parts.append(_pairs(one, points, mirrored, chosen.friction))
         for name in mesh.symmetry_faces:
             parts += _mirror(mesh, name, one, points)
