@@ -13,6 +13,7 @@ import subprocess
 import sys
 from collections import defaultdict
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -89,7 +90,7 @@ def again() -> None:
         times.append(process_time())
         Tangent(System(model), "rslab", 1)
         times.append(process_time())
-        read, prepared, equations = (after - before for before, after in zip(times, times[1:], strict=False))
+        read, prepared, equations = (after - before for before, after in pairwise(times))
         print(f"{pressure}: reading {read:.2f}, mesh and checks {prepared:.2f}, equations {equations:.2f} CPU s")
 
 

@@ -31,6 +31,7 @@ ROOMS = (
     *SETUPS,
     "section",
     "results",
+    "gradients",
     "adaptivity",
     "laboratory",
     "job",

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from turgor.study.evaluations import Evaluations as Evaluations
     from turgor.study.evaluations import kept_in as kept_in
     from turgor.study.factor import Factor as Factor
+    from turgor.study.job_gradients import gradient_of_job as gradient_of_job
     from turgor.study.run_all import run_all as run_all
     from turgor.study.running.ended import Ended as Ended
     from turgor.study.running.executors import Executor as Executor

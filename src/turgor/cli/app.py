@@ -14,6 +14,7 @@ import typer
 from turgor import __version__
 from turgor.cli.again import compare_command, measure_command, report_command
 from turgor.cli.analyses.calibrate import calibrate_command
+from turgor.cli.analyses.gradient import gradient_command
 from turgor.cli.analyses.guidelines import guidelines_app
 from turgor.cli.analyses.optimize import optimize_command
 from turgor.cli.analyses.section import section_command
@@ -96,6 +97,7 @@ app.command("compare")(compare_command)
 app.command("calibrate")(calibrate_command)
 app.command("uncertainty")(uncertainty_command)
 app.command("optimize")(optimize_command)
+app.command("gradient")(gradient_command)
 app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
 app.command("export")(export_command)

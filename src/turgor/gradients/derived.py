@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.gradients.direct import rates_of
+from turgor.gradients.adjoint import Adjoint, adjoint_of, has_adjoint
+from turgor.gradients.direct import TOLERANCE, forces_of, rates_of
 from turgor.gradients.equilibrium import Equilibrium
 from turgor.gradients.measured import Reading
 from turgor.gradients.neighbors import neighbors_of
@@ -51,10 +52,29 @@ def derived(base: Equilibrium, reading: Reading, variation: Variation) -> Derive
     -------
     Derived
     """
+    if len(reading.measures) < len(variation.values) and has_adjoint(base, reading.measures):
+        adjoint = adjoint_of(base, reading.measures, reading.facts())
+        if adjoint.left <= TOLERANCE:
+            return _by_adjoint(base, reading, variation, adjoint)
+    return _directly(base, reading, variation)
+
+
+def _directly(base: Equilibrium, reading: Reading, variation: Variation) -> Derived:
+    """One solution for each number."""
     slopes, solves, left = [], 0, 0.0
     for name in variation.values:
         neighbors = neighbors_of(base, variation, name)
         rates = rates_of(base, neighbors)
-        slopes.append(reading.slopes(neighbors, rates.places))
+        slopes.append(reading.slopes(neighbors, rates))
         solves, left = solves + rates.solves, max(left, rates.left)
     return Derived(np.array(slopes).T, DIRECT, solves, left)
+
+
+def _by_adjoint(base: Equilibrium, reading: Reading, variation: Variation, adjoint: Adjoint) -> Derived:
+    """One solution for each measure."""
+    slopes = []
+    for name in variation.values:
+        neighbors = neighbors_of(base, variation, name)
+        places, residual, errors = forces_of(base, neighbors)
+        slopes.append(reading.by_number(neighbors, places) + adjoint.slopes(residual, errors))
+    return Derived(np.array(slopes).T, ADJOINT, len(reading.measures), adjoint.left)

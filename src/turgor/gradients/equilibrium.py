@@ -1,6 +1,8 @@
 """Equilibrium: a state of a path as a solution of its equations, with the factors of their tangent at hand."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf
 
 import numpy as np
@@ -33,14 +35,18 @@ from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import State
 
 Array = NDArray[np.float64]
+Pair = tuple[Array, Array]
 
 #: Relative residual of the state before it is differentiated: the derivative is off by about as much as the state. What
 #: a solve leaves, 1e-6, is good enough where round-off or contact lets it fall no further.
 SETTINGS = NewtonSettings(tolerance=1e-9, max_iterations=12, mixed_points=False)
 ENOUGH = 1e-6
 
+#: Refinements of a solution at most, and the relative update at which they end.
+REFINEMENTS, REFINED = 8, 1e-11
 
-@dataclass(frozen=True, slots=True, eq=False)
+
+@dataclass(frozen=True, eq=False)
 class Equilibrium:
     """A state as a solution of its equations.
 
@@ -67,10 +73,67 @@ class Equilibrium:
     at: Evaluation
     scalars: Array
 
-    @property
+    @cached_property
     def conditions(self) -> Conditions:
         """What determines the scalars, and how it changes with unknowns and scalars."""
         return self.constraint.target.conditions(self.at.unknowns, self.state.load_factor, self.scalars)
+
+    @cached_property
+    def columns(self) -> Array:
+        """Derivatives (k, size) of the residual by the scalars, zero at held unknowns."""
+        return np.where(self.system.held, 0.0, self.constraint.sought.columns(self.at))
+
+    def answer(self, right: Array, errors: Array) -> tuple[Array, Array]:
+        """Changes of unknowns and scalars that right sides of equilibrium and conditions cause, refined.
+
+        Factors may be in single precision, and a long soft body amplifies what is left by the square of its length over
+        its thickness. So the answer is refined against the matrix until nothing more is gained.
+        """
+
+        def once(residual: Array, wrong: Array) -> Pair:
+            return self.border.update(residual, self.conditions, -wrong)
+
+        def left(unknowns: Array, scalars: Array) -> Pair:
+            forces = right - self.border.tangent.product(unknowns) - scalars @ self.columns
+            return forces, errors - self.conditions.rows @ unknowns - self.conditions.corner @ scalars
+
+        return _refined(once, left, (right, errors))
+
+    def transposed_answer(self, right: Array) -> tuple[Array, Array]:
+        """Solve the transposed equations, with zero for the conditions: Kᵀ a + Cᵀ b = right, Fᵀ a + Dᵀ b = 0.
+
+        The tangent must be symmetric.
+        """
+        rows, corner = np.where(self.system.held, 0.0, self.conditions.rows), self.conditions.corner.T
+        tangent = self.border.tangent
+        solved = np.array([tangent.solve(row) for row in rows]).reshape(rows.shape)
+        small = corner - self.columns @ solved.T
+
+        def once(residual: Array, wrong: Array) -> Pair:
+            free = tangent.solve(residual)
+            scalars = np.asarray(np.linalg.solve(small, wrong - self.columns @ free), dtype=np.float64)
+            return free - scalars @ solved, scalars
+
+        def left(unknowns: Array, scalars: Array) -> Pair:
+            wrong = self.columns @ unknowns + corner @ scalars
+            return right - tangent.product(unknowns) - scalars @ rows, -wrong
+
+        return _refined(once, left, (right, np.zeros(len(self.scalars))))
+
+
+def _refined(once: Callable[[Array, Array], Pair], left: Callable[[Array, Array], Pair], right: Pair) -> Pair:
+    """Solve a bordered system by its factors, and refine the answer until nothing more is gained."""
+    unknowns, scalars = once(*right)
+    before = np.inf
+    for _ in range(REFINEMENTS):
+        update, change = once(*left(unknowns, scalars))
+        size = float(np.linalg.norm(update)) / max(float(np.linalg.norm(unknowns)), 1e-300)
+        if size > 0.5 * before:
+            break
+        unknowns, scalars, before = unknowns + update, scalars + change, size
+        if size < REFINED:
+            break
+    return unknowns, scalars
 
 
 def equilibrium_of(state: State, procedure: OneProcedure, options: EngineOptions) -> Equilibrium:

@@ -2,13 +2,15 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.gradients.direct import Rates
 from turgor.gradients.equilibrium import Equilibrium
-from turgor.gradients.neighbors import Neighbor, Neighbors, Place
+from turgor.gradients.neighbors import Neighbors, Place
 from turgor.gradients.refusals import check_alone
 from turgor.meshing.mesh import Mesh
 from turgor.results.fields.state_fields import MeshFacts, StateFields
@@ -68,7 +70,7 @@ def _pressure_in(name: str, face: str) -> Measure:
     )
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(eq=False)
 class Reading:
     """Reads measures at the neighbors of a state; facts of a mesh are found once.
 
@@ -82,6 +84,7 @@ class Reading:
     measures: tuple[Measure, ...]
     _facts: MeshFacts | None = field(default=None)
 
+    @cached_property
     def at_state(self) -> Array:
         """Values (m,) [SI] at the state itself, more accurate than those of the path."""
         base = self.base
@@ -89,7 +92,7 @@ class Reading:
 
     def along(self, solution: Solution, number: int) -> Array:
         """Values (m,) [SI] at a state; angles go on past half a turn, as along the path."""
-        values = self.at_state()
+        values = self.at_state.copy()
         for row, each in enumerate(self.measures):
             if each.unwrap:
                 facts = self._facts_of(solution.model.mesh)
@@ -97,19 +100,28 @@ class Reading:
                 values[row] += np.unwrap(each.read(path))[-1] - each(path[-1])
         return values
 
-    def slopes(self, neighbors: Neighbors, places: tuple[Place, ...]) -> Array:
-        """Difference quotients (m,) [SI] of the measures over the neighbors."""
-        middle = self.at_state() if any(each.unwrap for each in self.measures) else None
+    def facts(self) -> MeshFacts:
+        """Facts of the mesh of the state."""
+        return self._facts_of(self.base.state.model.mesh)
 
-        def value(neighbor: Neighbor, place: Place) -> Array:
-            values = self._read(neighbor.state(place))
-            for row, each in enumerate(self.measures):
-                if each.unwrap and middle is not None:
-                    apart = values[row] - middle[row]
-                    values[row] = middle[row] + np.arctan2(np.sin(apart), np.cos(apart))
-            return values
+    def by_number(self, neighbors: Neighbors, places: tuple[Place, ...]) -> Array:
+        """Derivatives (m,) [SI] of the measures by the number itself, where nothing moves but supports."""
+        return neighbors.difference(lambda each, place: self._near(each.state(place)), places)
 
-        return neighbors.difference(value, places)
+    def slopes(self, neighbors: Neighbors, rates: Rates) -> Array:
+        """Derivatives (m,) [SI] of the measures: by the number itself, and by the motion that it causes."""
+        direct = self.by_number(neighbors, rates.places)
+        if rates.motion is None:
+            return direct
+        one, other = (self._near(rates.motion.itself.state(end)) for end in rates.motion.ends)
+        return direct + (one - other) / (2 * rates.motion.step)
+
+    def _near(self, state: State) -> Array:
+        """Values (m,) of a state nearby; angles do not jump by a turn."""
+        values, middle = self._read(state), self.at_state
+        turns = np.array([each.unwrap for each in self.measures])
+        apart = values - middle
+        return np.where(turns, middle + np.arctan2(np.sin(apart), np.cos(apart)), values)
 
     def _read(self, state: State) -> Array:
         at = StateFields(state, self._facts_of(state.model.mesh))

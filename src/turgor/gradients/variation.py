@@ -12,8 +12,8 @@ from turgor.shown import brief
 from turgor.solvers.procedures.stages import OneProcedure
 
 #: Step of the differences as a share of the value. The error of a central difference is about the square of it, and
-#: round-off, 1e-12 of the forces, is divided by it.
-STEP = 3e-4
+#: round-off, 1e-15 of the forces, is divided by it.
+STEP = 1e-4
 
 _NONE: Mapping[str, float] = MappingProxyType({})
 

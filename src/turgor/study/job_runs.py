@@ -58,9 +58,11 @@ class JobNumber:
         """What the number measures, such as ``"length"``; ``"number"`` for a pure one."""
         return next((name for name, units in UNITS.items() if self.unit in units), "number")
 
-    def text(self, value: float) -> float | str:
-        """Return an SI value in the form of a job file."""
-        number = round(value) if self.whole else rounded(value / self.factor)
+    def text(self, value: float, exact: bool = False) -> float | str:
+        """Return an SI value in the form of a job file; with all its digits if ``exact``."""
+        if self.whole:
+            return round(value)
+        number = value / self.factor if exact else rounded(value / self.factor)
         return f"{number!r} {self.unit}" if self.unit else number
 
 
@@ -290,7 +292,7 @@ def digest_of(file: Path) -> str:
     return sha256(file.read_bytes()).hexdigest()[:16]
 
 
-def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict[str, Any]:
+def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float], exact: bool = False) -> dict[str, Any]:
     """Return changes for `read_job` from numbers; a number in a list changes the list.
 
     Parameters
@@ -299,6 +301,8 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict
         Of the job file.
     numbers : mapping of str to float
         In SI units, by key, or by several keys with commas between them.
+    exact : bool
+        Whether all digits are written, as differences need them.
 
     Returns
     -------
@@ -318,7 +322,7 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict
     changes: dict[str, Any] = {}
     single = {key: number for keys, number in numbers.items() for key in keys.split(",")}
     for key, number in single.items():
-        value = any_number(known, key).text(number)
+        value = any_number(known, key).text(number, exact)
         above, _, last = key.rpartition(".")
         there = _at(content, above.split("."))
         if isinstance(there, list) and not isinstance(there[0], dict):
