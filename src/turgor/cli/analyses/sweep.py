@@ -89,7 +89,17 @@ def _computed(given: "StudyFile", folder: Path, processes: int) -> "Study":
 
 def _drawn(study: "Study", folder: Path, given: "StudyFile") -> tuple[list[Path], list[str]]:
     """Draw each measure; return the files, and sentences on what mesh errors hide."""
-    return [], []
+    from turgor.results.plots.figures import write_figure
+    from turgor.study.pictures import hidden_by_mesh, study_picture
+
+    files: list[Path] = []
+    sentences: list[str] = []
+    for name in given.measures or study.measures:
+        if name in study.measures and name != (given.at or ("",))[0] and len(study) > 1:
+            files.append(folder / f"{name}.png")
+            write_figure(files[-1], study_picture(study, name, given.at))
+            sentences += hidden_by_mesh(study, name, given.at)
+    return files, sentences
 
 
 def _list(designs: "Designs") -> None:
