@@ -69,7 +69,6 @@ sweep_command = command_of(_Options, _run)
 
 def _computed(given: "StudyFile", folder: Path, processes: int) -> "Study":
     from turgor.cli.analyses.progress import StudyProgress
-    from turgor.errors import TurgorError
     from turgor.study.evaluations import Evaluations
     from turgor.study.jobs.job_file import RUNS
     from turgor.study.jobs.job_sweep import sweep_job
@@ -82,9 +81,10 @@ def _computed(given: "StudyFile", folder: Path, processes: int) -> "Study":
         ):
             return sweep_job(given, folder, runs)
     except KeyboardInterrupt:
-        raise TurgorError(
-            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
-        ) from None
+        typer.echo(
+            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there.", err=True
+        )
+        raise typer.Exit(NOT_CONVERGED) from None
 
 
 def _drawn(study: "Study", folder: Path, given: "StudyFile") -> tuple[list[Path], list[str]]:
