@@ -50,7 +50,19 @@ if TYPE_CHECKING:
     from turgor.study.evaluations import Evaluations as Evaluations
     from turgor.study.evaluations import kept_in as kept_in
     from turgor.study.factor import Factor as Factor
+    from turgor.study.files.designs_csv import read_designs as read_designs
+    from turgor.study.files.stored import load_study as load_study
+    from turgor.study.files.stored import write_study as write_study
     from turgor.study.job_gradients import gradient_of_job as gradient_of_job
+    from turgor.study.jobs.job_sweep import sweep_job as sweep_job
+    from turgor.study.jobs.study_file import StudyFile as StudyFile
+    from turgor.study.jobs.study_file import read_study_file as read_study_file
+    from turgor.study.pictures import curves_picture as curves_picture
+    from turgor.study.pictures import hidden_by_mesh as hidden_by_mesh
+    from turgor.study.pictures import map_picture as map_picture
+    from turgor.study.pictures import multiples_picture as multiples_picture
+    from turgor.study.pictures import parallel_picture as parallel_picture
+    from turgor.study.pictures import study_picture as study_picture
     from turgor.study.run_all import run_all as run_all
     from turgor.study.running.ended import Ended as Ended
     from turgor.study.running.executors import Executor as Executor

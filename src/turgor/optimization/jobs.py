@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from turgor.calibration.job_files import JobFile, job_file
 from turgor.engine.mass import cell_volumes
 from turgor.errors import unknown
 from turgor.job.job import Job
@@ -26,7 +25,8 @@ from turgor.solvers.procedures.static import Static
 from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Value
-from turgor.study.job_runs import any_number, changes_of, measured_job, solution_of_job
+from turgor.study.job_runs import any_number, changes_of, forget_path, measured_job, solution_of_job
+from turgor.study.jobs.job_file import JobFile, job_file
 from turgor.study.runs import Computed
 
 #: The volume of rubber of a design: a column of the responses of jobs.
@@ -119,13 +119,14 @@ def solved_design(job: str, digest: str, numbers: Mapping[str, float | str], mes
     -------
     Computed
     """
-    asked, solution = solution_of_job(job, numbers)
+    asked, solution = solution_of_job(job, numbers, digest)
     response = measured_job(asked, solution, mesh_error=mesh_error)
     mesh = solution.model.mesh
     volume = float(cell_volumes(mesh).sum()) * mesh.symmetry_factor
     column = Column(SOLID_VOLUME, "mL", np.full(len(response), volume))
     response = replace(response, columns=(*response.columns, column))
     drawn = picture(solution, width=PICTURE_WIDTH).png if solution.states else b""
+    forget_path(job, digest, numbers)
     return Computed(response=response, picture=drawn)
 
 

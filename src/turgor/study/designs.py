@@ -1,6 +1,6 @@
 """Designs: the points of a design space at which a study computes, chosen by a rule."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from itertools import product
@@ -11,6 +11,8 @@ import numpy as np
 
 from turgor.errors import TurgorError
 from turgor.study.factor import Array, Factor, Value, inputs_of
+from turgor.study.files.tables import Cells, header
+from turgor.study.job_runs import unit_value
 from turgor.study.rounding import rounded
 
 #: Most designs of a full factorial: beyond this a number of levels is a typing error, or another rule is meant.
@@ -43,6 +45,32 @@ class Designs:
     def inputs(self) -> Array:
         """Values of the factors, (designs, factors) [SI]; a choice is NaN."""
         return inputs_of(self.factors, list(self.values))
+
+
+def design_table(factors: Sequence[Factor], values: Sequence[Mapping[str, Value]]) -> dict[str, Cells]:
+    """Return a table of designs, whose headers have the units of the numbers below them.
+
+    Parameters
+    ----------
+    factors : sequence of Factor
+    values : sequence of mapping [SI]
+
+    Returns
+    -------
+    dict of str to list
+
+    Examples
+    --------
+    >>> wall = Factor(name="wall", levels=(1e-3, 2e-3), unit="mm")
+    >>> design_table([wall], factorial([wall]).values)
+    {'wall (mm)': [1.0, 2.0]}
+    """
+    found: dict[str, Cells] = {}
+    for each in factors:
+        given = [row[each.name] for row in values]
+        unit = unit_value(each.unit)
+        found[header(each.name, each.unit)] = [x if isinstance(x, str | int) else rounded(x / unit) for x in given]
+    return found
 
 
 def factorial(factors: Sequence[Factor]) -> Designs:

@@ -168,7 +168,22 @@ def kept(run: Run, folder: Path) -> Computed | None:
     -------
     Computed or None
     """
-    notes, table, picture = _files(run, folder)
+    return kept_as(run.key, folder)
+
+
+def kept_as(key: str, folder: Path) -> Computed | None:
+    """Read what the run with a key found, if it has ended.
+
+    Parameters
+    ----------
+    key : str
+    folder : Path
+
+    Returns
+    -------
+    Computed or None
+    """
+    notes, table, picture = _files(key, folder)
     if not (notes.is_file() and table.is_file()):
         return None
     told = json.loads(notes.read_text(encoding="utf-8"))
@@ -193,7 +208,7 @@ def keep(run: Run, found: Computed, folder: Path) -> None:
         Made if there is none.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    notes, table, picture = _files(run, folder)
+    notes, table, picture = _files(run.key, folder)
     found.response.to_csv(table)
     if found.picture:
         with whole(picture) as part:
@@ -212,5 +227,5 @@ def keep(run: Run, found: Computed, folder: Path) -> None:
         part.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
 
 
-def _files(run: Run, folder: Path) -> tuple[Path, Path, Path]:
-    return folder / f"{run.key}.json", folder / f"{run.key}.csv", folder / f"{run.key}.png"
+def _files(key: str, folder: Path) -> tuple[Path, Path, Path]:
+    return folder / f"{key}.json", folder / f"{key}.csv", folder / f"{key}.png"

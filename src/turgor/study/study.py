@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.response import COLUMN_UNITS, MESH_ERROR, Response
 from turgor.source import Source
+from turgor.study.designs import design_table
 from turgor.study.factor import Factor, Value, inputs_of
 from turgor.study.files.tables import Cells, header, needed, write_csv, write_parquet
-from turgor.study.job_runs import unit_value
 from turgor.study.running.ended import Ended
 
 Array = NDArray[np.float64]
@@ -116,6 +116,10 @@ class Study:
         for row in self.rows:
             if row.response is not None and name in row.response:
                 return row.response.find(name).unit
+        if not self.measures:
+            raise TurgorError(
+                f"all {len(self)} runs failed; the first one: {self.rows[0].problem if self.rows else ''}"
+            )
         raise unknown("measure of the study", name, self.measures)
 
     def column(self, name: str, at: tuple[str, float] | None = None) -> Array:
@@ -158,11 +162,7 @@ class Study:
             Values of the factors; ``status``, ``problem`` and ``cpu_seconds``; then each measure, with its mesh error
             behind it where any row has one.
         """
-        found: dict[str, Cells] = {}
-        for each in self.factors:
-            given = [row.values[each.name] for row in self.rows]
-            scaled = [x if isinstance(x, str | int) else x / unit_value(each.unit) for x in given]
-            found[header(each.name, each.unit)] = scaled
+        found: dict[str, Cells] = {**design_table(self.factors, [row.values for row in self.rows])}
         found["status"] = [row.status for row in self.rows]
         found["problem"] = [row.problem for row in self.rows]
         found["cpu_seconds"] = [row.seconds for row in self.rows]

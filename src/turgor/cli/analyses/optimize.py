@@ -36,12 +36,12 @@ def _run(asked: _Options) -> None:
     Killed and called again, it goes on: nothing is computed twice.
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer:
-        from turgor.calibration.job_files import RUNS
         from turgor.cli.answers.optimization import optimization_result
         from turgor.optimization.jobs import job_optimization
         from turgor.optimization.study_files import read_study_file
         from turgor.optimization.write import write_optimization
         from turgor.study.evaluations import kept_in
+        from turgor.study.jobs.job_file import RUNS
 
         study = read_study_file(asked.study)
         if asked.most_solves is not None:
