@@ -10,7 +10,7 @@ from turgor.results.plots.study_figure import Line
 from turgor.sensitivity.anova import Anova, anova
 from turgor.source import Source
 from turgor.study.factor import Factor
-from turgor.study.run_all import Ended
+from turgor.study.running.ended import Ended
 from turgor.study.runs import Computed, Run
 from turgor.study.study import Row, Study
 from turgor.units import kPa

@@ -10,7 +10,7 @@ from turgor.sensitivity.anova import anova
 from turgor.sensitivity.figure import anova_figure
 from turgor.source import Source
 from turgor.study.factor import Factor
-from turgor.study.run_all import Ended
+from turgor.study.running.ended import Ended
 from turgor.study.runs import Computed, Run
 from turgor.study.study import Row, Study
 
