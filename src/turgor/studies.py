@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from turgor.study.study import Study as Study
     from turgor.study.workspaces import WorkspaceRuns as WorkspaceRuns
     from turgor.study.workspaces import workspace_of as workspace_of
+    from turgor.surrogates.figure import surrogate_figure as surrogate_figure
     from turgor.surrogates.fit import surrogate as surrogate
     from turgor.surrogates.held_out import HeldOut as HeldOut
     from turgor.surrogates.invert import Inverse as Inverse

@@ -18,6 +18,8 @@ from turgor.cli.analyses.gradient import gradient_command
 from turgor.cli.analyses.guidelines import guidelines_app
 from turgor.cli.analyses.optimize import optimize_command
 from turgor.cli.analyses.section import section_command
+from turgor.cli.analyses.sensitivity import sensitivity_command
+from turgor.cli.analyses.surrogate import predict_command, surrogate_command
 from turgor.cli.analyses.sweep import sweep_command
 from turgor.cli.analyses.uncertainty import uncertainty_command
 from turgor.cli.answers.document import document
@@ -100,6 +102,9 @@ app.command("sweep")(sweep_command)
 app.command("uncertainty")(uncertainty_command)
 app.command("optimize")(optimize_command)
 app.command("gradient")(gradient_command)
+app.command("sensitivity")(sensitivity_command)
+app.command("surrogate")(surrogate_command)
+app.command("predict")(predict_command)
 app.command("inspect")(inspect_command)
 app.command("fit")(fit_command)
 app.command("export")(export_command)

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from math import prod
 
 import numpy as np
 from numpy.typing import NDArray
@@ -157,16 +158,10 @@ def anova(study: Study, measure: str, *, at: tuple[str, float] | None = None, in
     --------
     >>> from turgor.response import Response
     >>> from turgor.source import Source
-    >>> from turgor.study.computation import Computation
-    >>> from turgor.study.evaluations import Evaluations
-    >>> from turgor.study.study import Row
+    >>> from turgor.study.sweep import sweep
     >>> def angle(wall, gap):
     ...     return Response(columns=(Column("angle", "", [10 - 2 * wall - gap]),), source=Source(text="a formula"))
-    >>> factors = Factor(name="wall", levels=(1.0, 2.0)), Factor(name="gap", levels=(1.0, 2.0))
-    >>> values = [{"wall": wall, "gap": gap} for wall in (1.0, 2.0) for gap in (1.0, 2.0)]
-    >>> ended = Evaluations().of([Computation(function=angle).run(each) for each in values])
-    >>> rows = tuple(Row(values=one, ended=other) for one, other in zip(values, ended))
-    >>> found = anova(Study(factors=factors, rows=rows, source=Source(text="a formula")), "angle")
+    >>> found = anova(sweep(angle, wall=[1.0, 2.0], gap=[1.0, 2.0]), "angle")
     >>> found.ranking, round(found.term("wall").share, 3), found.effect("wall")
     (('wall', 'gap'), 0.8, -2.0)
     """
@@ -196,6 +191,14 @@ def anova(study: Study, measure: str, *, at: tuple[str, float] | None = None, in
         measure=measure, unit=study.unit(measure), terms=terms, means=means, remainder=remainder, total=total,
         error="" if error is None else error.told, rows=len(y), left_out=int((~known).sum()),
     )  # fmt: skip
+
+
+def is_factorial(study: Study) -> bool:
+    """Return whether a study has all combinations of few levels, failed rows counted."""
+    rows = [row.values for row in study.rows]
+    counts = [len({row[each.name] for row in rows}) for each in study.factors]
+    designs = {tuple(row[each.name] for each in study.factors) for row in rows}
+    return max(counts) <= MOST_LEVELS and len(designs) == prod(counts)
 
 
 @dataclass(frozen=True, slots=True)

@@ -65,22 +65,19 @@ def surrogate(
 
     Examples
     --------
-    >>> from turgor.response import Column, Response
+    >>> import numpy as np
     >>> from turgor.source import Source
-    >>> from turgor.study import factor, runs, run_all, study
-    >>> def row(wall):
+    >>> from turgor.response import Column, Response
+    >>> from turgor.study.sweep import sweep
+    >>> def bent(wall):
     ...     columns = Column("pressure", "kPa", [0, 2e4]), Column("angle", "deg", [0, 2e-3 / wall])
-    ...     found = runs.Computed(response=Response(columns=columns, source=Source(text="a formula")))
-    ...     run = runs.Run(name="", function=runs.Computed, values={"seconds": wall})
-    ...     return study.Row(values={"wall": wall}, ended=run_all.Ended(run=run, found=found))
-    >>> walls = factor.Factor(name="wall", low=1e-3, high=2e-3, unit="mm")
-    >>> rows = tuple(row(wall) for wall in walls.spaced(9))
-    >>> fitted = surrogate(study.Study(factors=(walls,), rows=rows, source=Source(text="a formula")))
+    ...     return Response(columns=columns, source=Source(text="a formula"))
+    >>> fitted = surrogate(sweep(bent, wall=np.linspace(1e-3, 2e-3, 9).tolist()))
     >>> round(fitted.predict({"wall": 1.43e-3})["angle"], 3)
     1.399
     >>> fitted.predict({"wall": 0.9e-3})
     Traceback (most recent call last):
-    turgor.errors.TurgorError: wall is 0.9 mm; the surrogate knows 1 mm to 2 mm. ...
+    turgor.errors.TurgorError: wall is 0.0009; the surrogate knows 0.001 to 0.002. ...
     """
     if kind not in (AUTO, *TRAINERS):
         raise unknown("kind of surrogate", kind, (AUTO, *TRAINERS))

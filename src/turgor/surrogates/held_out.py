@@ -16,7 +16,7 @@ Whole = NDArray[np.int64]
 INTERVALS = ((0.6827, 1.0), (0.95, 1.959964))
 
 #: Bounds of the factor of standard deviations: where a few rows are reproduced exactly it says nothing.
-FACTORS = (0.1, 10.0)
+FACTORS = (0.1, 1000.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -145,10 +145,33 @@ def _names(study: Study, measures: Sequence[str] | None, inputs: Iterable[str]) 
         if not measures:
             raise TurgorError(f"measures is empty; the study has {', '.join(study.measures)}.")
         return list(dict.fromkeys(measures))
-    left = {*WITHOUT, *inputs}
+    return measures_that_vary(study, None, inputs)
+
+
+def measures_that_vary(study: Study, at: tuple[str, float] | None = None, inputs: Iterable[str] = ()) -> list[str]:
+    """Return the measures of a study but the drive and those that do not vary.
+
+    Parameters
+    ----------
+    study : Study
+    at : (str, float), optional
+        Column at which measures are read, which is none of them.
+    inputs : iterable of str
+        Further names that are no measures.
+
+    Returns
+    -------
+    list of str
+
+    Raises
+    ------
+    TurgorError
+        If there is none.
+    """
+    left = {*WITHOUT, *inputs, *((at[0],) if at else ())}
     names = [name for name in study.measures if name not in left and _varies(study, name)]
     if not names:
-        raise TurgorError("no measure of the study varies; there is nothing to fit a surrogate to.")
+        raise TurgorError("no measure of the study varies; there is nothing to compare or to fit.")
     return names
 
 

@@ -57,7 +57,7 @@ def test_a_network_of_many_rows(record_verification):
     share = float(np.sqrt(np.mean(off**2))) / float(np.ptp(y))
     covered = float(np.mean(off < 1.96 * error.factor * deviation[:, 0]))
     record_verification(
-        claim="network of 1024 rows of a finger: RMS error of 512 fresh rows over the range, share in the 95 % band",
+        claim="network of 1024 rows of a finger: RMS error of 512 fresh rows over the range; share within 95 %",
         source="the formula",
         expected=[0, 0.95],
         got=[round(share, 4), round(covered, 3)],
