@@ -84,6 +84,7 @@ if TYPE_CHECKING:
     from turgor.solvers.solve import resume as resume
     from turgor.solvers.solve import solve as solve
     from turgor.solvers.stored import load as load
+    from turgor.study.sweep import sweep as sweep
 
 #: Names of the release before that have another name now.
 _RENAMED = {"Step": "Edit", "TestError": "FitResidual"}

@@ -6,7 +6,6 @@ from turgor._lazy import public
 
 if TYPE_CHECKING:
     from turgor.calibration.calibrate import calibrate as calibrate
-    from turgor.calibration.calibrate import kept_in as kept_in
     from turgor.calibration.figure import calibration_figure as calibration_figure
     from turgor.calibration.parameter import Parameter as Parameter
     from turgor.calibration.result import Calibration as Calibration
@@ -27,10 +26,18 @@ if TYPE_CHECKING:
     from turgor.optimization.slopes import with_slopes as with_slopes
     from turgor.optimization.write import write_optimization as write_optimization
     from turgor.study.computation import Computation as Computation
+    from turgor.study.designs import Designs as Designs
+    from turgor.study.designs import factorial as factorial
+    from turgor.study.designs import latin_hypercube as latin_hypercube
+    from turgor.study.designs import sobol as sobol
     from turgor.study.evaluations import Evaluations as Evaluations
+    from turgor.study.evaluations import kept_in as kept_in
     from turgor.study.factor import Factor as Factor
-    from turgor.study.run_all import Ended as Ended
     from turgor.study.run_all import run_all as run_all
+    from turgor.study.running.ended import Ended as Ended
+    from turgor.study.running.executors import Executor as Executor
+    from turgor.study.running.executors import Here as Here
+    from turgor.study.running.workers import Workers as Workers
     from turgor.study.runs import Computed as Computed
     from turgor.study.runs import Run as Run
     from turgor.study.study import Row as Row

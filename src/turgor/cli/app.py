@@ -16,6 +16,7 @@ from turgor.cli.analyses.calibrate import calibrate_command
 from turgor.cli.analyses.guidelines import guidelines_app
 from turgor.cli.analyses.optimize import optimize_command
 from turgor.cli.analyses.section import section_command
+from turgor.cli.analyses.sweep import sweep_command
 from turgor.cli.analyses.uncertainty import uncertainty_command
 from turgor.cli.answers.document import document
 from turgor.cli.check import check_command
@@ -87,6 +88,7 @@ app.command("report")(report_command)
 app.command("measure")(measure_command)
 app.command("compare")(compare_command)
 app.command("calibrate")(calibrate_command)
+app.command("sweep")(sweep_command)
 app.command("uncertainty")(uncertainty_command)
 app.command("optimize")(optimize_command)
 app.command("inspect")(inspect_command)

@@ -1,6 +1,5 @@
 """Optimization of a job: its runs, with the silicone that they take and a picture, and the files that are written."""
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -8,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from turgor.calibration.job_files import JobFile, job_file
 from turgor.engine.mass import cell_volumes
 from turgor.errors import unknown
 from turgor.job.job import Job
@@ -26,7 +24,8 @@ from turgor.solvers.procedures.static import Static
 from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Value
-from turgor.study.job_runs import any_number, changes_of, measured_job, solution_of_job
+from turgor.study.job_runs import any_number, forget_path, job_changes, measured_job, solution_of_job
+from turgor.study.jobs.job_file import JobFile, job_file
 from turgor.study.runs import Computed
 
 #: The volume of rubber of a design: a column of the responses of jobs.
@@ -61,12 +60,11 @@ class JobOptimization:
 
     def search(self, evaluations: Evaluations) -> Optimization:
         """Search, with the rules of casting where the study file has any."""
-        factors, start = read_factors(self.study, self.base.numbers)
-        content = tomllib.loads(self.base.file.read_text(encoding="utf-8"))
+        factors, start = read_factors(self.study, self.base)
+        content = self.base.content
 
         def make(values: Mapping[str, Value]) -> Any:
-            numbers = {key: value for key, value in values.items() if not isinstance(value, str)}
-            return read_job(self.base.file, changes_of(content, numbers)).actuator
+            return read_job(self.base.file, job_changes(content, values)).actuator
 
         rules = () if self.study.casting is None else casting_rules(make, self.study.casting)
         if self.study.casting is not None:
@@ -107,7 +105,7 @@ def job_optimization(study: StudyFile, job: Job, folder: Path, *, mesh_error: bo
     return JobOptimization(base=base, study=study, mesh_error=mesh_error)
 
 
-def solved_design(job: str, digest: str, numbers: Mapping[str, float | str], mesh_error: bool = False) -> Computed:
+def solved_design(job: str, digest: str, numbers: Mapping[str, Value], mesh_error: bool = False) -> Computed:
     """Solve a job with other numbers; its response has the volume of rubber, and there is a picture of the last state.
 
     Parameters
@@ -119,13 +117,14 @@ def solved_design(job: str, digest: str, numbers: Mapping[str, float | str], mes
     -------
     Computed
     """
-    asked, solution = solution_of_job(job, numbers)
+    asked, solution = solution_of_job(job, digest, numbers)
     response = measured_job(asked, solution, mesh_error=mesh_error)
     mesh = solution.model.mesh
     volume = float(cell_volumes(mesh).sum()) * mesh.symmetry_factor
     column = Column(SOLID_VOLUME, "mL", np.full(len(response), volume))
     response = replace(response, columns=(*response.columns, column))
     drawn = picture(solution, width=PICTURE_WIDTH).png if solution.states else b""
+    forget_path(job, digest, numbers)
     return Computed(response=response, picture=drawn)
 
 

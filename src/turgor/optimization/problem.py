@@ -11,8 +11,9 @@ from turgor.errors import TurgorError
 from turgor.optimization.goals import MET, Goal, Limit, Minimize
 from turgor.optimization.rules import Rule
 from turgor.study.computation import Computation
-from turgor.study.evaluations import Evaluations, rounded
+from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Factor, Value
+from turgor.study.rounding import rounded
 from turgor.study.runs import Run
 from turgor.study.study import Row
 

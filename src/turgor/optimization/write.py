@@ -4,13 +4,13 @@ import csv
 from math import isfinite
 from pathlib import Path
 
-from turgor.calibration.job_files import JobFile
 from turgor.optimization.figure import before_and_after, optimization_figure
 from turgor.optimization.result import Optimization
 from turgor.response import COLUMN_UNITS
 from turgor.results.plots.figures import write_figure
 from turgor.store.whole import whole
 from turgor.study.job_runs import unit_value
+from turgor.study.jobs.job_file import JobFile
 
 #: Files of the results.
 TABLE, BEST, FIGURE, TEXT = "optimization.csv", "best.toml", "optimization.png", "optimization.txt"
@@ -44,8 +44,7 @@ def write_optimization(found: Optimization, folder: str | Path, base: JobFile | 
     write_figure(files[-1], optimization_figure(found))
     if base is not None:
         files.append(folder / BEST)
-        numbers = {key: float(value) for key, value in found.values.items()}
-        base.write(numbers, files[-1], f"Optimized:\n{found.summary()}")
+        base.write(found.values, files[-1], f"Optimized:\n{found.summary()}")
     drawn = before_and_after(found)
     if drawn is not None:
         files.append(folder / BEFORE_AND_AFTER)
