@@ -70,3 +70,20 @@ def factors(*names: str, low: float = -1.0, high: float = 1.0) -> list[tg.studie
 
 WALL = tg.studies.Factor(name="wall", low=0.5 * mm, high=4 * mm, unit="mm")
 RADIUS = tg.studies.Factor(name="inner_radius", low=5 * mm, high=30 * mm, unit="mm")
+
+
+def long_bowl(**values: float) -> Response:
+    """A bowl in any number of dimensions that is a hundred times as steep along the last as along the first."""
+    names = sorted(values)
+    steep = np.geomspace(1, 100, len(names))
+    away = np.array([values[name] for name in names]) - np.linspace(-0.5, 0.5, len(names))
+    return table(height=1 + float(steep @ away**2))
+
+
+def sloped_bowl(**values: float) -> Response:
+    """The same with its slopes."""
+    names = sorted(values)
+    steep = np.geomspace(1, 100, len(names))
+    away = np.array([values[name] for name in names]) - np.linspace(-0.5, 0.5, len(names))
+    slopes = dict(zip(names, 2 * steep * away, strict=True))
+    return tg.studies.with_slopes(long_bowl(**values), {"height": slopes})

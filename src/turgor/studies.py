@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from turgor.optimization.rules import Rule as Rule
     from turgor.optimization.search import Ending as Ending
     from turgor.optimization.search import Search as Search
+    from turgor.optimization.slopes import with_slopes as with_slopes
     from turgor.optimization.write import write_optimization as write_optimization
     from turgor.sensitivity.anova import Anova as Anova
     from turgor.sensitivity.anova import Term as Term

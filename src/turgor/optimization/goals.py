@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.optimization.reading import At, Measure, Read, read, shown_of, unit_of, words_of
+from turgor.optimization.slopes import slopes_of
 from turgor.study.study import Row
 from turgor.units import mm
 
@@ -73,6 +74,10 @@ class Target:
     def read(self, row: Row) -> Array:
         """Return what is read from a row, (1,) [SI]; NaN where the path does not reach it."""
         return np.array([read(row, self.measure, self.at)])
+
+    def slopes(self, row: Row, factors: Sequence[str]) -> Array:
+        """Return the derivatives of what is read by each factor, (1, factors); NaN where they are not known."""
+        return slopes_of(row, self.measure, self.at, factors)[None]
 
     def linear(self) -> tuple[Array, Array]:
         """Return what differences are divided by and what is subtracted: they are met where their length is below 1."""
@@ -139,6 +144,10 @@ class Limit:
         """Return what is read from a row, (1,) [SI]; NaN where the path does not reach it."""
         return np.array([read(row, self.measure, self.at)])
 
+    def slopes(self, row: Row, factors: Sequence[str]) -> Array:
+        """Return the derivatives of what is read by each factor, (1, factors); NaN where they are not known."""
+        return slopes_of(row, self.measure, self.at, factors)[None]
+
     def linear(self) -> tuple[Array, Array]:
         """Return signed divisors and limits of each end; a value beyond 0 passes the limit, beyond 1 too far."""
         unit = _size(self.scale) * self.tolerance
@@ -189,6 +198,10 @@ class Minimize:
     def read(self, row: Row) -> Array:
         """Return what is read from a row, (1,) [SI]; NaN where the path does not reach it."""
         return np.array([read(row, self.measure, self.at)])
+
+    def slopes(self, row: Row, factors: Sequence[str]) -> Array:
+        """Return the derivatives of what is read by each factor, (1, factors); NaN where they are not known."""
+        return slopes_of(row, self.measure, self.at, factors)[None]
 
     def linear(self) -> tuple[Array, Array]:
         """Return the signed divisor, and 0."""
@@ -272,6 +285,13 @@ class TipPath:
             return np.array([read(row, each, (name, at)) for at in values for each in self.measures])
         table = np.column_stack([row.response.column(each) for each in self.measures])
         return _at_shares(table).ravel() if len(table) > 1 else missing
+
+    def slopes(self, row: Row, factors: Sequence[str]) -> Array:
+        """Return the derivatives of the points, (2k, factors); NaN where they are not known, as without ``at``."""
+        if self.at is None:
+            return np.full((self.wanted.size, len(factors)), np.nan)
+        name, values = self.at
+        return np.array([slopes_of(row, each, (name, at), factors) for at in values for each in self.measures])
 
     def linear(self) -> tuple[Array, Array]:
         """Return divisors and wanted points: met where the length of the differences is below 1."""

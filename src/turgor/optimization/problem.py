@@ -58,17 +58,25 @@ class Candidate:
     readings : (m,) array [SI]
         What the goals read; NaN where the run failed or ends too early.
     score : Score
+    slopes : (m, n) array [SI]
+        Derivatives of the readings by the shares; NaN where the function does not give them.
     """
 
     at: Array
     row: Row
     readings: Array
     score: Score
+    slopes: Array
 
     @property
     def known(self) -> bool:
         """Whether all that the goals read was computed."""
         return bool(np.isfinite(self.readings).all())
+
+    @property
+    def sloped(self) -> bool:
+        """Whether the derivatives of all readings are known."""
+        return bool(np.isfinite(self.slopes).all())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -185,7 +193,13 @@ class Problem:
 
     def _candidate(self, at: Array, row: Row) -> Candidate:
         readings = np.concatenate([each.read(row) for each in self.goals])
-        return Candidate(at=at, row=row, readings=readings, score=self.score(readings))
+        names, widths = [each.name for each in self.factors], [high - low for low, high in self._ranges]
+        slopes = np.concatenate([each.slopes(row, names) for each in self.goals]) * widths
+        return Candidate(at=at, row=row, readings=readings, score=self.score(readings), slopes=slopes)
+
+    @property
+    def _ranges(self) -> list[tuple[float, float]]:
+        return [each.bounds for each in self.factors]
 
 
 def check_factors(factors: Sequence[Factor]) -> None:

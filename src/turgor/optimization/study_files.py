@@ -22,7 +22,9 @@ from turgor.optimization.manufacture import Casting
 from turgor.optimization.reading import At
 from turgor.optimization.search import Search
 from turgor.study.factor import Factor, Value
-from turgor.study.job_runs import JobNumber, any_number, read_number, unit_value
+from turgor.study.job_runs import unit_value
+from turgor.study.jobs.job_factors import job_factor
+from turgor.study.jobs.job_file import JobFile
 from turgor.units import split_quantity
 
 Table = Mapping[str, Any]
@@ -112,14 +114,14 @@ _MISSING = {
 }
 
 
-def read_factors(study: StudyFile, numbers: Mapping[str, JobNumber]) -> tuple[list[Factor], dict[str, Value]]:
+def read_factors(study: StudyFile, base: JobFile) -> tuple[list[Factor], dict[str, Value]]:
     """Return the factors with the units of the job, and where the search starts: at the job where nothing else is said.
 
     Parameters
     ----------
     study : StudyFile
-    numbers : mapping of str to JobNumber
-        Of the job.
+    base : JobFile
+        The job.
 
     Returns
     -------
@@ -133,13 +135,18 @@ def read_factors(study: StudyFile, numbers: Mapping[str, JobNumber]) -> tuple[li
     found: list[Factor] = []
     start: dict[str, Value] = {}
     for key, table in study.factors.items():
-        number = any_number(numbers, key.split(",")[0].strip())
-        where = f"{study.file}: [factors] {key}"
-        low, high = (_of_job(table[end], number, f"{where}.{end}") for end in ("low", "high"))
-        factor = Factor(name=key, low=low, high=high, unit=number.unit, whole=number.whole)
-        begin = _of_job(table["start"], number, f"{where}.start") if "start" in table else number.value
+        try:
+            ends = {end: table[end] for end in ("low", "high")}
+            factor = job_factor(key, ends, base.content, base.numbers)
+            number = base.numbers[factor.name.split(",")[0]]
+            begin = number.value
+            if "start" in table:
+                begin = float(job_factor(key, [table["start"]], base.content, base.numbers).levels[0])
+        except TurgorError as error:
+            raise TurgorError(f"{study.file}: [factors] {key}: {error}") from None
+        low, high = factor.bounds
         found.append(factor)
-        start[key] = round(begin) if number.whole else min(max(begin, low), high)
+        start[factor.name] = round(begin) if number.whole else min(max(begin, low), high)
     return found, start
 
 
@@ -152,10 +159,6 @@ def _factor_table(key: str, given: Any, path: Path) -> Table:
         if end not in given:
             raise TurgorError(f"{where}: '{end}' is missing.")
     return given
-
-
-def _of_job(given: Any, number: JobNumber, where: str) -> float:
-    return read_number(given if isinstance(given, str) else repr(given), number, where)
 
 
 def _goal(kind: str, table: Table, where: str) -> Goal:

@@ -8,35 +8,43 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
+#: Points beyond the number of terms of a polynomial part from which it is used.
+SPARE = 2
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Surfaces:
-    """Cubic radial basis functions with a linear part, one surface for each reading: s(u) = Σ wᵢ |u − uᵢ|³ + c·(1, u).
+    """Cubic radial basis functions with a polynomial part, one surface for each reading: s(u) = Σ wᵢ |u − uᵢ|³ + p(u).
 
-    They go through all points. Through n + 1 points in n dimensions they are linear, and each further point bends them.
+    They go through all points. Through n + 1 points in n dimensions they are linear. With more points the polynomial
+    has squares as well, and with more yet products, so that they are exact for a quadratic function.
 
     Parameters
     ----------
     points : (k, n) array
     weights : (k, m) array
-    linear : (n + 1, m) array
+    polynomial : (t, m) array
+        Coefficients of 1, the coordinates, their squares, and their products in pairs.
     """
 
     points: Array
     weights: Array
-    linear: Array
+    polynomial: Array
 
     def __call__(self, at: Array) -> Array:
         """Return the values at a point, (m,), or at several, (p, m)."""
         places = np.atleast_2d(at)
         apart = np.linalg.norm(places[:, None, :] - self.points[None, :, :], axis=2)
-        found = apart**3 @ self.weights + self.linear[0] + places @ self.linear[1:]
+        terms = _terms(places)[:, : len(self.polynomial)]
+        found = apart**3 @ self.weights + terms @ self.polynomial
         return found if np.ndim(at) == 2 else found[0]
 
     def gradient(self, at: Array) -> Array:
         """Return the derivatives at a point, (m, n)."""
         away = at - self.points
         apart = np.linalg.norm(away, axis=1)
-        return (self.weights.T * (3 * apart)) @ away + self.linear[1:].T
+        terms = _slopes_of_terms(at)[: len(self.polynomial)]
+        return (self.weights.T * (3 * apart)) @ away + self.polynomial.T @ terms
 
 
 def surfaces_through(points: Array, values: Array) -> Surfaces:
@@ -60,11 +68,30 @@ def surfaces_through(points: Array, values: Array) -> Surfaces:
     """
     count, size = points.shape
     apart = np.linalg.norm(points[:, None, :] - points[None, :, :], axis=2) ** 3
-    tail = np.column_stack([np.ones(count), points])
-    matrix = np.block([[apart, tail], [tail.T, np.zeros((size + 1, size + 1))]])
+    every = _terms(points)
+    sizes = (1 + size, 1 + 2 * size, every.shape[1])
+    used = max(each for each in sizes if each == sizes[0] or count >= each + SPARE)
+    tail = every[:, :used]
+    matrix = np.block([[apart, tail], [tail.T, np.zeros((used, used))]])
     level = values.mean(axis=0)
-    right = np.vstack([values - level, np.zeros((size + 1, values.shape[1]))])
+    right = np.vstack([values - level, np.zeros((used, values.shape[1]))])
     found = np.linalg.lstsq(matrix, right, rcond=1e-13)[0]
-    linear = found[count:].copy()
-    linear[0] += level
-    return Surfaces(points, found[:count], linear)
+    polynomial = found[count:].copy()
+    polynomial[0] += level
+    return Surfaces(points, found[:count], polynomial)
+
+
+def _terms(places: Array) -> Array:
+    """Return 1, the coordinates, their squares and their products, (p, t)."""
+    first, second = np.triu_indices(places.shape[1], 1)
+    products = places[:, first] * places[:, second]
+    return np.column_stack([np.ones(len(places)), places, places**2, products])
+
+
+def _slopes_of_terms(at: Array) -> Array:
+    """Return the derivatives of `_terms` at a point, (t, n)."""
+    size = len(at)
+    first, second = np.triu_indices(size, 1)
+    unit = np.eye(size)
+    products = unit[first] * at[second][:, None] + unit[second] * at[first][:, None]
+    return np.vstack([np.zeros((1, size)), unit, 2 * np.diag(at), products])

@@ -27,6 +27,9 @@ SPANNED = 0.1
 #: … counting those within so many radii.
 NEAR = 2.0
 
+#: Slopes are given to the surfaces as points at this share of the radius beside each candidate.
+SLOPE_STEP = 0.05
+
 #: A step below the precision ends the search where the region is at most so many times the precision.
 LAST_REGION = 5.0
 
@@ -58,16 +61,17 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
     begun = _begun(problem, start, search)
     if begun is None:
         return Ending.FAILED if problem.left <= 0 or not problem.known else Ending.BUDGET
-    problem.compute(_around(problem, begun.at))
+    if not begun.sloped:
+        problem.compute(_around(problem, begun.at))
     center, radius = _lowest(problem), FIRST_RADIUS
     while problem.left > 0:
         if _all_met(problem, center):
             return Ending.CONVERGED
-        surfaces = _surfaces(problem)
+        surfaces = _surfaces(problem, SLOPE_STEP * radius)
         box = Box(center=center.at, radius=radius)
         to = best_step(problem, surfaces, box, search.seed + len(problem.candidates))
         step = float(np.abs(to - center.at).max())
-        missing = _missing_direction(problem, center.at, radius)
+        missing = None if center.sloped else _missing_direction(problem, center.at, radius)
         if _is_idle(problem, surfaces, center, to, search.precision):
             if missing is None and radius <= LAST_REGION * search.precision:
                 return _ended(problem, center)
@@ -115,9 +119,16 @@ def _around(problem: Problem, center: Array) -> list[Array]:
     return found
 
 
-def _surfaces(problem: Problem) -> Surfaces:
-    known = problem.known
-    return surfaces_through(np.array([each.at for each in known]), np.array([each.readings for each in known]))
+def _surfaces(problem: Problem, step: float) -> Surfaces:
+    """Return surfaces through the candidates, and, where slopes are known, through points beside them."""
+    points, values = [], []
+    for each in problem.known:
+        points.append(each.at)
+        values.append(each.readings)
+        if each.sloped:
+            points.extend(each.at + step * np.eye(len(each.at)))
+            values.extend(each.readings + step * each.slopes.T)
+    return surfaces_through(np.array(points), np.array(values))
 
 
 def _lowest(problem: Problem) -> Candidate:

@@ -44,8 +44,7 @@ def write_optimization(found: Optimization, folder: str | Path, base: JobFile | 
     write_figure(files[-1], optimization_figure(found))
     if base is not None:
         files.append(folder / BEST)
-        numbers = {key: float(value) for key, value in found.values.items()}
-        base.write(numbers, files[-1], f"Optimized:\n{found.summary()}")
+        base.write(found.values, files[-1], f"Optimized:\n{found.summary()}")
     drawn = before_and_after(found)
     if drawn is not None:
         files.append(folder / BEFORE_AND_AFTER)

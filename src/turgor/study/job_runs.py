@@ -244,20 +244,20 @@ def solved_job(
     TurgorError
         If the job cannot be read, meshed or held with these numbers.
     """
-    asked, solution = solution_of_job(job, numbers, digest)
+    asked, solution = solution_of_job(job, digest, numbers)
     response = measured_job(asked, solution, mesh_error=mesh_error, measures=measures)
     forget_path(job, digest, numbers)
     return response
 
 
-def solution_of_job(job: str, numbers: Mapping[str, Value], digest: str) -> tuple[Job, Solution]:
+def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tuple[Job, Solution]:
     """Solve a job with other numbers, with one thread; the path as far as it goes.
 
     The path is kept beside the job until `forget_path`, so that a run that is killed goes on from its last state.
 
     Parameters
     ----------
-    job, numbers, digest
+    job, digest, numbers
         As those of `solved_job`.
 
     Returns
@@ -267,8 +267,22 @@ def solution_of_job(job: str, numbers: Mapping[str, Value], digest: str) -> tupl
     """
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
     asked = read_job(job, job_changes(content, numbers))
-    options = EngineOptions(threads=1)
-    return asked, _followed(asked, options, _path_folder(job, digest, numbers))
+    return asked, _followed(asked, EngineOptions(threads=1), _path_of(job, digest, numbers))
+
+
+def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
+    """Remove the states that `solution_of_job` has kept on its way, once what they are for is kept.
+
+    Parameters
+    ----------
+    job, digest, numbers
+        As those of `solved_job`.
+    """
+    rmtree(_path_of(job, digest, numbers), ignore_errors=True)
+
+
+def _path_of(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:
+    return Path(job).parent / PATHS / path_name(digest, numbers)
 
 
 def measured_job(asked: Job, solution: Solution, *, mesh_error: bool = False, measures: Sequence[str] = ()) -> Response:
@@ -301,15 +315,6 @@ def _followed(job: Job, options: EngineOptions, folder: Path) -> Solution:
             rmtree(folder)
     model, _ = prepare(job)
     return solve(model, job.procedure, options=options, folder=folder, throw=False)
-
-
-def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
-    """Remove the path of `solution_of_job`, once what was measured is to be kept instead."""
-    rmtree(_path_folder(job, digest, numbers), ignore_errors=True)
-
-
-def _path_folder(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:
-    return Path(job).parent / PATHS / path_name(digest, numbers)
 
 
 def path_name(digest: str, numbers: Mapping[str, Value]) -> str:

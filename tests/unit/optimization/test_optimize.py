@@ -271,3 +271,20 @@ def test_evaluations_without_files_are_enough():
     solves = len(runs.ended)
     tg.optimize(cases.bowl, AB, [studies.Target("height", 3.5)], start=BEGIN, evaluations=runs)
     assert len(runs.ended) == solves
+
+
+def test_slopes_spare_runs():
+    names = ("a", "b", "c", "d", "e")
+    counts = {}
+    for function in (cases.long_bowl, cases.sloped_bowl):
+        found = tg.optimize(function, cases.factors(*names), [studies.Target("height", 1.05)], search=search(200))
+        assert found.converged, found.summary()
+        counts[function.__name__] = found.solves
+    assert counts["sloped_bowl"] <= 0.6 * counts["long_bowl"], counts
+    away = np.array(list(found.values.values())) - np.linspace(-0.5, 0.5, 5)
+    assert float(np.geomspace(1, 100, 5) @ away**2) == pytest.approx(0.05, abs=0.011)
+
+
+def test_slopes_of_the_wrong_length_are_refused():
+    with pytest.raises(TurgorError, match=r"slopes of 'height' by 'a' have the shape \(2,\); give one number, or 1"):
+        studies.with_slopes(cases.bowl(0.0, 0.0), {"height": {"a": [1.0, 2.0]}})

@@ -2,13 +2,18 @@
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from turgor.cli.analyses.calibrate import told_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, asked_job, command_of
+from turgor.cli.signals import ends_at_once
+
+if TYPE_CHECKING:
+    from turgor.optimization.jobs import JobOptimization
+    from turgor.optimization.result import Optimization
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,13 +40,11 @@ def _run(asked: _Options) -> None:
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.answers.optimization import optimization_result
         from turgor.optimization.jobs import job_optimization
         from turgor.optimization.study_files import read_study_file
         from turgor.optimization.write import write_optimization
-        from turgor.study.evaluations import kept_in
-        from turgor.study.jobs.job_file import RUNS
 
         study = read_study_file(asked.study)
         if asked.most_solves is not None:
@@ -49,12 +52,26 @@ def _run(asked: _Options) -> None:
         job = asked_job(study.job, asked.changes)
         folder = asked.output if asked.output is not None else Path(f"{asked.study.stem}-optimization")
         wanted = job_optimization(study, job, folder, mesh_error=asked.mesh_error)
-        found = wanted.search(kept_in(folder / RUNS, processes=asked.processes, progress=told_run))
+        found = _searched(wanted, folder, asked.processes)
         files = write_optimization(found, folder, wanted.base)
         typer.echo(found.summary())
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
         answer.give(lambda: optimization_result(found, files))
         raise typer.Exit(DONE if found.converged else NOT_CONVERGED)
+
+
+def _searched(wanted: "JobOptimization", folder: Path, processes: int) -> "Optimization":
+    from turgor.errors import TurgorError
+    from turgor.study.evaluations import kept_in
+    from turgor.study.jobs.job_file import RUNS
+
+    try:
+        with kept_in(folder / RUNS, processes=processes, progress=told_run) as runs:
+            return wanted.search(runs)
+    except KeyboardInterrupt:
+        raise TurgorError(
+            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
+        ) from None
 
 
 optimize_command = command_of(_Options, _run)
