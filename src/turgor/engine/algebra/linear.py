@@ -8,6 +8,7 @@ import rslab
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.kept import kept
 from turgor.engine.algebra.pardiso import Pardiso, load_mkl
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.algebra.singular import SingularTangentError as SingularTangentError
@@ -120,17 +121,23 @@ class MixedPrecision:
         return negative
 
 
+@kept(2)  # a run often has the mesh of the last one; two, because the mesh error is found on a second mesh
+def _analyzed(indptr: NDArray[np.int64], indices: NDArray[np.int32], threads: int, ordering: str) -> rslab.LdltSymbolic:
+    """Order of elimination and structure of the factors of a lower triangle; its values do not matter."""
+    pattern = Pattern(len(indptr) - 1, indptr, indices)
+    return rslab.analyze(pattern.matrix(np.ones(len(indices))), path="ldlt", threads=threads, ordering=ordering)
+
+
 class Rslab:
     """LDLᵀ by rslab: pure Rust, MIT, wheels for all systems."""
 
     name = "rslab"
 
     def __init__(self, pattern: Pattern, threads: int) -> None:
-        lower = pattern.matrix(np.ones(len(pattern.indices)))
         self._settings = {"threads": threads, "scaling": "identity"}
         dissected = pattern.size >= (DISSECTED_FROM if threads > 1 else DISSECTED_ALONE_FROM)
         ordering = "metis" if dissected else "auto"
-        self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads, ordering=ordering)
+        self._symbolic = _analyzed(pattern.indptr, pattern.indices, threads, ordering)
         self._factor: rslab.Ldlt | None = None
         self._precision: type = np.float64
 

@@ -7,7 +7,7 @@ import scipy.sparse as sp
 from numba import njit
 from numpy.typing import NDArray
 
-from turgor.engine.compiled import over
+from turgor.engine.compiled import LOOP, over
 
 Ints = NDArray[np.int64]
 
@@ -78,7 +78,7 @@ def cell_places(pattern: Pattern, unknowns: Ints) -> NDArray[np.int32]:
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def _transposed(members, size):
     """Places of every unknown in a flat list, (size + 1,) and (k,); −1 in the list is no unknown."""
     first = np.zeros(size + 1, dtype=np.int64)
@@ -96,7 +96,7 @@ def _transposed(members, size):
     return first, places
 
 
-@njit(cache=True, nogil=True)
+@njit(**LOOP, nogil=True)
 def _count_column(begin, end, count, pieces, of):
     """Entries on and below the diagonal of each column: the unknowns that a piece has beside it."""
     (first, members), (of_first, piece) = pieces, of
@@ -113,7 +113,7 @@ def _count_column(begin, end, count, pieces, of):
         count[column] = found
 
 
-@njit(cache=True, nogil=True)
+@njit(**LOOP, nogil=True)
 def _fill_column(begin, end, indptr, indices, pieces, of):
     """Rows of each column, rising."""
     (first, members), (of_first, piece) = pieces, of
@@ -133,7 +133,7 @@ def _fill_column(begin, end, indptr, indices, pieces, of):
         indices[indptr[column] : free].sort()
 
 
-@njit(cache=True, nogil=True)
+@njit(**LOOP, nogil=True)
 def _place_column(begin, end, out, indptr, indices, of, unknowns):
     """Places of the cells' entries in each column."""
     of_first, places = of
@@ -151,7 +151,7 @@ def _place_column(begin, end, out, indptr, indices, of, unknowns):
                     out[cell, high * (high + 1) // 2 + low] = spot[row]
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def locate(indptr, indices, rows, columns):
     """Positions of entries (row, column), swapped into the lower triangle where needed, (k,) int32; -1 if absent."""
     out = np.empty(len(rows), dtype=np.int32)
@@ -169,7 +169,7 @@ def locate(indptr, indices, rows, columns):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def scatter_add(data, positions, values):
     """Add values at positions, in order, so that the sum does not depend on the number of threads."""
     for k in range(len(positions)):
