@@ -5,7 +5,7 @@ import rslab
 import scipy.sparse as sp
 
 from turgor.engine.algebra.kept import kept
-from turgor.engine.algebra.linear import RslabSolver
+from turgor.engine.algebra.linear import Rslab
 from turgor.engine.algebra.pattern import build_pattern
 
 
@@ -48,7 +48,7 @@ def test_solvers_of_equal_patterns_share_one_analysis_and_nothing_else(monkeypat
     analyze, calls = rslab.analyze, []
     monkeypatch.setattr(rslab, "analyze", lambda *given, **named: calls.append(1) or analyze(*given, **named))
     chain = np.array([[k, k + 1, k + 7] for k in range(40)])
-    one, two = (RslabSolver(build_pattern(chain, 47), 1) for _ in range(2))
+    one, two = (Rslab(build_pattern(chain, 47), 1) for _ in range(2))
     assert len(calls) == 1
     pattern, right = build_pattern(chain, 47), np.linspace(1, 2, 47)
     rng = np.random.default_rng(3)
