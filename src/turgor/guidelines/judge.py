@@ -6,7 +6,8 @@ from pathlib import Path
 
 from turgor.errors import TurgorError
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict, overall
-from turgor.study.run_all import Ended, run_all
+from turgor.study.run_all import run_all
+from turgor.study.running.ended import Ended
 from turgor.study.runs import kept
 
 

@@ -2,15 +2,19 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
-from turgor.response import Response
+from turgor.response import COLUMN_UNITS, MESH_ERROR, Response
 from turgor.source import Source
+from turgor.study.designs import design_table
 from turgor.study.factor import Factor, Value, inputs_of
-from turgor.study.run_all import Ended
+from turgor.study.files.tables import Cells, header, needed, write_csv, write_parquet
+from turgor.study.running.ended import Ended
 
 Array = NDArray[np.float64]
 
@@ -112,6 +116,10 @@ class Study:
         for row in self.rows:
             if row.response is not None and name in row.response:
                 return row.response.find(name).unit
+        if not self.measures:
+            raise TurgorError(
+                f"all {len(self)} runs failed; the first one: {self.rows[0].problem if self.rows else ''}"
+            )
         raise unknown("measure of the study", name, self.measures)
 
     def column(self, name: str, at: tuple[str, float] | None = None) -> Array:
@@ -136,7 +144,47 @@ class Study:
     def mesh_error(self, name: str, at: tuple[str, float] | None = None) -> Array:
         """Return the mesh error of a measure of each row, (rows,) [SI]; NaN where none was estimated."""
         self.unit(name)
-        return np.array([_read(row.response, f"{name}_mesh_error", at) for row in self.rows])
+        return np.array([_read(row.response, name + MESH_ERROR, at) for row in self.rows])
+
+    def table(self, measures: Sequence[str] = (), at: tuple[str, float] | None = None) -> dict[str, Cells]:
+        """Return a table with a row for each design, whose headers have the units of their numbers.
+
+        Parameters
+        ----------
+        measures : sequence of str
+            Names of columns of the responses; all by default.
+        at : (str, float), optional
+            Column and value [SI] at which they are read, as for `column`; by default the last state.
+
+        Returns
+        -------
+        dict of str to list
+            Values of the factors; ``status``, ``problem`` and ``cpu_seconds``; then each measure, with its mesh error
+            behind it where any row has one.
+        """
+        found: dict[str, Cells] = {**design_table(self.factors, [row.values for row in self.rows])}
+        found["status"] = [row.status for row in self.rows]
+        found["problem"] = [row.problem for row in self.rows]
+        found["cpu_seconds"] = [row.seconds for row in self.rows]
+        for name in measures or self.measures:
+            unit = self.unit(name)
+            found[header(name, unit)] = (self.column(name, at) / COLUMN_UNITS[unit]).tolist()
+            errors = self.mesh_error(name, at) / COLUMN_UNITS[unit]
+            if np.isfinite(errors).any():
+                found[header(name + MESH_ERROR, unit)] = errors.tolist()
+        return found
+
+    def to_csv(self, path: str | Path, measures: Sequence[str] = (), at: tuple[str, float] | None = None) -> None:
+        """Write `table` as CSV; `turgor.studies.load_study` reads it."""
+        write_csv(self.table(measures, at), path)
+
+    def to_parquet(self, path: str | Path, measures: Sequence[str] = (), at: tuple[str, float] | None = None) -> None:
+        """Write `table` as Parquet, which needs pyarrow."""
+        write_parquet(self.table(measures, at), path)
+
+    def to_dataframe(self, measures: Sequence[str] = (), at: tuple[str, float] | None = None) -> Any:
+        """Return `table` as a pandas data frame, which needs pandas."""
+        return needed("pandas", "to_dataframe").DataFrame(self.table(measures, at))
 
     @property
     def problems(self) -> tuple[str, ...]:

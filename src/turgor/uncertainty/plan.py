@@ -13,7 +13,7 @@ from turgor.laboratory.compare import first_branch
 from turgor.response import Column, Response
 from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
-from turgor.study.run_all import Ended
+from turgor.study.running.ended import Ended
 from turgor.uncertainty.spread import Alternatives, Input, Spread, check_inputs, nominal_values
 from turgor.uncertainty.surface import Point, check_points, design
 

@@ -12,7 +12,7 @@ from turgor.response import Column, Response
 from turgor.results.drive import drive_of
 from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
-from turgor.study.run_all import Ended
+from turgor.study.running.ended import Ended
 from turgor.study.runs import Computed
 from turgor.uncertainty.band import Band, Uncertainty
 from turgor.uncertainty.cases import Case

@@ -110,7 +110,7 @@ class ContactTerms:
         self._tolerance = model.contact.tolerance
         self.bodies = Bodies.of(model, scales, first_unknown)
         self._known: Contacts | None = None
-        self.parts: list[Part] = build_parts(model, surface, points, self._length, self.bodies)
+        self.parts: list[Part] = build_parts(model, surface, points, scales, self.bodies)
 
     def memory(self, layout: Layout) -> ContactMemory:
         """What was learned so far."""

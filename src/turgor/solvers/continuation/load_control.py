@@ -8,7 +8,7 @@ from time import perf_counter
 
 import numpy as np
 
-from turgor.engine.system import Evaluation
+from turgor.engine.system import Evaluation, Stresses
 from turgor.model.drive import kinks
 from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.constraints.loads import load_control
@@ -171,7 +171,7 @@ class LoadStrategy:
             return Start(last.unknowns, last.stresses)
         led = self._led(run, parameter) if self._leads_to(parameter) else None
         if led is not None:
-            return Start(led.unknowns, run.task.system.stresses(led), evaluation=led)
+            return self._start(run, led)
         return predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
 
     def _leads_to(self, load: float) -> bool:
@@ -184,6 +184,19 @@ class LoadStrategy:
         unknowns = last.unknowns + self.guide.at(parameter) - self.guide.at(last.parameter)
         unknowns[held] = last.unknowns[held]
         return evaluate(run.constraint, run.task.tangent, (unknowns, last.scalars), parameter)
+
+    def _start(self, run: Run, led: Evaluation) -> Start:
+        """Start where the guide leads; from another mesh without geometric stiffness in the first update.
+
+        Cells of thin walls that another mesh moved are strained at random. Their stress makes the tangent indefinite,
+        while the material stiffness alone smooths them. Three chambers of 2.2 mm led by 6 mm took 28 iterations to
+        three states of 7.5 kPa each so, and 65 with the stress.
+        """
+        assert self.guide is not None
+        stresses = run.task.system.stresses(led)
+        if self.guide.interpolated:
+            stresses = Stresses.combine([(0.0, stresses)])
+        return Start(led.unknowns, stresses, evaluation=led)
 
     def _misled(self, run: Run) -> None:
         """Go on without a guide that has led astray too often."""
