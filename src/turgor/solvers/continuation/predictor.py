@@ -23,13 +23,7 @@ from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between, unknowns_between
-from turgor.solvers.continuation.thresholds import (
-    GOOD_PREDICTION,
-    HISTORY,
-    SHORTENINGS,
-    TOUCHING_REACH,
-    WRINKLING_HISTORY,
-)
+from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, HISTORY, SHORTENINGS, WRINKLING_HISTORY
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
@@ -139,8 +133,7 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
     last = history[-1]
     here = system.contacts(last.unknowns, last.parameter)
     ahead = _ahead(last, parameter) if _knows_touch(here, history) else unknowns_between(history, parameter)
-    share = system.contact.shortening(here, system.contacts(ahead, parameter))
-    return min(1.0, TOUCHING_REACH * share) if here.touch else share
+    return system.contact.shortening(here, system.contacts(ahead, parameter))
 
 
 def _moves_on(system: System, tangent: Tangent, at: Evaluation | None) -> bool:
