@@ -51,15 +51,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     say("meshing")
     made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
-    wound = tuple(job.fibers.values())
-    model = Model(
-        made,
-        materials=job.materials,
-        supports=job.all_supports,
-        loads=job.all_loads,
-        reinforcements=wound,
-        contact=job.contact,
-    )
+    model = model_of(job, made)
     asked = with_setup(model, job.setup)
     first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
@@ -94,6 +86,28 @@ def coarse_mesh(job: Job, model: Model) -> Mesh | None:
     made = prepare(replace(job, mesh=settings_at(job, job.mesh_coarse)))[0].mesh
     check_coarse(model, job.procedure, made)
     return made
+
+
+def model_of(job: Job, mesh: Mesh) -> Model:
+    """Return the model of a job on a mesh, without what its setup adds.
+
+    Parameters
+    ----------
+    job : Job
+    mesh : Mesh
+
+    Returns
+    -------
+    Model
+    """
+    return Model(
+        mesh,
+        materials=job.materials,
+        supports=job.all_supports,
+        loads=job.all_loads,
+        reinforcements=tuple(job.fibers.values()),
+        contact=job.contact,
+    )
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:

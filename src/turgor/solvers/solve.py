@@ -8,14 +8,14 @@ from pathlib import Path
 from time import perf_counter
 
 from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.cells.kernels_warmup import needed_by
-from turgor.engine.contact.build import may_touch
-from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
+from turgor.engine.runtime import EngineOptions, use_threads
 from turgor.engine.system import System
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
 from turgor.errors import TurgorError
 from turgor.finding import by_weight
 from turgor.meshing.mesh import Mesh
-from turgor.model.model import DISPLACEMENT, Model
+from turgor.model.model import Model
 from turgor.solvers.checkpoints.record import Question, RunRecord
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
 from turgor.solvers.checks.early import early_findings
@@ -207,9 +207,7 @@ def _solved(
     check_supports(model, inertia=method.may_be_free(model))
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
-        cell, mixed = model.mesh.cell_type, model.formulation != DISPLACEMENT
-        sides = cell.side.nodes if may_touch(model) else 0
-        compiling = compile_kernels(options.notify, cell.nodes, mixed, sides, needed_by(model))
+        compiling = compile_kernels(options.notify, Needs.of(model))
         setup = perf_counter()
         system = System(model, method.controlled(model, procedure))
         history = system.history(step=inf)  # slow enough to relax, unless the procedure knows its time

@@ -27,7 +27,7 @@ from turgor.solvers.continuation.path_points import (
 from turgor.solvers.continuation.predictor import BY_LOAD, gentle_share, predicted
 from turgor.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.solvers.continuation.step_control import StepControl
-from turgor.solvers.continuation.tangent_response import rate_at, rate_in_step
+from turgor.solvers.continuation.tangent_response import rate_at, response_in_step
 from turgor.solvers.continuation.thresholds import (
     LONG_FIRST_STEP,
     RELAXATION_REACH,
@@ -208,9 +208,10 @@ class LoadStrategy:
 
     def judge(self, run: Run, result: NewtonResult, parameter: float) -> Judgment:
         """Reject a state that may lie on another path, unless the step cannot be shorter."""
-        system, now, why, rate = run.task.system, run.history[-1].parameter, None, inf
+        system, now, why, rate, change = run.task.system, run.history[-1].parameter, None, inf, None
         if result.converged and result.evaluation is not None:
-            rate = rate_in_step(system, run.task.tangent, result.evaluation.unknowns, now, parameter)
+            change = response_in_step(system, run.task.tangent, result.evaluation.unknowns, now, parameter)
+            rate = inf if change is None else float(np.linalg.norm(change[system.moving]))
             if run.stepping.failed(parameter - now) is not None:
                 why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
         if not result.converged or result.evaluation is None or why is not None:
@@ -219,7 +220,7 @@ class LoadStrategy:
             return Judgment(None, result.reason or why)
         self.lost_stability, self.rate = False, rate
         point = plain_point(run, result.evaluation, (parameter, result.scalars), result.unstable_modes)
-        return Judgment(point, result.reason)
+        return Judgment(replace(point, change=change), result.reason)
 
     def rescue(self, run: Run) -> Outcome | None:
         """Try pseudo-transient continuation where no step succeeds; say how the run ends if that fails too."""
