@@ -1,7 +1,7 @@
 """The adjoint and the direct derivative are one derivative, found in two ways.
 
-Problem: half of a short fast PneuNet under pressure, at given pressure and at given volume; its bending angle, volume and
-tip displacement by constants of two rubbers, two dimensions and the load. The adjoint takes one solution for each
+Problem: half of a short fast PneuNet under pressure, at given pressure and at given volume; its bending angle, volume
+and tip displacement by constants of two rubbers, two dimensions and the load. The adjoint takes one solution for each
 measure and closed derivatives of the measures, the direct way one for each number and differences of the measures.
 Exact: equality. Tolerance: 1e-6, what differences of the measures leave.
 """
