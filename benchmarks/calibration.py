@@ -11,10 +11,11 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 import turgor as tg
-from turgor.calibration.job_files import free_parameters, job_file
+from turgor.calibration.job_files import free_parameters, job_trial
 from turgor.response import Column, Response
 from turgor.source import Source
 from turgor.study.job_runs import solved_job
+from turgor.study.jobs.job_file import job_file
 from turgor.units import deg, kPa, mm
 
 JOB = """
@@ -52,7 +53,7 @@ def main(folder: Path) -> None:
     measured = Response(columns=columns, source=Source(text="made up"))
     runs = tg.studies.kept_in(folder / "calibration" / "runs")
     found = tg.studies.calibrate(
-        job.trial(measured, spread=0.05 * deg), free_parameters(FREE, PRIOR, job), evaluations=runs
+        job_trial(job, measured, spread=0.05 * deg), free_parameters(FREE, PRIOR, job), evaluations=runs
     )
     seconds = sum(each.found.seconds for each in runs.ended.values() if each.found is not None)
     print(found.summary())

@@ -38,6 +38,9 @@ ROOMS = (
     "study",
     "calibration",
     "uncertainty",
+    "sensitivity",
+    "surrogates",
+    "optimization",
     "guidelines",
     "cli",
 )

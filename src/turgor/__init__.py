@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from turgor.model.model import Model as Model
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
+    from turgor.optimization.optimize import optimize as optimize
     from turgor.response import Response as Response
     from turgor.results.files.vtu import write_vtu as write_vtu
     from turgor.results.measures.measures import bending_angle as bending_angle
@@ -84,6 +85,7 @@ if TYPE_CHECKING:
     from turgor.solvers.solve import resume as resume
     from turgor.solvers.solve import solve as solve
     from turgor.solvers.stored import load as load
+    from turgor.study.sweep import sweep as sweep
 
 #: Names of the release before that have another name now.
 _RENAMED = {"Step": "Edit", "TestError": "FitResidual"}

@@ -1,8 +1,13 @@
 """Functions that the tests of studies call in other processes."""
 
 import os
+import signal
+import time
 from base64 import b64decode
+from dataclasses import dataclass
 from pathlib import Path
+
+import numpy as np
 
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
@@ -39,3 +44,40 @@ def breaks(log: str = "") -> Computed:
 def dies(log: str = "") -> Computed:
     """What a system without memory does."""
     os._exit(9)
+
+
+def killed(log: str = "") -> Computed:
+    """What the system does where memory ends."""
+    os.kill(os.getpid(), signal.SIGKILL)
+    raise AssertionError
+
+
+def slow(number: int, log: str, seconds: float = 0.5) -> Response:
+    """Says in a file which process began it, works, and says that it ended."""
+    with Path(log).open("a", encoding="utf-8") as file:
+        file.write(f"begun {number} {os.getpid()}\n")
+    time.sleep(seconds)
+    with Path(log).open("a", encoding="utf-8") as file:
+        file.write(f"ended {number} {os.getpid()}\n")
+    return Response(columns=(Column("pressure", "kPa", [0.0, float(number)]),), source=Source(text="a clock"))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Beam:
+    """A cantilever, whose fields are dimensions."""
+
+    length: float = 0.1
+    height: float = 2e-3
+    parts: int = 1
+
+    def __post_init__(self) -> None:
+        if self.height <= 0:
+            raise TurgorError(f"height is {self.height / 1e-3:g} mm; allowed is above 0 mm.")
+
+
+def deflection(beam: Beam) -> Response:
+    """Deflection w = F L³ / (3 E I) of a strip 10 mm wide of 1 MPa under a force at its end, of each part."""
+    force = np.linspace(0.0, 0.01, 5)
+    bent = force * beam.length**3 / (3 * 1e6 * 0.01 * beam.height**3 / 12) / beam.parts
+    columns = Column("force", "N", force), Column("deflection", "mm", bent)
+    return Response(columns=columns, source=Source(text="a beam"), status="converged")

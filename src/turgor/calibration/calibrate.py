@@ -1,7 +1,6 @@
 """calibrate: find parameters of a model, or of a rig, from experiments."""
 
-from collections.abc import Callable, Sequence
-from pathlib import Path
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from turgor.calibration.trial import Data, Trial, check_taken, data_of
 from turgor.errors import TurgorError
 from turgor.response import Response
 from turgor.study.evaluations import Evaluations
-from turgor.study.run_all import Ended
+from turgor.study.running.ended import Ended
 
 
 def calibrate(
@@ -175,26 +174,3 @@ def _told(status: CalibrationStatus, known: Estimate, fits: Sequence[Fitted], so
         if each.fitted.message:
             message += f" It ended early: {each.fitted.message}"
     return message, advice
-
-
-Progress = Callable[[Ended], None]
-
-
-def kept_in(folder: str | Path, *, processes: int = 1, progress: Progress | None = None) -> Evaluations:
-    """Return where runs are computed in processes of their own, each kept on disk as it ends.
-
-    Parameters
-    ----------
-    folder : str or Path
-        Made if there is none.
-    processes : int
-        Processes at once, each with one thread.
-    progress : callable, optional
-        Called with every run that has ended.
-
-    Returns
-    -------
-    Evaluations
-        For `calibrate` and others.
-    """
-    return Evaluations(folder=Path(folder), processes=processes, progress=progress)

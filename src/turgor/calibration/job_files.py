@@ -1,98 +1,39 @@
 """Calibration of job files: free keys and priors as text, and trials whose function solves the job."""
 
-import tomllib
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from pathlib import Path
-
-import tomlkit
+from collections.abc import Iterable, Sequence
 
 from turgor.calibration.objective import with_prior
 from turgor.calibration.parameter import Parameter
 from turgor.calibration.trial import Trial
 from turgor.errors import TurgorError, unknown
-from turgor.job.job import Job
-from turgor.job.text.changes import changed
 from turgor.response import Response
-from turgor.study.job_runs import (
-    JobNumber,
-    changes_of,
-    digest_of,
-    find_number,
-    read_number,
-    solved_job,
-    write_whole_job,
-)
+from turgor.study.job_runs import JobNumber, find_number, read_number, solved_job
+from turgor.study.jobs.job_file import JobFile, keys_of
 
-#: The job at the start with every value, and the one with the values that were found.
-START, CALIBRATED = "start.toml", "calibrated.toml"
-
-#: Folder of the runs.
-RUNS = "runs"
+#: The job with the values that were found.
+CALIBRATED = "calibrated.toml"
 
 #: Steps of the finite differences: of numbers that change the mesh, and of others.
 MESHED_STEP, STEP = 0.03, 0.01
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class JobFile:
-    """A job whose numbers can be changed.
+def job_trial(
+    job: JobFile, measured: Response, *, y: str | None = None, x: str | None = None, spread: float | None = None
+) -> Trial:
+    """Return an experiment with a job as its model.
 
     Parameters
     ----------
-    file : Path
-        A job file with every value.
-    numbers : mapping of str to JobNumber
-        Its numbers by key.
-    """
-
-    file: Path
-    numbers: Mapping[str, JobNumber]
-
-    @property
-    def values(self) -> dict[str, str]:
-        """Arguments of `solved_job` besides the numbers."""
-        return {"job": str(self.file), "digest": digest_of(self.file)}
-
-    def trial(
-        self, measured: Response, *, y: str | None = None, x: str | None = None, spread: float | None = None
-    ) -> Trial:
-        """Return an experiment with this job as its model."""
-        return Trial(
-            measured=measured, function=solved_job, y=y, x=x, spread=spread, values=self.values, gather="numbers"
-        )
-
-    def write(self, values: Mapping[str, float], file: Path, comment: str) -> None:
-        """Write the job with other numbers, in SI units by key."""
-        content = tomllib.loads(self.file.read_text(encoding="utf-8"))
-        known = {keys: value for keys, value in values.items() if keys.split(",")[0] in self.numbers}
-        text = tomlkit.dumps(changed(content, {}, changes_of(content, known)))
-        file.write_text("".join(f"# {line}\n" for line in comment.splitlines()) + f"\n{text}", encoding="utf-8")
-
-
-def job_file(job: Job, folder: Path) -> JobFile:
-    """Write a job with every value into a folder, where runs of it are kept.
-
-    Parameters
-    ----------
-    job : Job
-    folder : Path
-        Made if there is none; one that holds something else is refused.
+    job : JobFile
+    measured : Response
+    y, x, spread
+        Of `Trial`.
 
     Returns
     -------
-    JobFile
-
-    Raises
-    ------
-    TurgorError
-        If the folder holds files of something else.
+    Trial
     """
-    if folder.exists() and not folder.is_dir():
-        raise TurgorError(f"--output is '{folder}', which is a file; name a folder.")
-    if folder.is_dir() and any(folder.iterdir()) and not (folder / START).is_file():
-        raise TurgorError(f"--output is '{folder}', which holds files of something else; name another folder.")
-    return JobFile(file=folder / START, numbers=write_whole_job(job, folder / START))
+    return Trial(measured=measured, function=solved_job, y=y, x=x, spread=spread, values=job.values, gather="numbers")
 
 
 def free_parameters(texts: Iterable[str], priors: Iterable[str], job: JobFile) -> tuple[Parameter, ...]:
@@ -161,32 +102,6 @@ def mean_and_deviation(text: str, number: JobNumber, where: str) -> tuple[float,
         except ValueError:
             raise TurgorError(f"{where}: '{deviation.strip()}' is no share in percent; write it as '5 %'.") from None
     return middle, read_number(deviation, number, where)
-
-
-def keys_of(text: str, job: JobFile, option: str) -> str:
-    """Return keys with commas between them, after a check that one value fits all.
-
-    Parameters
-    ----------
-    text : str
-    job : JobFile
-    option : str
-        Beginning of messages.
-
-    Returns
-    -------
-    str
-
-    Raises
-    ------
-    TurgorError
-        If one is unknown, or they measure different things.
-    """
-    keys = [each.strip() for each in text.split(",")]
-    units = {find_number(job.numbers, key).dimension for key in keys}
-    if len(units) > 1:
-        raise TurgorError(f"{option} is '{text}': {' and '.join(sorted(units))} cannot have one value.")
-    return ",".join(keys)
 
 
 def left_as_they_are(parameters: Sequence[Parameter], job: JobFile) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from turgor.calibration.trial import Data
 from turgor.errors import TurgorError, unknown
 from turgor.response import Response
 from turgor.study.evaluations import Evaluations
-from turgor.study.run_all import Ended
+from turgor.study.running.ended import Ended
 
 Array = NDArray[np.float64]
 

@@ -11,8 +11,8 @@ from turgor._lazy import public
 if TYPE_CHECKING:
     from turgor.guidelines.catalog import chosen as chosen
     from turgor.guidelines.guideline import Guideline as Guideline
+    from turgor.guidelines.guideline import GuidelineTest as GuidelineTest
     from turgor.guidelines.guideline import Judgement as Judgement
-    from turgor.guidelines.guideline import Study as Study
     from turgor.guidelines.guideline import Verdict as Verdict
     from turgor.guidelines.judge import judged as judged
     from turgor.guidelines.judge import run_guidelines as run_guidelines

@@ -43,7 +43,7 @@ class Judgement:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Study:
+class GuidelineTest:
     """One test of a guideline.
 
     Parameters
@@ -84,14 +84,14 @@ class Guideline:
         Publications that the review gives for it.
     families : tuple of str
         Actuators that it is about, as they are called in jobs; their pages link here.
-    studies : tuple of Study
+    studies : tuple of GuidelineTest
     """
 
     key: str
     rule: str
     sources: tuple[str, ...]
     families: tuple[str, ...]
-    studies: tuple[Study, ...]
+    studies: tuple[GuidelineTest, ...]
 
 
 def overall(judgements: tuple[Judgement, ...]) -> Verdict:

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from turgor.errors import TurgorError
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict, overall
-from turgor.study.run_all import Ended, run_all
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict, overall
+from turgor.study.run_all import run_all
+from turgor.study.running.ended import Ended
 from turgor.study.runs import kept
 
 
@@ -16,13 +17,13 @@ class JudgedStudy:
 
     Parameters
     ----------
-    study : Study
+    study : GuidelineTest
     judgement : Judgement
     found : mapping of str to Computed
         What the runs found, by their names.
     """
 
-    study: Study
+    study: GuidelineTest
     judgement: Judgement
     found: Found
 
@@ -107,7 +108,7 @@ def judged(
     return Judged(guideline=guideline, studies=tuple(studies))
 
 
-def _judged_study(study: Study, folder: Path, setting: Setting, problems: dict[str, str]) -> JudgedStudy:
+def _judged_study(study: GuidelineTest, folder: Path, setting: Setting, problems: dict[str, str]) -> JudgedStudy:
     found, missing = {}, []
     for run in study.runs(setting):
         computed = kept(run, folder)

@@ -3,74 +3,94 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Self
 
-from turgor.study.run_all import Ended, compute, run_all
-from turgor.study.runs import Run, keep, kept
+from turgor.study.running.ended import Ended
+from turgor.study.running.executors import Executor, Here
+from turgor.study.running.workers import Workers
+from turgor.study.runs import Run, kept
 
-#: Digits of the values that functions are called with: the last ones of a float may differ from machine to machine,
-#: and a run is found again by its values.
-DIGITS = 9
+Progress = Callable[[Ended], None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Evaluations:
     """Runs that an analysis asks for one batch after another, each computed once.
 
+    ``with`` ends processes that wait for further runs; without it they end with this process.
+
     Parameters
     ----------
     folder : Path or None
         Where they are kept as they end; None keeps nothing on disk, which suits formulas.
-    processes : int
-        Processes at once, each with one thread. One run alone is computed in this process, which has loaded everything.
+    executor : Executor
+        Where they are computed: by default in this process.
     progress : callable or None
-        Called with every run that has ended.
+        Called with every run that has ended, those read from disk first.
     ended : dict of str to Ended
         All runs so far by their keys, in the order in which they were asked for.
     """
 
     folder: Path | None = None
-    processes: int = 1
-    progress: Callable[[Ended], None] | None = None
+    executor: Executor = field(default_factory=Here)
+    progress: Progress | None = None
     ended: dict[str, Ended] = field(default_factory=dict)
 
     def of(self, runs: Sequence[Run]) -> list[Ended]:
         """Return how runs ended, in their order; those that have not been asked for before are computed."""
         fresh = {run.key: run for run in runs if run.key not in self.ended}
-        if self.folder is not None and self.processes > 1 and len(fresh) > 1:
-            found = run_all(list(fresh.values()), self.folder, processes=self.processes, progress=self.progress)
-            self.ended.update(found)
-        else:
-            for key, run in fresh.items():
-                self.ended[key] = self._here(run)
-                if self.progress is not None:
-                    self.progress(self.ended[key])
+        waiting = [run for run in fresh.values() if not self._read(run)]
+        for each in self.executor.compute(waiting, self.folder) if waiting else ():
+            self._take(each)
+        for key in fresh:  # in the order asked for
+            self.ended[key] = self.ended.pop(key)
         return [self.ended[run.key] for run in runs]
 
-    def _here(self, run: Run) -> Ended:
-        """Read one run, or compute it in this process and keep it."""
+    def close(self) -> None:
+        """End processes that wait for further runs."""
+        self.executor.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _read(self, run: Run) -> bool:
+        """Read a run that was kept before; return whether it was."""
         before = kept(run, self.folder) if self.folder is not None else None
-        if before is not None:
-            return Ended(run=run, found=before, again=True)
-        ended = compute(run)
-        if self.folder is not None and ended.found is not None:
-            keep(run, ended.found, self.folder)
-        return ended
+        if before is None:
+            return False
+        self._take(Ended(run=run, found=before, again=True))
+        return True
+
+    def _take(self, ended: Ended) -> None:
+        self.ended[ended.run.key] = ended
+        if self.progress is not None:
+            self.progress(ended)
 
 
-def rounded(value: float) -> float:
-    """Return a value with the digits that functions are called with.
+def kept_in(folder: str | Path, *, processes: int = 1, progress: Progress | None = None) -> Evaluations:
+    """Return where runs are computed, each kept on disk as it ends.
 
     Parameters
     ----------
-    value : float
+    folder : str or Path
+        Made if there is none.
+    processes : int
+        Processes at once, each with one thread, which stay until all batches are computed. One is this process itself.
+    progress : callable, optional
+        Called with every run that has ended.
 
     Returns
     -------
-    float
+    Evaluations
+        For `sweep`, `calibrate` and others.
 
-    Examples
-    --------
-    >>> rounded(0.1 + 0.2)
-    0.3
+    Raises
+    ------
+    TurgorError
+        If ``processes`` is below 1.
     """
-    return float(f"{value:.{DIGITS}g}")
+    executor = Here() if processes == 1 else Workers(processes=processes)
+    return Evaluations(folder=Path(folder), executor=executor, progress=progress)

@@ -1,10 +1,12 @@
 """Job files as functions of their values: the keys that hold numbers, and a job solved with other numbers."""
 
+import json
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
+from shutil import rmtree
 from typing import Any
 
 from turgor.adaptivity.measure import measure
@@ -15,12 +17,18 @@ from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.response import Response
-from turgor.solvers.solve import solve
-from turgor.study.evaluations import rounded
+from turgor.solvers.solution import Solution
+from turgor.solvers.solve import resume, solve
+from turgor.study.rounding import rounded
 from turgor.units import UNITS, parse_quantity, split_quantity
+
+Value = float | int | str
 
 #: Sections of a job whose numbers are no quantities of the actuator.
 _LEFT_OUT = ("written_by", "output", "engine", "name")
+
+#: Folder beside the job for paths that are being followed; each is removed when its run has ended.
+PATHS = "paths"
 
 #: Keys of a material that stay when it gets another record.
 _OF_THE_JOB = ("density", "viscoelasticity", "stress_softening", "thickness", "form", "compression")
@@ -57,8 +65,12 @@ class JobNumber:
         """What the number measures, such as ``"length"``; ``"number"`` for a pure one."""
         return next((name for name, units in UNITS.items() if self.unit in units), "number")
 
-    def text(self, value: float, exact: bool = False) -> float | str:
+    def text(self, value: float, exact: bool = False) -> float | int | str:
         """Return an SI value in the form of a job file; with all its digits if ``exact``."""
+        if self.whole:
+            if value != round(value):
+                raise TurgorError(f"'{self.key}' is a whole number; {value:g} is none.")
+            return round(value)
         number = value / self.factor if exact else rounded(value / self.factor)
         return f"{number!r} {self.unit}" if self.unit else number
 
@@ -143,11 +155,32 @@ def find_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
     TurgorError
         If the job has no number there, with the near match, or a whole one, which cannot vary by little.
     """
+    number = any_number(numbers, key)
+    if number.whole:
+        raise TurgorError(f"'{key}' is a whole number, {number.value:g}, which cannot vary by little.")
+    return number
+
+
+def any_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
+    """Return the number at a key, which may be a whole one.
+
+    Parameters
+    ----------
+    numbers : mapping of str to JobNumber
+    key : str
+
+    Returns
+    -------
+    JobNumber
+
+    Raises
+    ------
+    TurgorError
+        If the job has no number there, with the near match.
+    """
     if key not in numbers:
         same = [each for each in numbers if each.split(".")[0] == key.split(".")[0]]
         raise unknown("number of the job", key, same or numbers)
-    if numbers[key].whole:
-        raise TurgorError(f"'{key}' is a whole number, {numbers[key].value:g}, which cannot vary by little.")
     return numbers[key]
 
 
@@ -180,9 +213,11 @@ def read_number(text: str, number: JobNumber, where: str) -> float:
 
 
 def solved_job(
-    job: str, digest: str, numbers: Mapping[str, float | str], mesh_error: bool = False, measures: Sequence[str] = ()
+    job: str, digest: str, numbers: Mapping[str, Value], mesh_error: bool = False, measures: Sequence[str] = ()
 ) -> Response:
     """Solve a job with other numbers and measure it, with one thread; `Run` and others call it in other processes.
+
+    A run that is killed in the middle goes on from its last accepted state when it is called again.
 
     Parameters
     ----------
@@ -190,9 +225,10 @@ def solved_job(
         A file of `write_whole_job`.
     digest : str
         `digest_of` the file, so that runs of another job are not taken for those of this one.
-    numbers : mapping of str to float or str
-        Numbers by key, in SI units; several keys with commas between them have one number. The keys of a material,
-        such as ``"materials.body"``, have a record of the library: ``"ecoflex-00-30/yeoh-steck-2019"``.
+    numbers : mapping of str to float, int or str
+        Values by key; numbers are in SI units, and several keys with commas between them have one value. The keys of a
+        material, such as ``"materials.body"``, have a record of the library: ``"ecoflex-00-30/yeoh-steck-2019"``; other
+        texts are choices, such as the kind of the cells.
     mesh_error : bool
         Whether the mesh error is estimated, which takes up to half the time of the solve.
     measures : sequence of str
@@ -208,17 +244,82 @@ def solved_job(
     TurgorError
         If the job cannot be read, meshed or held with these numbers.
     """
+    asked, solution = solution_of_job(job, digest, numbers)
+    response = measured_job(asked, solution, mesh_error=mesh_error, measures=measures)
+    forget_path(job, digest, numbers)
+    return response
+
+
+def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tuple[Job, Solution]:
+    """Solve a job with other numbers, with one thread; the path as far as it goes.
+
+    The path is kept beside the job until `forget_path`, so that a run that is killed goes on from its last state.
+
+    Parameters
+    ----------
+    job, digest, numbers
+        As those of `solved_job`.
+
+    Returns
+    -------
+    (Job, Solution)
+        The job with these numbers.
+    """
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
-    records = {keys: value for keys, value in numbers.items() if isinstance(value, str)}
-    single = {keys: value for keys, value in numbers.items() if not isinstance(value, str)}
-    asked = read_job(job, changes_of(content, single) | record_changes(content, records))
-    model, _ = prepare(asked)
+    asked = read_job(job, job_changes(content, numbers))
+    return asked, _followed(asked, EngineOptions(threads=1), _path_of(job, digest, numbers))
+
+
+def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
+    """Remove the states that `solution_of_job` has kept on its way, once what they are for is kept.
+
+    Parameters
+    ----------
+    job, digest, numbers
+        As those of `solved_job`.
+    """
+    rmtree(_path_of(job, digest, numbers), ignore_errors=True)
+
+
+def _path_of(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:
+    return Path(job).parent / PATHS / path_name(digest, numbers)
+
+
+def measured_job(asked: Job, solution: Solution, *, mesh_error: bool = False, measures: Sequence[str] = ()) -> Response:
+    """Measure what `solution_of_job` gave; the message says why the path ended early.
+
+    Parameters
+    ----------
+    asked : Job
+    solution : Solution
+    mesh_error, measures
+        As those of `solved_job`.
+
+    Returns
+    -------
+    Response
+    """
     options = EngineOptions(threads=1)
-    solution = solve(model, asked.procedure, options=options, throw=False)
     estimated = mesh_error and len(solution.states) > 1
     response = measure(solution, *(measures or asked.output.chosen()), mesh_error=estimated, options=options)
     message = "" if solution.complete else f"{solution.message} {solution.advice}".strip()
     return replace(response, message=message)
+
+
+def _followed(job: Job, options: EngineOptions, folder: Path) -> Solution:
+    """Follow the path of a job, or go on with it where it was killed: every accepted state is in the folder at once."""
+    if folder.exists():
+        try:
+            return resume(folder, options=options, throw=False)
+        except TurgorError:  # killed as the folder was begun
+            rmtree(folder)
+    model, _ = prepare(job)
+    return solve(model, job.procedure, options=options, folder=folder, throw=False)
+
+
+def path_name(digest: str, numbers: Mapping[str, Value]) -> str:
+    """Return the name of the folder of a path that is being followed: a hash of the job and its values."""
+    return sha256(json.dumps([digest, dict(numbers)], sort_keys=True).encode()).hexdigest()[:16]
 
 
 def digest_of(file: Path) -> str:
@@ -233,6 +334,44 @@ def digest_of(file: Path) -> str:
     str
     """
     return sha256(file.read_bytes()).hexdigest()[:16]
+
+
+def job_changes(content: Mapping[str, Any], values: Mapping[str, Value]) -> dict[str, Any]:
+    """Return changes for `read_job` from numbers, records of materials and other choices.
+
+    Parameters
+    ----------
+    content : mapping
+        Of the job file.
+    values : mapping of str to float, int or str
+        By key, or by several keys with commas between them; numbers in SI units.
+
+    Returns
+    -------
+    dict
+
+    Raises
+    ------
+    TurgorError
+        If the job has no number there, or a whole number gets another one.
+
+    Examples
+    --------
+    >>> job = {"actuator": {"chambers": 4, "wall": "1 mm"}, "mesh": {"cells": "tetrahedra"}}
+    >>> job_changes(job, {"actuator.chambers": 6, "mesh.cells": "hexahedra"})
+    {'actuator.chambers': 6, 'mesh.cells': 'hexahedra'}
+    """
+    numbers = {keys: float(value) for keys, value in values.items() if not isinstance(value, str)}
+    texts = {key: value for keys, value in values.items() if isinstance(value, str) for key in keys.split(",")}
+    records = {key: value for key, value in texts.items() if is_material(content, key)}
+    choices = {key: value for key, value in texts.items() if key not in records}
+    return changes_of(content, numbers) | record_changes(content, records) | choices
+
+
+def is_material(content: Mapping[str, Any], key: str) -> bool:
+    """Whether a key of a job is that of a material, which has records as its values."""
+    first, _, name = key.partition(".")
+    return first == "materials" and name in content.get("materials", {})
 
 
 def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float], exact: bool = False) -> dict[str, Any]:
@@ -265,7 +404,7 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float], exact: 
     changes: dict[str, Any] = {}
     single = {key: number for keys, number in numbers.items() for key in keys.split(",")}
     for key, number in single.items():
-        value = find_number(known, key).text(number, exact)
+        value = any_number(known, key).text(number, exact)
         above, _, last = key.rpartition(".")
         there = _at(content, above.split("."))
         if isinstance(there, list) and not isinstance(there[0], dict):

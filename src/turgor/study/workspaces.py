@@ -15,9 +15,10 @@ from turgor.model.loads import Pressure
 from turgor.response import Response
 from turgor.results.measures.shape.workspaces import COLUMNS, Workspace, workspace
 from turgor.store.whole import whole
-from turgor.study.evaluations import Evaluations, rounded
+from turgor.study.evaluations import Evaluations
 from turgor.study.job_runs import digest_of, solved_job, write_whole_job
-from turgor.study.run_all import Ended
+from turgor.study.rounding import rounded
+from turgor.study.running.ended import Ended
 from turgor.study.runs import Computed, Run
 from turgor.units import kPa, mm
 

@@ -5,10 +5,11 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from turgor.calibration.job_files import JobFile, keys_of, mean_and_deviation
+from turgor.calibration.job_files import mean_and_deviation
 from turgor.errors import TurgorError
+from turgor.study.computation import Computation
 from turgor.study.job_runs import JobNumber, find_number, read_number, solved_job
-from turgor.uncertainty.plan import Computation
+from turgor.study.jobs.job_file import JobFile, keys_of
 from turgor.uncertainty.spread import Alternatives, Input, Spread
 from turgor.units import UNITS
 

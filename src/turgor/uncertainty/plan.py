@@ -1,10 +1,9 @@
 """Plan: the runs that a propagation of uncertainty needs."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from inspect import signature
 from types import MappingProxyType
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +11,9 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.laboratory.compare import first_branch
 from turgor.response import Column, Response
-from turgor.study.evaluations import Evaluations, rounded
-from turgor.study.run_all import Ended
-from turgor.study.runs import Computed, Run
+from turgor.study.computation import Computation
+from turgor.study.evaluations import Evaluations
+from turgor.study.running.ended import Ended
 from turgor.uncertainty.spread import Alternatives, Input, Spread, check_inputs, nominal_values
 from turgor.uncertainty.surface import Point, check_points, design
 
@@ -24,38 +23,6 @@ Array = NDArray[np.float64]
 METHODS: Mapping[str, tuple[bool, bool]] = MappingProxyType(
     {"linear": (False, False), "quadratic": (True, False), "interactions": (True, True)}
 )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Computation:
-    """A function that computes a response, with its further arguments.
-
-    Parameters
-    ----------
-    function : callable
-        Function of a module that takes numbers in SI units as keywords and returns a `Response`.
-    values : mapping
-        Further arguments.
-    nominal : mapping
-        Arguments of the nominal run alone, such as one that asks for the mesh error.
-    gather : str
-        Name of an argument that takes all numbers as one mapping; by default each is a keyword.
-    """
-
-    function: Callable[..., Response | Computed]
-    values: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
-    nominal: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
-    gather: str = ""
-
-    def run(self, numbers: Mapping[str, float | str], *, nominal: bool = False) -> Run:
-        """Return the run with numbers."""
-        given = {name: value if isinstance(value, str) else rounded(value) for name, value in numbers.items()}
-        shown = ", ".join(
-            f"{name} {value}" if isinstance(value, str) else f"{name} {value:.5g}" for name, value in given.items()
-        )
-        keywords: dict[str, Any] = {self.gather: given} if self.gather else given
-        more = self.nominal if nominal else {}
-        return Run(name=shown, function=self.function, values={**self.values, **more, **keywords})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

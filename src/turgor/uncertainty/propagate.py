@@ -10,12 +10,13 @@ from turgor.calibration.trial import curve_at
 from turgor.errors import unknown
 from turgor.response import Column, Response
 from turgor.results.drive import drive_of
+from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
-from turgor.study.run_all import Ended
+from turgor.study.running.ended import Ended
 from turgor.study.runs import Computed
 from turgor.uncertainty.band import Band, Uncertainty
 from turgor.uncertainty.cases import Case
-from turgor.uncertainty.plan import METHODS, Computation, Plan
+from turgor.uncertainty.plan import METHODS, Plan
 from turgor.uncertainty.spread import Input
 from turgor.uncertainty.surface import NORMAL_95, Surface, check_points, fit_surface, range_of
 

@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 
 import calibration_cases as cases
-from turgor.calibration.calibrate import calibrate, kept_in
+from turgor.calibration.calibrate import calibrate
 from turgor.calibration.parameter import Parameter
 from turgor.calibration.trial import Trial, curve_at
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
 from turgor.source import Source
-from turgor.study.evaluations import Evaluations
+from turgor.study.evaluations import Evaluations, kept_in
 from turgor.units import kPa, mm
 
 C10 = Parameter(name="C10", start=0.2e6, unit="MPa")
@@ -231,7 +231,8 @@ SCRIPT = """
 import sys
 from pathlib import Path
 import calibration_cases as cases
-from turgor.calibration.calibrate import calibrate, kept_in
+from turgor.calibration.calibrate import calibrate
+from turgor.study.evaluations import kept_in
 from turgor.calibration.parameter import Parameter
 from turgor.calibration.trial import Trial
 

@@ -6,7 +6,7 @@ from study_cases import line, refuses
 
 from turgor.errors import TurgorError
 from turgor.guidelines.catalog import chosen, guidelines
-from turgor.guidelines.guideline import Guideline, Judgement, Study, Verdict, overall
+from turgor.guidelines.guideline import Guideline, GuidelineTest, Judgement, Verdict, overall
 from turgor.guidelines.judge import judged, run_guidelines
 from turgor.guidelines.page import write_markdown, write_page
 from turgor.guidelines.values import Value, at, falls, largest, last, linearity, listed, rises
@@ -30,7 +30,7 @@ def a_guideline(slopes=(1e-5, 2e-5), function=line) -> Guideline:
         some = slopes if setting == "quick" else (*slopes, 5e-5)
         return tuple(Run(name=f"slope {each:g}", function=function, values={"slope": each, "log": ""}) for each in some)
 
-    study = Study(title="Slope", setup="A line.", expected="It rises.", runs=runs, judge=steeper, panels=curves)
+    study = GuidelineTest(title="Slope", setup="A line.", expected="It rises.", runs=runs, judge=steeper, panels=curves)
     return Guideline(key="9.9-1", rule="Steeper is more & better.", sources=("A 2000",), families=(), studies=(study,))
 
 

@@ -31,7 +31,7 @@ def accepted(node):
             return accepted(inits[0])
         return [item.target.id for item in node.body if isinstance(item, ast.AnnAssign) and is_parameter(item)]
     every = node.args
-    arguments = [*every.posonlyargs, *every.args, every.vararg, *every.kwonlyargs]
+    arguments = [*every.posonlyargs, *every.args, every.vararg, *every.kwonlyargs, every.kwarg]
     return [a.arg for a in arguments if a is not None and a.arg not in ("self", "cls")]
 
 

@@ -7,9 +7,9 @@ import calibration_cases as cases
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
 from turgor.source import Source
+from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
 from turgor.uncertainty.figure import uncertainty_figure
-from turgor.uncertainty.plan import Computation
 from turgor.uncertainty.propagate import propagate
 from turgor.uncertainty.spread import Alternatives, Spread
 from turgor.units import kPa, mm

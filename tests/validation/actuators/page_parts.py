@@ -12,7 +12,7 @@ from PIL import Image
 
 import turgor as tg
 from turgor.pictures import COLORS as COLORS
-from turgor.study.run_all import Ended
+from turgor.study.running.ended import Ended
 from turgor.study.runs import Run
 
 DOCS = Path(__file__).parents[3] / "docs"

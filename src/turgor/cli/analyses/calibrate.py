@@ -13,7 +13,7 @@ from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command
 
 if TYPE_CHECKING:
     from turgor.response import Response
-    from turgor.study.run_all import Ended
+    from turgor.study.running.ended import Ended
 
 Texts = list[str] | None
 
@@ -80,10 +80,12 @@ def _run(asked: _Options) -> None:
     Killed and called again, it goes on: nothing is computed twice.
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer:
-        from turgor.calibration.calibrate import calibrate, kept_in
-        from turgor.calibration.job_files import CALIBRATED, RUNS, free_parameters, job_file, left_as_they_are
+        from turgor.calibration.calibrate import calibrate
+        from turgor.calibration.job_files import CALIBRATED, free_parameters, job_trial, left_as_they_are
         from turgor.calibration.write import write_calibration
         from turgor.cli.answers.studies import calibration_result
+        from turgor.study.evaluations import kept_in
+        from turgor.study.jobs.job_file import RUNS, job_file
 
         measured = [_measured(file, asked) for file in (*asked.experiments, *(asked.hold_out or ()))]
         job = asked_job(asked.job, asked.changes)
@@ -93,7 +95,7 @@ def _run(asked: _Options) -> None:
         for note in left_as_they_are(free, base):
             typer.echo(note, err=True)
         pairs = zip(measured, _spreads(asked, measured), strict=True)
-        trials = [base.trial(each, y=asked.y, x=asked.x, spread=spread) for each, spread in pairs]
+        trials = [job_trial(base, each, y=asked.y, x=asked.x, spread=spread) for each, spread in pairs]
         count = len(asked.experiments)
         found = calibrate(
             trials[:count],

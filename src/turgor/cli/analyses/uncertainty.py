@@ -47,11 +47,11 @@ def _run(asked: _Options) -> None:
     Killed and called again, it goes on: nothing is computed twice.
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer:
-        from turgor.calibration.calibrate import kept_in
-        from turgor.calibration.job_files import RUNS, job_file
         from turgor.cli.answers.studies import uncertainty_result
         from turgor.results.plots.figures import write_figure
+        from turgor.study.evaluations import kept_in
         from turgor.study.job_runs import read_number
+        from turgor.study.jobs.job_file import RUNS, job_file
         from turgor.uncertainty.cases import write_cases
         from turgor.uncertainty.figure import uncertainty_figure
         from turgor.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads

@@ -6,6 +6,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.kept import kept
 from turgor.engine.contact.pair_part import PairPart, Partners, Rigid
 from turgor.engine.contact.shape_part import ShapePart
 from turgor.engine.contact.shapes import scaled
@@ -154,25 +155,34 @@ def _with_itself(
 
 
 def _pairs(surface: Surface, points: Array, mirrored: NDArray[np.bool_], friction: float) -> PairPart:
-    sides = surface.sides
-    reach = REACH * float(np.sqrt(surface.weights.sum(axis=1)).mean())
+    weights, height = surface.weights, surface.height
+    partners = _partners(surface.sides, (surface.N, surface.dN, weights, height), points, mirrored)
+    return PairPart(SELF, surface, replace(partners, sides=surface.sides), friction, 0.5)
+
+
+@kept(2)  # the search at rest is slow, and the next run often has the same mesh
+def _partners(
+    sides: Ints, tables: tuple[Array, Array, Array, Array], points: Array, mirrored: NDArray[np.bool_]
+) -> Partners:
+    """Sides of a surface that its own points may touch; ``tables`` are N, dN, weights and heights of the surface."""
+    N, dN, weights, height = tables
+    surface = Surface(sides, N, dN, weights, np.ones(len(sides)), height)  # stiffness does not matter to a search
     partners = Partners(
         sides=sides,
         corners=surface.corners,
         overhang=overhangs(points, sides, mirrored),
-        depth=DEPTH * surface.height,
+        depth=DEPTH * height,
         strangers=strangers(points, sides),
         around=_around(sides, surface.corners),
-        reach=reach,
+        reach=REACH * float(np.sqrt(weights.sum(axis=1)).mean()),
     )
     for _ in range(ROUNDS):
-        part = PairPart(SELF, surface, partners, friction, 0.5)
-        found = part.look(points, np.zeros(3))
-        inside = np.argwhere(found.gap < -1e-6 * surface.height[:, None])
+        found = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
+        inside = np.argwhere(found.gap < -1e-6 * height[:, None])
         if not len(inside):
             break
         partners = _apart(partners, inside[:, 0], found.partner[inside[:, 0], inside[:, 1]])
-    return PairPart(SELF, surface, partners, friction, 0.5)
+    return partners
 
 
 def _apart(partners: Partners, side: Ints, partner: Ints) -> Partners:

@@ -59,6 +59,10 @@ class Contacts:
         """Whether any point is inside what it touches."""
         return any(found.inside.any() for found in self.found)
 
+    def touch_as(self, other: "Contacts") -> bool:
+        """Whether the same points are inside as in other contacts of the same parts."""
+        return all(np.array_equal(a.inside, b.inside) for a, b in zip(self.found, other.found, strict=True))
+
     def with_friction(self, friction: Friction) -> "Contacts":
         """The same contacts with a friction history."""
         each = friction or (None,) * len(self.found)

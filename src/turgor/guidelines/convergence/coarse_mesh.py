@@ -1,7 +1,7 @@
 """Claim 6.2-1: a coarse mesh moves less than a fine one, and misses strong ballooning."""
 
 from turgor.guidelines.convergence.mesh_size import bend
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value, at
 from turgor.results.plots.study_figure import Panel
@@ -77,7 +77,7 @@ def panels(found: Found) -> tuple[Panel, ...]:
     return tuple(out)
 
 
-STUDY = Study(
+STUDY = GuidelineTest(
     title="Size of the cells",
     setup="Section of a semicircular bender 25 mm wide, wall 2.5 mm, of Elastosil M4601 (Yeoh), a fabric of 650 "
     "N/mm on the "

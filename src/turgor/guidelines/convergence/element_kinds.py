@@ -4,7 +4,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.guidelines.convergence.trials import end, spent
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value
 from turgor.meshing.quality.cell_quality import quality
@@ -123,7 +123,7 @@ GUIDELINE = Guideline(
     sources=("Xavier et al. 2021",),
     families=("eccentric_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Hexahedra and tetrahedra",
             setup=f"Eccentric bender of {LENGTH} mm, round inside and outside, without a sheet, Elastosil M4601 (Yeoh, "
             f"0.11 and 0.02 MPa), {PRESSURE} kPa; quadratic hexahedra swept along the axis, or quadratic tetrahedra, "

@@ -1,7 +1,7 @@
 """Claim 6.2-7: more iterations let a step converge that is close to it."""
 
 from turgor.guidelines.convergence.trials import SETUP, end, reached, solve, spent
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value
 from turgor.results.plots.study_figure import Panel
@@ -58,7 +58,7 @@ GUIDELINE = Guideline(
     sources=("Xavier et al. 2021",),
     families=("semicircular_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Most iterations of a step",
             setup=SETUP + f", {PRESSURE} kPa; hexahedra; five steps of fixed size.",
             expected="With few iterations the run stops early; 50 reach further than 15.",

@@ -1,7 +1,7 @@
 """Claim 6.2-6: smaller load steps converge where the whole load in one step does not."""
 
 from turgor.guidelines.convergence.trials import SETUP, end, reached, solve, spent
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.values import Value, listed
 from turgor.results.plots.study_figure import Panel
@@ -67,7 +67,7 @@ GUIDELINE = Guideline(
     sources=("Tawk and Alici 2020",),
     families=("semicircular_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Number of steps",
             setup=SETUP
             + f", {PRESSURE} kPa; hexahedra; steps of fixed size, a step that does not converge ends the run.",

@@ -4,7 +4,7 @@ from functools import partial
 from typing import Any
 
 import turgor as tg
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import rubber_of, threads
 from turgor.guidelines.values import Value, last
@@ -112,7 +112,7 @@ GUIDELINE = Guideline(
     sources=("Xavier et al. 2021",),
     families=("fiber_reinforced_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Benders of 10 and 25 mm width",
             setup=f"{BENDERS}, Kevlar hoops every 3 mm, a fabric of 650 N/mm on the flat side, {PRESSURE} kPa; "
             "quadratic elements of several sizes.",
@@ -121,7 +121,7 @@ GUIDELINE = Guideline(
             judge=judge,
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="The same without hoops, on paper",
             setup=f"{BENDERS}, paper of 0.1 mm on the flat side, no hoops, {PAPER_PRESSURE} kPa, where they balloon.",
             expected=EXPECTED,

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 import turgor as tg
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import rubber_of
 from turgor.guidelines.values import Value, last
@@ -107,7 +107,7 @@ GUIDELINE = Guideline(
     sources=("Gent 2012",),
     families=("extending_cylinder", "rectangular_bender"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Bare tube that balloons",
             setup="Section of a long tube (inner radius 6.35 mm, wall 2 mm, closed ends) of Elastosil M4601 (Yeoh, "
             "0.11 and 0.02 MPa), inflated until its inner wall is stretched four times and a square cell there is "
@@ -117,7 +117,7 @@ GUIDELINE = Guideline(
             judge=partial(judge, wanted=TUBE_PRESSURES[-1]),
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="Square bender whose corners open",
             setup="Section of a rectangular bender on paper without hoops, of the same rubber; its inner corners are "
             "stretched most; curvature.",

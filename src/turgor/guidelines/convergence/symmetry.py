@@ -1,7 +1,7 @@
 """Claim 6.2-3: symmetry gives the same answer with fewer elements."""
 
 from turgor.guidelines.convergence.trials import SETUP, end, solve, spent
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.values import Value, listed
 from turgor.results.plots.study_figure import Panel
@@ -53,7 +53,7 @@ GUIDELINE = Guideline(
     sources=("Gent 2012", "Moseley et al. 2016"),
     families=("semicircular_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Half and whole",
             setup=SETUP + f", {PRESSURE} kPa; hexahedra; cut at its mirror plane, or whole.",
             expected=f"Angles within {SAME:.1%}, half the unknowns.",

@@ -2,7 +2,7 @@
 
 from turgor.guidelines.fiber_reinforced.banded import SETUP
 from turgor.guidelines.fiber_reinforced.density import extension, injected, panels, runs
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
 from turgor.guidelines.values import falls, last, listed
 
 
@@ -32,7 +32,7 @@ GUIDELINE = Guideline(
     sources=("Polygerinos et al. 2015", "Galloway et al. 2013", "Zhang et al. 2019", "Xue et al. 2019"),
     families=("fiber_reinforced_cylinder", "extending_cylinder"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Hoops at five densities",
             setup=f"{SETUP}; volume that goes into the cavity up to 50 kPa, from no hoops to one every 2 mm.",
             expected="The injected volume falls with every step to denser hoops.",

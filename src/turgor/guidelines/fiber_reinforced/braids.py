@@ -4,7 +4,7 @@ import numpy as np
 
 from turgor.guidelines.fiber_reinforced import two_sides
 from turgor.guidelines.fiber_reinforced.wound import TUBE, cells, tube
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import at
 from turgor.results.plots.study_figure import Line, Panel
 from turgor.study.runs import Run
@@ -95,7 +95,7 @@ GUIDELINE = Guideline(
     sources=("Wang et al. 2016", "Nordin et al. 2013"),
     families=("contracting_tube", "fiber_reinforced_cylinder"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Neutral angle of a braid",
             setup=f"{TUBE}, both hands, 2 mm apart and 256 mm apart; stretch at three pressures.",
             expected="The stretch crosses 1 within 0.5 deg of 54.7 deg from the axis; below it the tube contracts.",
@@ -103,7 +103,7 @@ GUIDELINE = Guideline(
             judge=judge,
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="Difference of the braid angles of both sides",
             setup=f"{SIDES}.",
             expected="With one angle kept, curvature and moment rise with every step to a greater difference.",
@@ -111,7 +111,7 @@ GUIDELINE = Guideline(
             judge=two_sides.judge_difference,
             panels=two_sides.panels,
         ),
-        Study(
+        GuidelineTest(
             title="70 deg with 35 deg against other pairs",
             setup=f"{SIDES}.",
             expected="Of all pairs, 70 deg with 35 deg bend most.",

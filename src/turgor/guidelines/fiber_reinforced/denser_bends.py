@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 from turgor.guidelines.fiber_reinforced.wound import BENDER, bender, cells
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import last, linearity, listed, rises
 from turgor.results.plots.study_figure import Line, Panel
 from turgor.study.runs import Run
@@ -82,7 +82,7 @@ GUIDELINE = Guideline(
     sources=("Xavier, Fleming and Yong 2019", "Fras and Althoefer 2019"),
     families=("fiber_reinforced_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Hoops of a half-round section at six densities",
             setup=f"{BENDER} at distances from 2 mm to 512 mm, or none; curvature up to 40 kPa.",
             expected="Curvature at 40 kPa and R² of a straight line rise with every step to denser hoops.",

@@ -4,7 +4,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.guidelines.fiber_reinforced.wound import TUBE, cells
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import last
@@ -81,7 +81,7 @@ GUIDELINE = Guideline(
     sources=("Connolly et al. 2015",),
     families=("fiber_reinforced_cylinder",),
     studies=(
-        Study(
+        GuidelineTest(
             title="One helix, two alike, two that differ a little",
             setup=f"{TUBE}, helices at 30 deg from the circumference, 2 mm between threads; twist at 62.5 kPa.",
             expected="Two helices alike twist less than a thousandth of what one twists.",

@@ -3,7 +3,7 @@
 from turgor.guidelines.fiber_reinforced.banded import SETUP
 from turgor.guidelines.fiber_reinforced.density import PRESSURE, along, extension, panels, runs
 from turgor.guidelines.fiber_reinforced.wound import BENDER, bender, cells
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import at
 from turgor.results.plots.study_figure import Line, Panel
 from turgor.study.runs import Run
@@ -101,7 +101,7 @@ GUIDELINE = Guideline(
     sources=("Zhang et al. 2019", "Xavier, Fleming and Yong 2019"),
     families=("fiber_reinforced_cylinder", "fiber_reinforced_bender"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Extension of tubes with and without hoops",
             setup=f"{SETUP}; extension up to 50 kPa, and volume for 4 mm of it.",
             expected="At every pressure the tube with hoops extends further, for less volume.",
@@ -109,7 +109,7 @@ GUIDELINE = Guideline(
             judge=judge_tubes,
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="Bending of a half-round section with and without hoops",
             setup=f"{BENDER}, or without these hoops; curvature up to 40 kPa.",
             expected="At every pressure the bender with hoops bends further, for less volume.",

@@ -3,7 +3,7 @@
 import numpy as np
 
 from turgor.guidelines.fiber_reinforced.wound import TUBE, cells, tube
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.values import Value, at, largest, listed
 from turgor.results.plots.study_figure import Line, Panel
 from turgor.study.runs import Run
@@ -108,7 +108,7 @@ def panels(found: Found) -> tuple[Panel, ...]:
     return tuple(drawn)
 
 
-ANGLES = Study(
+ANGLES = GuidelineTest(
     title="Angle of a single helix, at three pressures",
     setup=f"{TUBE}, one right-handed helix with 2 mm between threads; stretch, outer radius and twist.",
     expected="The tube is longest at 0 deg, widest at 90 deg where its stretch stays within 0.3 % of 1, and twists "

@@ -2,7 +2,7 @@
 
 from turgor.guidelines.fiber_reinforced.banded import SETUP
 from turgor.guidelines.fiber_reinforced.density import PRESSURE, along, panels, runs
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
 from turgor.guidelines.values import linearity
 from turgor.units import kPa, mm
 
@@ -43,7 +43,7 @@ GUIDELINE = Guideline(
     sources=("Zhang et al. 2019", "Fras and Althoefer 2019"),
     families=("fiber_reinforced_cylinder",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Straightness and stretch of the rubber at five densities",
             setup=f"{SETUP}; R² of extension against pressure up to 50 kPa, stretch of the rubber at 4 mm of "
             "extension.",

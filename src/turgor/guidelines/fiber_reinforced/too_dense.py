@@ -6,7 +6,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.guidelines.fiber_reinforced.wound import TUBE, cells
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import Value, at, listed, rises
@@ -117,7 +117,7 @@ GUIDELINE = Guideline(
     sources=("Zhang et al. 2019",),
     families=("fiber_reinforced_cylinder",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Bare threads, 8 mm apart to side by side",
             setup=f"{TUBE}, hoops; pressure for a stretch of 1.2.",
             expected=EXPECTED,
@@ -125,7 +125,7 @@ GUIDELINE = Guideline(
             judge=judge,
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="Threads bonded in a skin of rubber",
             setup=f"{TUBE}, hoops in a skin of the same rubber, 0.1778 mm thick, that the threads stiffen across "
             "them as springs in series do: by 1 / (1 - their share of its volume); pressure for a stretch of 1.2.",

@@ -1,6 +1,6 @@
 """Claim 8.1-5: beams instead of threads add stiffness in compression; thinner ones are no cure for that."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import change, line_of
 from turgor.guidelines.modeling.benders import BENDER, bender
 from turgor.guidelines.values import Value, at, listed
@@ -78,7 +78,7 @@ GUIDELINE = Guideline(
     sources=("Polygerinos et al. 2015", "Decroly et al. 2019"),
     families=("fiber_reinforced_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Rods or threads",
             setup=BENDER
             + "; neo-Hookean (0.12 MPa); fibers that resist compression or go slack, and hoops of half the "

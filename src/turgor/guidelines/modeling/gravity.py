@@ -6,7 +6,7 @@ import numpy as np
 
 import turgor as tg
 from turgor import rods
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import rubber_of
 from turgor.guidelines.values import Value, last
@@ -125,7 +125,7 @@ GUIDELINE = Guideline(
     sources=("Peng et al. 2019",),
     families=("omnidirectional_actuator", "three_extenders"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Horizontal arm of two segments",
             setup="Cosserat rods of 20 mm diameter with one chamber of 50 mm² 6 mm below the axis, which fibers "
             "keep from "

@@ -4,7 +4,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.formulas.formula import law_of
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import rubber_of
 from turgor.guidelines.values import Value
@@ -100,7 +100,7 @@ GUIDELINE = Guideline(
     sources=("Moseley et al. 2016", "Martins et al. 2006", "Marckmann and Verron 2006"),
     families=(),
     studies=(
-        Study(
+        GuidelineTest(
             title="Fits of uniaxial tension up to a strain",
             setup="Uniaxial tension of Ecoflex 00-30 as three published laws of three terms have it, up to strains "
             "of 25 to "

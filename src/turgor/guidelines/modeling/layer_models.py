@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 import turgor as tg
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import Value, last
@@ -101,7 +101,7 @@ GUIDELINE = Guideline(
     sources=("Xavier, Fleming and Yong 2021",),
     families=("rectangular_bender", "fast_pneunet"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Solid, membrane and shell of equal stiffness",
             setup=f"Section of {WIDTH:g} x {HEIGHT:g} mm, void of {VOID_WIDTH:g} x {VOID_HEIGHT:g} mm, its floor "
             f"{FLOOR:g} mm thick, Elastosil M4601 (Yeoh, 0.11 and 0.02 MPa), below it a layer of 100 N/mm; "

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.modeling.benders import TUBE, bender, rubber_of, tube
 from turgor.guidelines.multi_chamber.pneunets import ELASTOSIL, bend, run_of
@@ -100,7 +100,7 @@ GUIDELINE = Guideline(
     sources=("Polygerinos et al. 2015", "Connolly et al. 2015"),
     families=("fiber_reinforced_bender", "extending_cylinder", "fast_pneunet"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Neo-Hooke and Yeoh of the same rubber",
             setup=TUBE
             + ", free and with hoops; a fiber-reinforced bender; a fast PneuNet of two chambers; all of Elastosil "

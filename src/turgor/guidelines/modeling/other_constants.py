@@ -1,6 +1,6 @@
 """Claims 8.1-1 and 8.1-2: constants of another rubber, and the spread of published ones, change what is predicted."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import BENDER, bender
 from turgor.guidelines.values import Value, at, listed
@@ -114,7 +114,7 @@ GUIDELINE = Guideline(
     sources=("Yan et al. 2016", "Xue et al. 2018", "Steck et al. 2019"),
     families=("fiber_reinforced_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Constants of another rubber",
             setup=BENDER
             + ", threads that go slack but for 2 % of their stiffness; Ecoflex by its own constants, and by those "
@@ -125,7 +125,7 @@ GUIDELINE = Guideline(
             judge=judge_borrowed,
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="Six published sets of constants of Ecoflex 00-30",
             setup=BENDER
             + ", threads that go slack but for 2 % of their stiffness; Ecoflex 00-30 by six records of the library.",

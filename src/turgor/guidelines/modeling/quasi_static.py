@@ -4,7 +4,7 @@ import numpy as np
 
 import turgor as tg
 from turgor import rods
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.response import Column, Response
 from turgor.results.plots.study_figure import Line, Panel
 from turgor.study.runs import Computed, Run
@@ -118,7 +118,7 @@ GUIDELINE = Guideline(
     sources=("Moseley et al. 2016", "Connolly et al. 2015"),
     families=(),
     studies=(
-        Study(
+        GuidelineTest(
             title="Ramps of the pressure, with damping and without",
             setup=f"Cosserat rod of {LENGTH} mm, a tube of radius 8 mm, wall 2 mm, of Elastosil M4601 (neo-Hooke, 0.12 "
             f"MPa) with a chamber 3 mm off its axis, {PRESSURE} kPa in ramps of several first periods; Kelvin-Voigt "

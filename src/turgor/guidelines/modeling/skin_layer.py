@@ -3,7 +3,7 @@
 import numpy as np
 
 import turgor as tg
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of
 from turgor.guidelines.modeling.benders import pressures_of, rubber_of, threads
 from turgor.guidelines.values import Value
@@ -98,7 +98,7 @@ GUIDELINE = Guideline(
     sources=("Decroly et al. 2019",),
     families=("fiber_reinforced_cylinder",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Skin over the hoops",
             setup="Long tube with hoops, inner radius 6.35 mm, wall 2 or 4 mm, skin of 0 to 1 mm over the hoops, "
             "all of Ecoflex "

@@ -1,6 +1,6 @@
 """Claim 5-3: softer rubber needs less pressure for the same stroke."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import BENDER, bender
 from turgor.guidelines.multi_chamber.pneunets import at_angle
@@ -88,7 +88,7 @@ GUIDELINE = Guideline(
     sources=("Elsayed et al. 2014", "Marechal et al. 2020"),
     families=("fiber_reinforced_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="One bender, six rubbers",
             setup=BENDER
             + "; rubbers by their published Yeoh constants (Smooth-Sil 950: generalized Rivlin). The fabric once as "

@@ -6,7 +6,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.formulas.formula import law_of
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.modeling.benders import pressures_of, rubber_of
 from turgor.guidelines.values import Value
@@ -109,7 +109,7 @@ GUIDELINE = Guideline(
     sources=("Xavier et al. 2021", "Marckmann and Verron 2006"),
     families=("extending_cylinder",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Laws from one kind of test or two",
             setup="Tests of Ecoflex 00-30 made from two published Ogden laws, uniaxial up to a stretch of 4 and "
             "equibiaxial up "

@@ -1,6 +1,6 @@
 """Guideline 7.4-7: higher chambers push harder."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import (
     MULTI_CHAMBERED,
@@ -75,7 +75,7 @@ GUIDELINE = Guideline(
     sources=("Polygerinos et al. 2013",),
     families=MULTI_CHAMBERED,
     studies=(
-        Study(
+        GuidelineTest(
             title="Height of the chambers",
             setup="Fast "
             + SETUP.format(count="of two chambers (four at the full setting)")

@@ -1,6 +1,6 @@
 """Guideline 7.4-8: PneuNets with a free bottom bend and push more than conventional ones."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, at
@@ -91,7 +91,7 @@ GUIDELINE = Guideline(
     sources=("Yang et al. 2020",),
     families=("free_bottom_pneunet", "fast_pneunet"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Free bottom or common floor",
             setup="Fast "
             + SETUP.format(count="of two chambers (four at the full setting)")

@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import PITCH, SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, at, falls, listed, rises
@@ -109,7 +109,7 @@ GUIDELINE = Guideline(
     sources=("Hu and Alici 2020",),
     families=("helical_pneunet",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Angle of the chambers",
             setup="Fast "
             + SETUP.format(count="of two chambers (four at the full setting)")
@@ -121,7 +121,7 @@ GUIDELINE = Guideline(
             judge=judge,
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="Length",
             setup=f"The same with chambers turned by 15 deg, one chamber every {PITCH} mm, more and more of them, "
             f"at 6 kPa.",

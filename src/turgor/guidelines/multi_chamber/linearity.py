@@ -1,6 +1,6 @@
 """Guideline 7.4-1: many chambers respond in a straighter line than a single void, because they bulge less."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, at_angle, bend, count_and_size, pneunet, run_of
 from turgor.guidelines.values import last, linearity, listed
@@ -73,7 +73,7 @@ GUIDELINE = Guideline(
     sources=("Mosadegh et al. 2014", "Hwang et al. 2015"),
     families=("fast_pneunet", "slow_pneunet"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Chambers or a single void in the same envelope",
             setup="Fast and slow "
             + SETUP.format(count="of two chambers (four at the full setting)")

@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import verdict_of
 from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, pneunet
 from turgor.guidelines.values import at, linearity, listed, rises
@@ -66,7 +66,7 @@ GUIDELINE = Guideline(
     sources=("Mosadegh et al. 2014", "Hwang et al. 2015", "Yang et al. 2020"),
     families=MULTI_CHAMBERED,
     studies=(
-        Study(
+        GuidelineTest(
             title="Number of chambers on 35 mm",
             setup="Fast "
             + SETUP.format(count="of 35 mm, or of 70 mm at the full setting")

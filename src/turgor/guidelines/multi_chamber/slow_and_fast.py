@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import SETUP, at_angle, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, last
@@ -170,7 +170,7 @@ GUIDELINE = Guideline(
     sources=("Mosadegh et al. 2014",),
     families=("fast_pneunet", "slow_pneunet"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Slow and fast in the same envelope",
             setup="Fast "
             + SETUP.format(count="of two chambers (four at the full setting)")
@@ -181,7 +181,7 @@ GUIDELINE = Guideline(
             judge=judge,
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="Which dimension decides",
             setup="The same two, with one dimension changed in both, or in one of them; outer dimensions follow.",
             expected=f"A pressure ratio of 3, within a factor of {NEAR:g}, for some dimensions that may be those of "

@@ -1,6 +1,6 @@
 """Guideline 7.4-6: thicker walls between chambers bend less and push less."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, push, run_of
 from turgor.guidelines.values import Value, at, falls, last, listed
@@ -69,7 +69,7 @@ GUIDELINE = Guideline(
     sources=("Mosadegh et al. 2014", "Sun et al. 2013", "Yang et al. 2020"),
     families=MULTI_CHAMBERED,
     studies=(
-        Study(
+        GuidelineTest(
             title="Wall between chambers",
             setup="Fast "
             + SETUP.format(count="of two chambers (four at the full setting)")

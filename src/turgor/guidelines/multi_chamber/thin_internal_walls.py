@@ -2,7 +2,7 @@
 
 from scipy.optimize import brentq
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import (
     MULTI_CHAMBERED,
@@ -132,7 +132,7 @@ GUIDELINE = Guideline(
     sources=("Polygerinos et al. 2013", "Mosadegh et al. 2014"),
     families=MULTI_CHAMBERED,
     studies=(
-        Study(
+        GuidelineTest(
             title="Internal against external walls at equal mass",
             setup="Fast "
             + SETUP.format(count="of two chambers (four at the full setting)")
@@ -144,7 +144,7 @@ GUIDELINE = Guideline(
             judge=judge,
             panels=panels,
         ),
-        Study(
+        GuidelineTest(
             title="Surface of the internal walls",
             setup="The same with other heights, at which the walls between chambers have other surfaces.",
             expected="Pressure times air and bulge at the same angle fall with the height.",

@@ -1,6 +1,6 @@
 """Guideline 7.3-3: half-round chambers balloon least, ring sectors bend most."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import verdict_of
 from turgor.guidelines.omnidirectional.chambers import SETUP
 from turgor.guidelines.omnidirectional.shapes import AREA, SHAPES, read, runs_of
@@ -54,7 +54,7 @@ GUIDELINE = Guideline(
     sources=("Elsayed et al. 2014",),
     families=("omnidirectional_actuator", "three_extenders"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Six shapes of equal area",
             setup=SETUP
             + f"; all chambers have {AREA:g} mm² and end 2 mm below the surface. Ballooning is the widening of "

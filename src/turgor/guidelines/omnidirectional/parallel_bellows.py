@@ -4,7 +4,7 @@ from typing import Any
 
 import turgor as tg
 from turgor.guidelines.drawn import picture_of
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, differs, line_of, verdict_of
 from turgor.guidelines.parts import elastosil
 from turgor.guidelines.values import Value, at, falls, last, listed, rises
@@ -140,7 +140,7 @@ GUIDELINE = Guideline(
     sources=("Drotman et al. 2019",),
     families=("parallel_bellows", "bellows_of_revolution"),
     studies=(
-        Study(
+        GuidelineTest(
             title="With a rib and without",
             setup="Three parallel bellows of four folds of 7 mm, radii of 5 and 10 mm, wall 1.2 mm, Elastosil M4601 "
             f"(neo-Hooke, 0.12 MPa), {PRESSURES[-1]} kPa in one; half the actuator.",
@@ -149,7 +149,7 @@ GUIDELINE = Guideline(
             judge=judge_kinds,
             panels=panels_kinds,
         ),
-        Study(
+        GuidelineTest(
             title="Wall and inner radius of one bellows",
             setup=f"Bellows of two folds of 10 mm, {FOLD:g} mm high between inner radius and wall, Elastosil M4601 "
             f"(neo-Hooke, 0.12 MPa), {SINGLE:g} kPa; free, or held at its length. Three in parallel bend by the "

@@ -1,6 +1,6 @@
 """Guideline 7.3-2: triangular chambers bend further than round ones."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, differs, verdict_of
 from turgor.guidelines.omnidirectional.chambers import SETUP
 from turgor.guidelines.omnidirectional.shapes import AREA, read, runs_of
@@ -51,7 +51,7 @@ GUIDELINE = Guideline(
     sources=("Xie et al. 2018",),
     families=("omnidirectional_actuator", "three_extenders"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Round and triangular chambers of equal area",
             setup=SETUP + f"; all chambers have {AREA:g} mm² and end 2 mm below the surface.",
             expected="Triangular chambers bend further, whichever way they point.",

@@ -1,6 +1,6 @@
 """Guideline 7.1-6: half-round actuators are best for bending, cylinders for extension."""
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.single_chamber.shapes import (
     FABRIC,
     HALF,
@@ -110,7 +110,7 @@ GUIDELINE = Guideline(
     sources=("Polygerinos et al. 2015", "Xavier, Fleming and Yong 2019", "Fras and Althoefer 2019"),
     families=("semicircular_bender", "rectangular_bender", "extending_cylinder"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Bending of five shapes on two bases",
             setup=f"{SETUP}; in hoops of Kevlar thread every 2 mm or bare; on a fabric of 650 N/mm along the lowest "
             "1 mm, which may bulge, or with the lowest 1 mm as a plate (C10 = 50 MPa), which stays flat; curvature "
@@ -120,7 +120,7 @@ GUIDELINE = Guideline(
             judge=judge_bending,
             panels=bending_panels,
         ),
-        Study(
+        GuidelineTest(
             title="Extension of five shapes",
             setup=f"{SETUP}; in hoops of Kevlar thread every 2 mm or bare; stretch at 30 kPa.",
             expected="The round one extends most.",

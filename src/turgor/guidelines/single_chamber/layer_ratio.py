@@ -3,7 +3,7 @@
 import numpy as np
 
 import turgor as tg
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.single_chamber.half_round import BARE, HOOPED, cells
@@ -160,7 +160,7 @@ GUIDELINE = Guideline(
     sources=("Gorissen et al. 2017", "Marchese et al. 2015", "Gorissen et al. 2011"),
     families=("two_material_bender", "eccentric_bender"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Ratio of stiffness of two halves",
             setup=f"{TUBE}; neo-Hookean halves, C10 = 0.12 MPa above and 1 to 20 times as much below; or with the "
             "mean of both kept at 0.12 MPa; curvature at 20 kPa.",
@@ -169,7 +169,7 @@ GUIDELINE = Guideline(
             judge=judge_stiffness,
             panels=stiffness_panels,
         ),
-        Study(
+        GuidelineTest(
             title="Ratio of thickness of two walls",
             setup=f"{TUBE}, the chamber off the axis so that the wall below is 1 to 6 times as thick as the wall "
             "above, both together 4 mm; Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa); curvature at 20 kPa.",

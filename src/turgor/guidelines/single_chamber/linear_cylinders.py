@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
 from turgor.guidelines.single_chamber.best_shape import extension_runs
 from turgor.guidelines.single_chamber.shapes import PRESSURE, ROUND, SETUP, bars
 from turgor.guidelines.values import linearity
@@ -72,7 +72,7 @@ GUIDELINE = Guideline(
     sources=("Fras and Althoefer 2019",),
     families=("extending_cylinder", "fiber_reinforced_cylinder"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Straightness and stretch of the rubber for five shapes",
             setup=f"{SETUP}; in hoops of Kevlar thread every 2 mm or bare; R² of the stretch up to 30 kPa, and the "
             "largest stretch of the rubber where the actuator has a stretch of 1.01.",

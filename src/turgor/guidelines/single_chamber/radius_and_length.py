@@ -2,7 +2,7 @@
 
 import turgor as tg
 from turgor.guidelines.drawn import picture_of
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor.guidelines.single_chamber.shapes import bend_on_plate
@@ -138,7 +138,7 @@ GUIDELINE = Guideline(
     sources=("Polygerinos et al. 2015",),
     families=("semicircular_bender", "fiber_reinforced_bender"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Radius of the chamber",
             setup=f"{BENDER}; radii of 6 to 12 mm, walls and base of 2 mm or of a quarter of the radius; or without "
             "fabric, in hoops, with the lower half of the base as a plate (C10 = 50 MPa), which stays flat; "
@@ -148,7 +148,7 @@ GUIDELINE = Guideline(
             judge=judge_radius,
             panels=radius_panels,
         ),
-        Study(
+        GuidelineTest(
             title="Length of whole benders",
             setup="Whole half-round benders in hoops, chamber radius 8 mm, wall and base 2 mm, Elastosil M4601 "
             "(neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across on the flat side, end walls of 5 "

@@ -7,7 +7,7 @@ import numpy as np
 import turgor as tg
 from turgor.errors import TurgorError
 from turgor.guidelines.drawn import outline_of, picture_of
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import fabric, threads
 from turgor.guidelines.sections import COARSER, compared
 from turgor.guidelines.single_chamber.half_round import cells
@@ -169,7 +169,7 @@ GUIDELINE = Guideline(
     sources=("Elsayed et al. 2014", "Galloway et al. 2013", "Qin et al. 2018"),
     families=("semicircular_bender", "fiber_reinforced_bender", "extending_cylinder", "omnidirectional_actuator"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Stroke and stress of four rubbers",
             setup="Whole tube (inner radius 6.35 mm, wall 2 mm, 60 mm long, caps of 5 mm, one end held), "
             "axisymmetric, in hoops of Kevlar thread every 2 mm; Ecoflex 00-30, Dragon Skin 10, Elastosil M4601, "
@@ -180,7 +180,7 @@ GUIDELINE = Guideline(
             judge=judge_stress,
             panels=stress_panels,
         ),
-        Study(
+        GuidelineTest(
             title="Bending and force of four rubbers",
             setup="Section of a long half-round bender (chamber radius 8 mm, wall and base 2 mm) in hoops (rods) of "
             "Kevlar thread every 2 mm, fabric of 650 N/mm along and across on the flat side; the same rubbers; "

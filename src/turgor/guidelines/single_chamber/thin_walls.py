@@ -2,7 +2,7 @@
 
 import turgor as tg
 from turgor.guidelines.drawn import picture_of
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, threads
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor.guidelines.values import at, last, listed, rises
@@ -132,7 +132,7 @@ def bender_panels(found: Found) -> tuple[Panel, ...]:
     )
 
 
-EXTENDERS = Study(
+EXTENDERS = GuidelineTest(
     title="Wall of a tube in hoops",
     setup="Whole tube (outer radius 8.35 mm, 60 mm long, caps of 5 mm, one end held), axisymmetric, Elastosil M4601 "
     "(neo-Hookean, C10 = 0.12 MPa), hoops of Kevlar thread every 2 mm, smeared; extension at 50 kPa.",
@@ -142,7 +142,7 @@ EXTENDERS = Study(
     panels=tube_panels,
 )
 
-BENDERS = Study(
+BENDERS = GuidelineTest(
     title="Wall of a half-round bender",
     setup=f"{BENDER}; walls of 3, 2 and 1.5 mm around a chamber of 8 mm radius, or inside an outer radius of 10 mm, "
     "base of 2 mm; curvature at 20 kPa.",

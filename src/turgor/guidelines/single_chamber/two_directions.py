@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.single_chamber.half_round import BARE, BENDER, HOOPED, bend, cells
 from turgor.guidelines.values import Value
 from turgor.response import Response
@@ -92,7 +92,7 @@ GUIDELINE = Guideline(
     sources=("Gorissen et al. 2011",),
     families=("semicircular_bender", "fiber_reinforced_bender"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Sign of the curvature against pressure, for several bases",
             setup=f"{BENDER}; chamber radius 8 mm, wall 2 mm, base 1 to 4 mm; curvature up to 20 kPa.",
             expected="The curvature changes its sign at a pressure.",

@@ -4,7 +4,7 @@ import numpy as np
 
 import turgor as tg
 from turgor.guidelines.drawn import outline_of
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil, fabric, threads
 from turgor.guidelines.sections import COARSER, compared
 from turgor.guidelines.single_chamber.half_round import BARE, HOOPED
@@ -134,7 +134,7 @@ GUIDELINE = Guideline(
     sources=("Gorissen et al. 2017",),
     families=("rectangular_bender",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Width of a rectangular void",
             setup="Section of a long rectangular bender, void 8 mm high and 5 to 25 mm wide, walls of 2 mm, "
             "Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa), fabric of 650 N/mm along and across below; bare or in "

@@ -3,7 +3,7 @@
 import numpy as np
 
 import turgor as tg
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import threads
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import Value
@@ -126,7 +126,7 @@ def panels(found: Found) -> tuple[Panel, ...]:
     )
 
 
-RECORDS_STUDY = Study(
+RECORDS_STUDY = GuidelineTest(
     title="Rubbers of the library by their hardness",
     setup="Section of a long tube (inner radius 6.35 mm, outer 8.35 mm, closed ends) in hoops of Kevlar thread every 2 "
     "mm, of 14 records of eight rubbers from 00-10 to 50 A Shore; pressure for a stretch of 1.1.",

@@ -5,7 +5,7 @@ from math import pi
 import numpy as np
 
 import turgor as tg
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Setting, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict
 from turgor.guidelines.parts import elastosil
 from turgor.guidelines.sections import solved_twice
 from turgor.guidelines.values import last, listed, rises
@@ -104,7 +104,7 @@ GUIDELINE = Guideline(
     sources=("Elsayed et al. 2014", "Yan et al. 2016", "Xie et al. 2018"),
     families=("omnidirectional_actuator",),
     studies=(
-        Study(
+        GuidelineTest(
             title="Diameter of three round chambers",
             setup="Section of a long cylinder of 12.5 mm radius with three round chambers of 5 to 9 mm diameter, "
             "Elastosil M4601 (neo-Hookean, C10 = 0.12 MPa), one chamber under pressure; axes of the chambers at 6.5 "

@@ -3,7 +3,7 @@
 from turgor.guidelines.fiber_reinforced import density, single_wrap
 from turgor.guidelines.fiber_reinforced.banded import SETUP
 from turgor.guidelines.fiber_reinforced.wound import TUBE
-from turgor.guidelines.guideline import Found, Guideline, Judgement, Study, Verdict
+from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Verdict
 from turgor.guidelines.values import at, last
 from turgor.units import deg, kPa, mm
 
@@ -56,7 +56,7 @@ GUIDELINE = Guideline(
     sources=("Xavier, Fleming and Yong 2021",),
     families=("fiber_reinforced_cylinder", "twisting_tube"),
     studies=(
-        Study(
+        GuidelineTest(
             title="Density of hoops",
             setup=f"{SETUP}; extension at 10 and at 50 kPa.",
             expected="The extension changes more than twice from no hoops to one every 2 mm.",
@@ -64,7 +64,7 @@ GUIDELINE = Guideline(
             judge=judge_density,
             panels=density.panels,
         ),
-        Study(
+        GuidelineTest(
             title="Angle of a single helix",
             setup=f"{TUBE}, one right-handed helix with 2 mm between threads, at 0 to 90 deg from the circumference.",
             expected="The extension changes more than twice, and some angles twist.",

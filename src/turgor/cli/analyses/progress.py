@@ -1,0 +1,102 @@
+"""Progress of a study: a bar on a terminal, a line for each run elsewhere."""
+
+import sys
+from time import perf_counter
+from typing import Self
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
+from rich.table import Column
+from rich.text import Text
+
+from turgor.cli.analyses.calibrate import told_run
+from turgor.cli.console import PatientConsole, clock
+from turgor.study.running.ended import Ended
+
+
+class Counts:
+    """How many runs have ended, in which way, and how long the rest will take."""
+
+    def __init__(self, total: int) -> None:
+        self.total = total
+        self.computed = self.failed = self.early = self.kept = 0
+        self._began = perf_counter()
+
+    def take(self, ended: Ended) -> None:
+        """Count a run."""
+        if ended.again:
+            self.kept += 1
+            self._began = perf_counter()  # those that are read come first, and say nothing of the others
+        else:
+            self.computed += 1
+        self.failed += ended.found is None
+        self.early += ended.found is not None and bool(ended.found.response.message)
+
+    @property
+    def ended(self) -> int:
+        """All that have ended."""
+        return self.computed + self.kept
+
+    @property
+    def seconds_left(self) -> float | None:
+        """Remaining time at the mean speed so far [s]; None before the first run that was computed."""
+        if not self.computed:
+            return None
+        return (self.total - self.ended) * (perf_counter() - self._began) / self.computed
+
+    def told(self) -> str:
+        """Return the counts in words."""
+        parts = [f"{self.ended} of {self.total}"]
+        parts += [f"{self.kept} kept from before"] if self.kept else []
+        parts += [f"{self.early} ended early"] if self.early else []
+        parts += [f"{self.failed} failed"] if self.failed else []
+        return ", ".join(parts)
+
+
+class StudyProgress:
+    """Display of the runs of a study, called with each that has ended.
+
+    Parameters
+    ----------
+    total : int
+        Number of runs.
+    """
+
+    def __init__(self, total: int) -> None:
+        self.counts = Counts(total)
+        console = PatientConsole(file=sys.stderr)
+        self._bar = _bar(console) if console.is_terminal else None
+        self._task = self._bar.add_task("", total=total, told=self.counts.told(), left="") if self._bar else None
+
+    def __enter__(self) -> Self:
+        if self._bar is not None:
+            self._bar.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    def __call__(self, ended: Ended) -> None:
+        """Show a run that has ended."""
+        self.counts.take(ended)
+        if self._bar is None or self._task is None:
+            told_run(ended)
+            return
+        if ended.problem:
+            line = Text(f"{ended.run.name}: {ended.problem}", overflow="ellipsis", no_wrap=True)
+            self._bar.console.print(line, highlight=False)
+        left = f"{clock(self.counts.seconds_left)} left"
+        self._bar.update(self._task, completed=self.counts.ended, told=self.counts.told(), left=left)
+
+
+def _bar(console: Console) -> Progress:
+    return Progress(
+        SpinnerColumn(),
+        TextColumn("{task.fields[told]}", table_column=Column(no_wrap=True)),
+        BarColumn(bar_width=None),
+        TextColumn("{task.fields[left]}", table_column=Column(no_wrap=True)),
+        console=console,
+        transient=True,
+        refresh_per_second=5,
+    )

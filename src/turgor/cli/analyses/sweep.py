@@ -1,0 +1,116 @@
+"""Command ``turgor sweep``: a job at many designs, in processes that stay, kept as they end."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Changes, Debug, Json, command_of
+from turgor.cli.signals import ends_at_once
+
+if TYPE_CHECKING:
+    from turgor.study.designs import Designs
+    from turgor.study.jobs.study_file import StudyFile
+    from turgor.study.study import Study
+
+#: Rows of a table on a terminal; the file has all.
+MOST_ROWS = 40
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Options:
+    study: Annotated[Path, typer.Argument(metavar="STUDY", help="Study file in TOML.", show_default=False)]
+    output: Annotated[
+        Path | None, typer.Option(help="Folder of results; by default NAME-study here.", show_default=False)
+    ] = None
+    processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="List the designs and compute nothing.")] = False
+    changes: Changes = None
+    as_json: Json = False
+    debug: Debug = False
+
+
+def _run(asked: _Options) -> None:
+    """Compute a job at many designs: a table, pictures, and the whole curve of each.
+
+    Killed and called again, it goes on: nothing is computed twice.
+    """
+    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+        from turgor.cli.answers.sweeps import designs_result, sweep_result
+        from turgor.job.text.changes import parse_changes
+        from turgor.study.files.stored import write_study
+        from turgor.study.jobs.study_file import read_study_file
+
+        given = read_study_file(asked.study, parse_changes(asked.changes or ()))
+        if asked.dry_run:
+            _list(given.designs)
+            answer.give(partial(designs_result, given.designs))
+            raise typer.Exit(DONE)
+        folder = asked.output if asked.output is not None else Path(f"{given.name}-study")
+        study = _computed(given, folder, asked.processes)
+        measures = given.measures or study.measures
+        files = [write_study(study, folder, measures, given.at)]
+        pictures, sentences = _drawn(study, folder, given)
+        files += pictures
+        for line in (*study.problems, *sentences):
+            typer.echo(line)
+        failed = sum(row.response is None for row in study.rows)
+        typer.echo(f"{len(study)} designs, {failed} failed. Written in {folder}: {', '.join(f.name for f in files)}.")
+        answer.give(lambda: sweep_result(study, study.table(measures, given.at), sentences, files))
+        raise typer.Exit(NOT_CONVERGED if study.problems else DONE)
+
+
+sweep_command = command_of(_Options, _run)
+
+
+def _computed(given: "StudyFile", folder: Path, processes: int) -> "Study":
+    from turgor.cli.analyses.progress import StudyProgress
+    from turgor.study.evaluations import Evaluations
+    from turgor.study.jobs.job_file import RUNS
+    from turgor.study.jobs.job_sweep import sweep_job
+    from turgor.study.running.workers import Workers
+
+    try:
+        with (
+            StudyProgress(len(given.designs)) as progress,
+            Evaluations(folder=folder / RUNS, executor=Workers(processes=processes), progress=progress) as runs,
+        ):
+            return sweep_job(given, folder, runs)
+    except KeyboardInterrupt:
+        typer.echo(
+            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there.", err=True
+        )
+        raise typer.Exit(NOT_CONVERGED) from None
+
+
+def _drawn(study: "Study", folder: Path, given: "StudyFile") -> tuple[list[Path], list[str]]:
+    """Draw each measure; return the files, and sentences on what mesh errors hide."""
+    from turgor.results.plots.figures import write_figure
+    from turgor.study.pictures import hidden_by_mesh, study_picture
+
+    files: list[Path] = []
+    sentences: list[str] = []
+    for name in given.measures or study.measures:
+        if name in study.measures and name != (given.at or ("",))[0] and len(study) > 1:
+            files.append(folder / f"{name}.png")
+            write_figure(files[-1], study_picture(study, name, given.at))
+            sentences += hidden_by_mesh(study, name, given.at)
+    return files, sentences
+
+
+def _list(designs: "Designs") -> None:
+    """Print the designs as a table."""
+    names = ["", *(each.name for each in designs.factors)]
+    rows: list[Sequence[str]] = [names]
+    for k, values in enumerate(designs.values[:MOST_ROWS], start=1):
+        rows.append([str(k), *(each.shown(values[each.name]) for each in designs.factors)])
+    widths = [max(len(row[k]) for row in rows) for k in range(len(names))]
+    for row in rows:
+        typer.echo("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+    if len(designs) > MOST_ROWS:
+        typer.echo(f"… and {len(designs) - MOST_ROWS} more")
+    typer.echo(f"{len(designs)} designs: {designs.rule}.")
