@@ -5,8 +5,7 @@ workers that have computed one design before, so that what a process needs once 
 
 - efficiency: designs in a second with two processes, over twice those with one.
 - overhead of a run: seconds in which a worker of the sweep with one process did not compute its function, over the
-  designs: handing out runs, files, and reading them again. The function itself reads the job, meshes, solves and
-  measures.
+  designs: handing out runs, files, and reading them again. The function itself reads, meshes, solves and measures.
 - start: seconds until the first design of the first worker has ended, less what this design takes later.
 """
 

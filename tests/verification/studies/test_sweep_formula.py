@@ -1,6 +1,6 @@
 """A sweep gives the values of the function that it computes, whatever its designs and wherever they run.
 
-Problem: thick sphere (neo-Hookean, two values of C10) whose inner radius is 10 mm, over its wall and stiffness, at 60 kPa.
+Problem: thick sphere (neo-Hookean) whose inner radius is 10 mm, over its wall and stiffness, at 60 kPa.
 Exact: the stretch depends on P/C10 and on the wall over the radius alone: P = C10 (4/λ + 1/λ⁴ − 4/Λ − 1/Λ⁴), with Λ of
 the outside from the volume, Λ³ B³ − λ³ A³ = B³ − A³. With P at each stretch known, the sweep must return this P.
 Integral: the mean of a Latin hypercube of 256 samples of the linear function 3 + 2 x + y is known; the variance of its
