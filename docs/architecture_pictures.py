@@ -31,6 +31,7 @@ ROOMS = (
     *SETUPS,
     "section",
     "results",
+    "gradients",
     "adaptivity",
     "laboratory",
     "job",
@@ -39,6 +40,7 @@ ROOMS = (
     "uncertainty",
     "sensitivity",
     "surrogates",
+    "optimization",
     "guidelines",
     "cli",
 )

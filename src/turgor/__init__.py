@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from turgor.errors import TurgorError as TurgorError
     from turgor.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet
     from turgor.geometry.geometry import Geometry as Geometry
+    from turgor.gradients.gradient import gradient as gradient
     from turgor.laboratory.compare import compare as compare
     from turgor.materials.experiments.read_tests import read_test as read_test
     from turgor.materials.fitting.fit_laws import fit as fit
@@ -59,6 +60,7 @@ if TYPE_CHECKING:
     from turgor.model.model import Model as Model
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
+    from turgor.optimization.optimize import optimize as optimize
     from turgor.response import Response as Response
     from turgor.results.files.vtu import write_vtu as write_vtu
     from turgor.results.measures.measures import bending_angle as bending_angle

@@ -65,13 +65,13 @@ class JobNumber:
         """What the number measures, such as ``"length"``; ``"number"`` for a pure one."""
         return next((name for name, units in UNITS.items() if self.unit in units), "number")
 
-    def text(self, value: float) -> float | int | str:
-        """Return an SI value in the form of a job file."""
+    def text(self, value: float, exact: bool = False) -> float | int | str:
+        """Return an SI value in the form of a job file; with all its digits if ``exact``."""
         if self.whole:
             if value != round(value):
                 raise TurgorError(f"'{self.key}' is a whole number; {value:g} is none.")
             return round(value)
-        number = rounded(value / self.factor)
+        number = value / self.factor if exact else rounded(value / self.factor)
         return f"{number!r} {self.unit}" if self.unit else number
 
 
@@ -244,15 +244,65 @@ def solved_job(
     TurgorError
         If the job cannot be read, meshed or held with these numbers.
     """
+    asked, solution = solution_of_job(job, digest, numbers)
+    response = measured_job(asked, solution, mesh_error=mesh_error, measures=measures)
+    forget_path(job, digest, numbers)
+    return response
+
+
+def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tuple[Job, Solution]:
+    """Solve a job with other numbers, with one thread; the path as far as it goes.
+
+    The path is kept beside the job until `forget_path`, so that a run that is killed goes on from its last state.
+
+    Parameters
+    ----------
+    job, digest, numbers
+        As those of `solved_job`.
+
+    Returns
+    -------
+    (Job, Solution)
+        The job with these numbers.
+    """
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
     asked = read_job(job, job_changes(content, numbers))
+    return asked, _followed(asked, EngineOptions(threads=1), _path_of(job, digest, numbers))
+
+
+def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
+    """Remove the states that `solution_of_job` has kept on its way, once what they are for is kept.
+
+    Parameters
+    ----------
+    job, digest, numbers
+        As those of `solved_job`.
+    """
+    rmtree(_path_of(job, digest, numbers), ignore_errors=True)
+
+
+def _path_of(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:
+    return Path(job).parent / PATHS / path_name(digest, numbers)
+
+
+def measured_job(asked: Job, solution: Solution, *, mesh_error: bool = False, measures: Sequence[str] = ()) -> Response:
+    """Measure what `solution_of_job` gave; the message says why the path ended early.
+
+    Parameters
+    ----------
+    asked : Job
+    solution : Solution
+    mesh_error, measures
+        As those of `solved_job`.
+
+    Returns
+    -------
+    Response
+    """
     options = EngineOptions(threads=1)
-    path = Path(job).parent / PATHS / path_name(digest, numbers)
-    solution = _followed(asked, options, path)
     estimated = mesh_error and len(solution.states) > 1
     response = measure(solution, *(measures or asked.output.chosen()), mesh_error=estimated, options=options)
     message = "" if solution.complete else f"{solution.message} {solution.advice}".strip()
-    rmtree(path, ignore_errors=True)
     return replace(response, message=message)
 
 
@@ -324,7 +374,7 @@ def is_material(content: Mapping[str, Any], key: str) -> bool:
     return first == "materials" and name in content.get("materials", {})
 
 
-def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict[str, Any]:
+def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float], exact: bool = False) -> dict[str, Any]:
     """Return changes for `read_job` from numbers; a number in a list changes the list.
 
     Parameters
@@ -333,6 +383,8 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict
         Of the job file.
     numbers : mapping of str to float
         In SI units, by key, or by several keys with commas between them.
+    exact : bool
+        Whether all digits are written, as differences need them.
 
     Returns
     -------
@@ -352,7 +404,7 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict
     changes: dict[str, Any] = {}
     single = {key: number for keys, number in numbers.items() for key in keys.split(",")}
     for key, number in single.items():
-        value = any_number(known, key).text(number)
+        value = any_number(known, key).text(number, exact)
         above, _, last = key.rpartition(".")
         there = _at(content, above.split("."))
         if isinstance(there, list) and not isinstance(there[0], dict):

@@ -116,6 +116,10 @@ class Study:
         for row in self.rows:
             if row.response is not None and name in row.response:
                 return row.response.find(name).unit
+        if not self.measures:
+            raise TurgorError(
+                f"all {len(self)} runs failed; the first one: {self.rows[0].problem if self.rows else ''}"
+            )
         raise unknown("measure of the study", name, self.measures)
 
     def column(self, name: str, at: tuple[str, float] | None = None) -> Array:

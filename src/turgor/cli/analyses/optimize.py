@@ -1,0 +1,77 @@
+"""Command ``turgor optimize``: numbers of a job chosen so that targets are met, or that it is best within limits."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.analyses.calibrate import told_run
+from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Changes, Debug, Json, asked_job, command_of
+from turgor.cli.signals import ends_at_once
+
+if TYPE_CHECKING:
+    from turgor.optimization.jobs import JobOptimization
+    from turgor.optimization.result import Optimization
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Options:
+    study: Annotated[
+        Path, typer.Argument(metavar="STUDY", help="Study file in TOML: job, factors, goals.", show_default=False)
+    ]
+    most_solves: Annotated[
+        int | None,
+        typer.Option(help="Runs after which it ends; 25 by default.", show_default=False),
+    ] = None
+    mesh_error: Annotated[bool, typer.Option(help="Estimate the mesh error of the best design.")] = True
+    processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
+    output: Annotated[
+        Path | None, typer.Option(help="Folder of results; by default STUDY-optimization.", show_default=False)
+    ] = None
+    changes: Changes = None
+    as_json: Json = False
+    debug: Debug = False
+
+
+def _run(asked: _Options) -> None:
+    """Choose numbers of a job so that targets are met, or that it is best within limits.
+
+    Killed and called again, it goes on: nothing is computed twice.
+    """
+    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+        from turgor.cli.answers.optimization import optimization_result
+        from turgor.optimization.jobs import job_optimization
+        from turgor.optimization.study_files import read_study_file
+        from turgor.optimization.write import write_optimization
+
+        study = read_study_file(asked.study)
+        if asked.most_solves is not None:
+            study = replace(study, search=replace(study.search, most_solves=asked.most_solves))
+        job = asked_job(study.job, asked.changes)
+        folder = asked.output if asked.output is not None else Path(f"{asked.study.stem}-optimization")
+        wanted = job_optimization(study, job, folder, mesh_error=asked.mesh_error)
+        found = _searched(wanted, folder, asked.processes)
+        files = write_optimization(found, folder, wanted.base)
+        typer.echo(found.summary())
+        typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
+        answer.give(lambda: optimization_result(found, files))
+        raise typer.Exit(DONE if found.converged else NOT_CONVERGED)
+
+
+def _searched(wanted: "JobOptimization", folder: Path, processes: int) -> "Optimization":
+    from turgor.errors import TurgorError
+    from turgor.study.evaluations import kept_in
+    from turgor.study.jobs.job_file import RUNS
+
+    try:
+        with kept_in(folder / RUNS, processes=processes, progress=told_run) as runs:
+            return wanted.search(runs)
+    except KeyboardInterrupt:
+        raise TurgorError(
+            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
+        ) from None
+
+
+optimize_command = command_of(_Options, _run)

@@ -1,0 +1,98 @@
+"""Result of ``turgor optimize`` for programs."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from turgor.optimization.reading import Read
+    from turgor.optimization.result import Optimization
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OptimizationResult:
+    """``turgor optimize``: the best design and all candidates, in SI units.
+
+    Parameters
+    ----------
+    status : str
+        ``"converged"``, ``"budget_ended"``, ``"infeasible"`` or ``"failed"``.
+    message, advice : str
+        What happened, and what to do.
+    solves : int
+        Number of runs.
+    factors : list of tables
+        ``name``, ``unit``, ``low``, ``high``, ``start`` and ``value``, null where no run gave a response.
+    goals : list of tables
+        ``name``, ``asked``, ``value``, ``mesh_error`` (null where none was estimated) and ``start``.
+    best : int or null
+        Row of the best design, from 0.
+    front : list of int
+        Rows that no other one beats in all objectives; empty for one objective.
+    rows : list of tables
+        ``values`` by factor, ``goals`` (what each reads, null where it does not reach), ``kept``, ``status``,
+        ``problem``.
+    files : list of str
+        Files that were written.
+    """
+
+    status: str
+    message: str
+    advice: str
+    solves: int
+    factors: list[dict[str, Any]]
+    goals: list[dict[str, Any]]
+    best: int | None
+    front: list[int]
+    rows: list[dict[str, Any]]
+    files: Sequence[Path]
+
+
+def optimization_result(found: "Optimization", files: Sequence[Path]) -> OptimizationResult:
+    """Make the result of an optimization."""
+    start = found.study.rows[found.start]
+    ends = [(each.name, each.unit, *each.bounds) for each in found.study.factors]
+    reads = found.reads(found.best or 0)
+    begun = found.reads(found.start)
+    return OptimizationResult(
+        status=found.ending.value,
+        message=found.message,
+        advice=found.advice,
+        solves=found.solves,
+        factors=[
+            {
+                "name": name, "unit": unit, "low": low, "high": high, "start": start.values[name],
+                "value": found.values.get(name),
+            }
+            for name, unit, low, high in ends
+        ],
+        goals=[
+            {
+                "name": read.name, "asked": read.asked, "value": _known(read.value),
+                "mesh_error": _known(read.mesh_error), "start": _known(before.value),
+            }
+            for read, before in zip(reads, begun, strict=True)
+        ],
+        best=found.best,
+        front=list(found.pareto),
+        rows=[_row(found, number) for number in range(len(found.study))],
+        files=files,
+    )  # fmt: skip
+
+
+def _row(found: "Optimization", number: int) -> dict[str, Any]:
+    row = found.study.rows[number]
+    reads: Sequence[Read] = found.reads(number)
+    return {
+        "values": dict(row.values),
+        "goals": [_known(each.value) for each in reads],
+        "kept": found.scores[number].kept,
+        "status": row.status,
+        "problem": row.problem,
+    }
+
+
+def _known(value: float) -> float | None:
+    return value if isfinite(value) else None

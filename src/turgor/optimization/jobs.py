@@ -1,0 +1,168 @@
+"""Optimization of a job: its runs, with the silicone that they take and a picture, and the files that are written."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from turgor.engine.mass import cell_volumes
+from turgor.errors import unknown
+from turgor.job.job import Job
+from turgor.job.read import read_job
+from turgor.model.loads import Pressure
+from turgor.optimization.goals import Goal, TipPath
+from turgor.optimization.manufacture import casting_rules
+from turgor.optimization.optimize import optimize
+from turgor.optimization.result import Optimization
+from turgor.optimization.study_files import StudyFile, read_factors
+from turgor.response import Column
+from turgor.results.measures.measures import MEASURES
+from turgor.results.pictures.picture import picture
+from turgor.solvers.procedures.static import Static
+from turgor.study.computation import Computation
+from turgor.study.evaluations import Evaluations
+from turgor.study.factor import Value
+from turgor.study.job_runs import any_number, forget_path, measured_job, solution_of_job
+from turgor.study.jobs.job_file import JobFile, job_file
+from turgor.study.runs import Computed
+
+#: The volume of rubber of a design: a column of the responses of jobs.
+SOLID_VOLUME = "solid_volume"
+
+#: Width of the pictures of designs in pixels.
+PICTURE_WIDTH = 700
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobOptimization:
+    """A job, and what is to be found.
+
+    Parameters
+    ----------
+    base : JobFile
+        The job with every value, in the folder of results.
+    study : StudyFile
+    mesh_error : bool
+        Whether the mesh error of the best design is estimated, by one more run.
+    """
+
+    base: JobFile
+    study: StudyFile
+    mesh_error: bool = True
+
+    @property
+    def computation(self) -> Computation:
+        """The job as a function of its numbers."""
+        nominal = {"mesh_error": True} if self.mesh_error else {}
+        return Computation(function=solved_design, values=self.base.values, nominal=nominal, gather="numbers")
+
+    def search(self, evaluations: Evaluations) -> Optimization:
+        """Search, with the rules of casting where the study file has any."""
+        factors, start = read_factors(self.study, self.base)
+        actuator: Any = read_job(self.base.file).actuator
+
+        def make(values: Mapping[str, Value]) -> Any:
+            return replace(actuator, **_dimensions(values))  # thousands of times, so that no file is read
+
+        rules = () if self.study.casting is None else casting_rules(make, self.study.casting)
+        if self.study.casting is not None:
+            make(start)  # dimensions that are wrong from the start are a mistake, not a broken rule
+        return optimize(
+            self.computation, factors, [*self.study.goals, *rules], start=start, search=self.study.search,
+            evaluations=evaluations,
+        )  # fmt: skip
+
+
+def job_optimization(study: StudyFile, job: Job, folder: Path, *, mesh_error: bool = True) -> JobOptimization:
+    """Write the job with every value into a folder, where runs of it are kept.
+
+    Parameters
+    ----------
+    study : StudyFile
+    job : Job
+        That of the study file, perhaps with changes.
+    folder : Path
+        Made if there is none; one that holds something else is refused.
+    mesh_error : bool
+        Whether the mesh error of the best design is estimated.
+
+    Returns
+    -------
+    JobOptimization
+
+    Raises
+    ------
+    TurgorError
+        If the folder holds files of something else, or the job has no number of a factor.
+    """
+    measured = replace(job.output, measures=_measures(job, study))
+    base = job_file(replace(job, procedure=_stopping(job, study.goals), output=measured), folder)
+    for key in study.factors:
+        for each in key.split(","):
+            any_number(base.numbers, each.strip())
+    return JobOptimization(base=base, study=study, mesh_error=mesh_error)
+
+
+def solved_design(job: str, digest: str, numbers: Mapping[str, Value], mesh_error: bool = False) -> Computed:
+    """Solve a job with other numbers; its response has the volume of rubber, and there is a picture of the last state.
+
+    Parameters
+    ----------
+    job, digest, numbers, mesh_error
+        As those of `turgor.study.job_runs.solved_job`.
+
+    Returns
+    -------
+    Computed
+    """
+    asked, solution = solution_of_job(job, digest, numbers)
+    response = measured_job(asked, solution, mesh_error=mesh_error)
+    mesh = solution.model.mesh
+    volume = float(cell_volumes(mesh).sum()) * mesh.symmetry_factor
+    column = Column(SOLID_VOLUME, "mL", np.full(len(response), volume))
+    response = replace(response, columns=(*response.columns, column))
+    drawn = picture(solution, width=PICTURE_WIDTH).png if solution.states else b""
+    forget_path(job, digest, numbers)
+    return Computed(response=response, picture=drawn)
+
+
+def _measures(job: Job, study: StudyFile) -> tuple[str, ...]:
+    """Return what the job measures, and what the goals read besides, after a check of their names."""
+    asked = [each for goal in study.goals for each in _names(goal)]
+    beside = {*study.factors, SOLID_VOLUME, "pressure", "load_factor", "time"}
+    for name in asked:
+        if name in MEASURES or name in beside or any(name.startswith(each) for each in job.output.markers):
+            continue
+        if not any(name.startswith(each) for each in MEASURES):  # parts of a measure, such as of each region
+            raise unknown(f"measure in {study.file}:", name, [*MEASURES, *beside])
+    more = [name for name in asked if name in MEASURES and name not in job.output.measures]
+    return (*job.output.measures, *dict.fromkeys(more))
+
+
+def _dimensions(values: Mapping[str, Value]) -> dict[str, Value]:
+    """Return the fields of the actuator that keys of a job such as ``"actuator.wall"`` change."""
+    single = {key: value for keys, value in values.items() for key in keys.split(",")}
+    return {key.removeprefix(_ACTUATOR): value for key, value in single.items() if key.startswith(_ACTUATOR)}
+
+
+#: Beginning of the keys of dimensions.
+_ACTUATOR = "actuator."
+
+
+def _names(goal: Goal) -> tuple[str, ...]:
+    if isinstance(goal, TipPath):
+        return goal.measures
+    return (goal.measure,) if isinstance(goal.measure, str) else ()
+
+
+def _stopping(job: Job, goals: Sequence[Goal]) -> Any:
+    """Return the procedure with a state at each pressure at which goals read: between states is interpolated."""
+    full = [each.pressure for each in job.loads if isinstance(each, Pressure)]
+    if not isinstance(job.procedure, Static) or len(full) != 1 or full[0] <= 0:
+        return job.procedure
+    at = [goal.at for goal in goals if goal.at is not None and goal.at[0] == "pressure"]
+    asked = [float(value) for _, values in at for value in np.atleast_1d(values)]
+    shares = {round(value / full[0], 9) for value in asked if 0 < value < full[0]}
+    return replace(job.procedure, at=tuple(sorted({*job.procedure.at, *shares})))

@@ -1,0 +1,75 @@
+"""Files of an optimization: candidates as a table, the best job, figures and text."""
+
+import csv
+from math import isfinite
+from pathlib import Path
+
+from turgor.optimization.figure import before_and_after, optimization_figure
+from turgor.optimization.result import Optimization
+from turgor.response import COLUMN_UNITS
+from turgor.results.plots.figures import write_figure
+from turgor.store.whole import whole
+from turgor.study.job_runs import unit_value
+from turgor.study.jobs.job_file import JobFile
+
+#: Files of the results.
+TABLE, BEST, FIGURE, TEXT = "optimization.csv", "best.toml", "optimization.png", "optimization.txt"
+BEFORE_AND_AFTER = "before-and-after.png"
+
+
+def write_optimization(found: Optimization, folder: str | Path, base: JobFile | None = None) -> tuple[Path, ...]:
+    """Write candidates as a table, the figure, the text, and for a job the best one, with pictures before and after.
+
+    Parameters
+    ----------
+    found : Optimization
+    folder : str or Path
+        Made if there is none.
+    base : JobFile, optional
+        The job whose numbers were searched.
+
+    Returns
+    -------
+    tuple of Path
+    """
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    files = [folder / TABLE, folder / TEXT]
+    write_candidates(found, files[0])
+    with whole(files[1]) as part:
+        part.write_text(found.summary() + "\n", encoding="utf-8")
+    if found.best is None:
+        return tuple(files)
+    files.append(folder / FIGURE)
+    write_figure(files[-1], optimization_figure(found))
+    if base is not None:
+        files.append(folder / BEST)
+        base.write(found.values, files[-1], f"Optimized:\n{found.summary()}")
+    drawn = before_and_after(found)
+    if drawn is not None:
+        files.append(folder / BEFORE_AND_AFTER)
+        write_figure(files[-1], drawn)
+    return tuple(files)
+
+
+def write_candidates(found: Optimization, file: Path) -> None:
+    """Write a line for each run: values of the factors, what each goal reads, whether the limits are kept."""
+    rows = []
+    heads = found.reads(found.best or 0)
+    for number, row in enumerate(found.study.rows):
+        line: dict[str, object] = {"run": number + 1}
+        for each in found.study.factors:
+            value = float(row.values[each.name]) / unit_value(each.unit)
+            line[f"{each.name} ({each.unit})" if each.unit else each.name] = f"{value:.9g}"
+        for goal, head in zip(found.goals, heads, strict=True):
+            value = goal.told(row).value
+            told = f"{value / COLUMN_UNITS.get(head.unit, 1.0):.9g}" if isfinite(value) else ""
+            line[f"{head.name} ({head.unit})" if head.unit else head.name] = told
+        line["kept"] = int(found.scores[number].kept)
+        line["front"] = int(number in found.pareto)
+        line |= {"status": row.status, "problem": row.problem, "cpu_seconds": f"{row.seconds:.3g}"}
+        rows.append(line)
+    with whole(file) as part, part.open("w", newline="", encoding="utf-8") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
