@@ -1,6 +1,6 @@
 """Pictures of docs/howto/optimize.md: `python docs/optimization_pictures.py` writes docs/images/optimization.
 
-That of the finger is ``before-and-after.png`` of ``turgor optimize examples/gripper_finger_study.toml``, whose folder is
+That of the finger is ``before-and-after.png`` of ``turgor optimize examples/gripper_finger_study.toml``: its folder is
 the argument; without it, the picture is left as it is.
 """
 
@@ -44,7 +44,7 @@ def path() -> None:
     """Draw the center line of the bender at each pressure, before and after."""
     held = runpy.run_path(str(ROOT / "examples" / "tip_path.py"))
     found = held["found"]
-    figure = Figure(figsize=(9, 3.2), layout="constrained")
+    figure = Figure(figsize=(9, 2.2), layout="constrained")
     rows = {"before": found.start, "after": found.best}
     for axes, (name, number) in zip(figure.subplots(1, 2, sharey=True), rows.items(), strict=True):
         row = found.study.rows[number]
@@ -58,9 +58,12 @@ def path() -> None:
         # places are displacements from the tip at rest, so that they move with the length
         places = np.array(held["PLACES"]) / mm
         axes.plot(places[:, 0] + length / mm, places[:, 1], "x", color="#d55e00", ms=9, mew=2, label="wanted")
-        axes.set_title(f"{name}: {found.study.told(row.values)}; {found.reads(number)[0].short} from the path", fontsize=9)
+        axes.set_title(
+            f"{name}: {found.study.told(row.values)}; {found.reads(number)[0].short} from the path", fontsize=9
+        )
         axes.set_xlabel("x [mm]")
         axes.set_aspect("equal")
+        axes.set_ylim(-4, 40)
     axes.legend(frameon=False)
     figure.savefig(FOLDER / "path.png", dpi=110)
 
