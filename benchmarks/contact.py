@@ -19,7 +19,8 @@ RUN = """
 import json, sys, time
 import turgor as tg
 from turgor.engine.contact.terms import ContactTerms
-from turgor.engine.runtime import compile_kernels
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
 from turgor.engine.system import System
 from turgor.engine.algebra.tangent import Tangent
 from turgor.model.contact import Contact
@@ -59,7 +60,7 @@ mesh = tg.mesh(job.actuator.build(), size=size * mm)
 contact = Contact() if touch else Contact(self_contact=False)
 model = tg.Model(mesh, job.materials, job.supports, [tg.Pressure("cavity", pressure * kPa)], contact=contact)
 options = tg.EngineOptions(threads=1)
-compile_kernels(None, mesh.cell_type.nodes, True, mesh.cell_type.side.nodes)
+compile_kernels(None, Needs(nodes=mesh.cell_type.nodes, sides=mesh.cell_type.side.nodes))
 start = time.process_time()
 solution = tg.solve(model, options=options, throw=False)
 total = time.process_time() - start

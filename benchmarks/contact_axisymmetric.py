@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from time import process_time
 
 import turgor as tg
-from turgor.engine.runtime import compile_kernels
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
 from turgor.units import MPa, kPa
 
 #: Folds of the bellows, and pressure [kPa] at which its walls touch.
@@ -30,7 +31,7 @@ def run() -> Facts:
     mesh = tg.mesh(tg.actuators.BellowsOfRevolution(folds=FOLDS).build(), cells="axisymmetric")
     rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1 * MPa))
     model = tg.Model(mesh, {"body": rubber}, [tg.Fixed("fixed")], [tg.Pressure("cavity", PRESSURE * kPa)])
-    compile_kernels(None, mesh.cell_type.nodes, True, mesh.cell_type.side.nodes)
+    compile_kernels(None, Needs(nodes=mesh.cell_type.nodes, sides=mesh.cell_type.side.nodes))
     start = process_time()
     solution = tg.solve(model, options=tg.EngineOptions(threads=1))
     spent = process_time() - start

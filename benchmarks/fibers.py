@@ -16,7 +16,8 @@ CASES = (("right", "hexahedra", 6.0, 60.0), ("both", "hexahedra", 6.0, 60.0), ("
 RUN = """
 import json, sys, time
 import turgor as tg
-from turgor.engine.runtime import compile_kernels
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
 from turgor.geometry import FiberReinforcedCylinder
 from turgor.materials.laws.laws import Hooke
 from turgor.model.fibers import Fibers, Winding
@@ -26,7 +27,7 @@ from turgor.units import MPa, kPa, mm
 form, hand, cells, size, pressure = sys.argv[1], sys.argv[2], sys.argv[3], float(sys.argv[4]), float(sys.argv[5])
 kevlar = tg.Material(name="kevlar", law=Hooke(E=31067 * MPa, nu=0.36))
 rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12 * MPa))
-compile_kernels(None, 27 if cells == "hexahedra" else 10)
+compile_kernels(None, Needs(nodes=27 if cells == "hexahedra" else 10))
 
 
 def solve(size, length, pressure):

@@ -13,7 +13,9 @@ import turgor as tg
 from robustness_cases import CASES
 from robustness_cases.case import OPTIONS
 from tables import table
-from turgor.engine.runtime import MIXED, NEWTON, PLAIN, compile_kernels
+from turgor.engine.runtime import MIXED, NEWTON, PLAIN
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
 from turgor.units import kPa, mm
 
 ROOT = Path(__file__).parents[1]
@@ -65,7 +67,7 @@ def run(model: tg.Model, procedure: tg.Static, way: str) -> tuple[int | None, fl
 def section() -> str:
     """All runs as a section of the page of results."""
     for nodes, side in ((10, 6), (27, 9)):
-        compile_kernels(None, nodes, True, side)
+        compile_kernels(None, Needs(nodes=nodes, sides=side))
     cases = {case.name: case for case in CASES}
     questions = [(name, cases[name].model(), cases[name].procedure) for name in NAMES]
     questions.append(("demo", *demo()))

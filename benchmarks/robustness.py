@@ -17,7 +17,8 @@ from machine import machine
 from robustness_cases import CASES
 from robustness_cases.case import DIAGNOSED, GAVE_UP, REACHED, UNCHECKED, UNSTABLE, WRONG, Verdict, run
 from tables import table
-from turgor.engine.runtime import compile_kernels
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
 
 PAGE = Path(__file__).parent / "robustness.md"
 HEAD = ("case", "what is hard", "end", "unknowns", "steps", "iterations", "CPU s", "check")
@@ -74,7 +75,7 @@ def main() -> None:
     words = sys.argv[1:]
     chosen = [case for case in CASES if not words or any(word in case.name for word in words)]
     for nodes, side in ((10, 6), (27, 9)):
-        compile_kernels(None, nodes, True, side)
+        compile_kernels(None, Needs(nodes=nodes, sides=side))
     if not words:
         PAGE.unlink(missing_ok=True)
     for case in chosen:

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from turgor.errors import TurgorError as TurgorError
     from turgor.geometry.actuators.fast_pneunet import FastPneuNet as FastPneuNet
     from turgor.geometry.geometry import Geometry as Geometry
+    from turgor.gradients.gradient import gradient as gradient
     from turgor.laboratory.compare import compare as compare
     from turgor.materials.experiments.read_tests import read_test as read_test
     from turgor.materials.fitting.fit_laws import fit as fit

@@ -1,4 +1,4 @@
-"""Studies: parameters calibrated against experiments, uncertainty carried to responses, runs kept on disk."""
+"""Studies: parameters calibrated, uncertainty carried to responses, derivatives of measures, runs kept on disk."""
 
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,10 @@ if TYPE_CHECKING:
     from turgor.calibration.result import Calibration as Calibration
     from turgor.calibration.trial import Trial as Trial
     from turgor.calibration.write import write_calibration as write_calibration
+    from turgor.gradients.keys import model_numbers as model_numbers
+    from turgor.gradients.keys import with_number as with_number
+    from turgor.gradients.result import Gradient as Gradient
+    from turgor.gradients.variation import Variation as Variation
     from turgor.optimization.figure import optimization_figure as optimization_figure
     from turgor.optimization.goals import Limit as Limit
     from turgor.optimization.goals import Maximize as Maximize
@@ -25,6 +29,20 @@ if TYPE_CHECKING:
     from turgor.optimization.search import Search as Search
     from turgor.optimization.slopes import with_slopes as with_slopes
     from turgor.optimization.write import write_optimization as write_optimization
+    from turgor.sensitivity.anova import Anova as Anova
+    from turgor.sensitivity.anova import Term as Term
+    from turgor.sensitivity.anova import anova as anova
+    from turgor.sensitivity.asked import Direct as Direct
+    from turgor.sensitivity.figure import anova_figure as anova_figure
+    from turgor.sensitivity.figure import indices_figure as indices_figure
+    from turgor.sensitivity.indices import Indices as Indices
+    from turgor.sensitivity.indices import Screening as Screening
+    from turgor.sensitivity.indices import screening as screening
+    from turgor.sensitivity.indices import sobol_indices as sobol_indices
+    from turgor.sensitivity.local import LocalSensitivity as LocalSensitivity
+    from turgor.sensitivity.local import Tolerance as Tolerance
+    from turgor.sensitivity.local import local_sensitivities as local_sensitivities
+    from turgor.sensitivity.local import sensitivities_of as sensitivities_of
     from turgor.study.computation import Computation as Computation
     from turgor.study.designs import Designs as Designs
     from turgor.study.designs import factorial as factorial
@@ -33,6 +51,19 @@ if TYPE_CHECKING:
     from turgor.study.evaluations import Evaluations as Evaluations
     from turgor.study.evaluations import kept_in as kept_in
     from turgor.study.factor import Factor as Factor
+    from turgor.study.files.designs_csv import read_designs as read_designs
+    from turgor.study.files.stored import load_study as load_study
+    from turgor.study.files.stored import write_study as write_study
+    from turgor.study.job_gradients import gradient_of_job as gradient_of_job
+    from turgor.study.jobs.job_sweep import sweep_job as sweep_job
+    from turgor.study.jobs.study_file import StudyFile as StudyFile
+    from turgor.study.jobs.study_file import read_study_file as read_study_file
+    from turgor.study.pictures import curves_picture as curves_picture
+    from turgor.study.pictures import hidden_by_mesh as hidden_by_mesh
+    from turgor.study.pictures import map_picture as map_picture
+    from turgor.study.pictures import multiples_picture as multiples_picture
+    from turgor.study.pictures import parallel_picture as parallel_picture
+    from turgor.study.pictures import study_picture as study_picture
     from turgor.study.run_all import run_all as run_all
     from turgor.study.running.ended import Ended as Ended
     from turgor.study.running.executors import Executor as Executor
@@ -44,6 +75,17 @@ if TYPE_CHECKING:
     from turgor.study.study import Study as Study
     from turgor.study.workspaces import WorkspaceRuns as WorkspaceRuns
     from turgor.study.workspaces import workspace_of as workspace_of
+    from turgor.surrogates.figure import surrogate_figure as surrogate_figure
+    from turgor.surrogates.fit import surrogate as surrogate
+    from turgor.surrogates.held_out import HeldOut as HeldOut
+    from turgor.surrogates.invert import Inverse as Inverse
+    from turgor.surrogates.invert import invert as invert
+    from turgor.surrogates.learn import Goal as Goal
+    from turgor.surrogates.learn import Learned as Learned
+    from turgor.surrogates.learn import learn as learn
+    from turgor.surrogates.next_design import next_design as next_design
+    from turgor.surrogates.surrogate import Prediction as Prediction
+    from turgor.surrogates.surrogate import Surrogate as Surrogate
     from turgor.uncertainty.band import Band as Band
     from turgor.uncertainty.band import Uncertainty as Uncertainty
     from turgor.uncertainty.cases import Case as Case

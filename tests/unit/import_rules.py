@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator, Mapping
 
 #: Rooms in the order of import: a room may import from itself and from those before it.
 ROOMS = (
-    "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers",
-    "setups", "section", "results", "adaptivity", "laboratory", "job", "study", "calibration", "uncertainty",
-    "optimization", "guidelines", "cli",
+    "foundation", "materials", "geometry", "meshing", "model", "formulas", "rod", "engine", "solvers", "setups",
+    "section", "results", "gradients", "adaptivity", "laboratory", "job", "study", "calibration", "uncertainty",
+    "sensitivity", "surrogates", "optimization", "guidelines", "cli",
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
@@ -50,13 +50,15 @@ HOME = {
     "mkl": ("engine",),
     "numba": ("engine",),
     "rslab": ("engine",),
-    "threadpoolctl": ("engine",),
+    "threadpoolctl": ("engine", "surrogates"),
     "netgen": ("geometry", "meshing"),
     "netgen.occ": ("geometry",),
     "netgen.meshing": ("meshing",),
     "embreex": ("results",),
     "jinja2": ("results",),
     "matplotlib": ("results",),
+    "SALib": ("sensitivity",),
+    "sklearn": ("surrogates",),
     "pydantic": ("job",),
     "pymoo": ("optimization",),
     "rich": ("cli",),

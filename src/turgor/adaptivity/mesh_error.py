@@ -14,6 +14,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.adaptivity.found_again import FoundAgain, on_coarse_mesh
 from turgor.adaptivity.indicator import error_indicator
 from turgor.adaptivity.refine import refined
 from turgor.adaptivity.second_mesh import SecondMesh
@@ -86,30 +87,6 @@ class MeshError:
     __repr__ = brief
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class FoundAgain:
-    """States that were solved for on a second mesh.
-
-    Parameters
-    ----------
-    pairs : mapping of int to State
-        By their number in the path.
-    moved : mapping of int to float
-        Relative difference of the displacements of each.
-    unknowns : int
-        Of the second mesh.
-    factor : float
-        Estimated error over difference.
-    seconds : float [s]
-    """
-
-    pairs: Mapping[int, State]
-    moved: Mapping[int, float]
-    unknowns: int
-    factor: float
-    seconds: float
-
-
 def estimate_mesh_error(
     solution: Solution, measures: Sequence[Measure], options: EngineOptions | None = None, refined_before: bool = False
 ) -> MeshError:
@@ -130,7 +107,7 @@ def estimate_mesh_error(
         With nan and a finding (N03) where it cannot be estimated: motion and friction depend on all that was before.
     """
     reason = why_not(solution)
-    found = None if reason else find_again(solution, options or EngineOptions(), refined_before)
+    found = None if reason else _second(solution, options or EngineOptions(), refined_before)
     if found is None or not found.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
         return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
@@ -141,6 +118,11 @@ def estimate_mesh_error(
         for k, each in enumerate(measures)
     }
     return MeshError(errors=errors, unknowns=found.unknowns, states=tuple(found.pairs), seconds=found.seconds)
+
+
+def _second(solution: Solution, options: EngineOptions, refined_before: bool) -> FoundAgain | None:
+    """States of a path on another mesh: those that led it on a coarser one, else some that are solved for again."""
+    return on_coarse_mesh(solution) or find_again(solution, options, refined_before)
 
 
 @lru_cache(maxsize=1)

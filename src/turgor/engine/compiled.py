@@ -15,6 +15,11 @@ import numba
 Loop = TypeVar("Loop", bound=Callable)
 
 
+#: Options of a loop that Python calls, and of a function that compiled loops alone call, which Python must not. Nothing
+#: here is called from C, and what numba adds for callers that do not exist takes a tenth of the time to compile.
+LOOP = {"cache": True, "no_cfunc_wrapper": True}
+INNER = LOOP | {"no_cpython_wrapper": True}
+
 #: Threads of `over`, where `turgor.engine.runtime.use_threads` says how many.
 THREADS: ContextVar[int | None] = ContextVar("threads", default=None)
 
@@ -51,7 +56,7 @@ def _pool(threads: int, _process: int) -> ThreadPoolExecutor:
 
 
 def calls(*modules: ModuleType) -> Callable[[Loop], Loop]:
-    """Name a function after the text of the modules that it calls, below ``numba.njit(cache=True)``.
+    """Name a function after the text of the modules that it calls, below ``numba.njit``.
 
     numba keeps compiled code beside the file of a function, under the function's qualified name, and renews it when
     that file changes. It does not notice a change in another file, whose functions it compiled along. With this

@@ -3,6 +3,8 @@
 Membranes and fibers are weightless, as they are for gravity.
 """
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -46,12 +48,15 @@ def total_mass(model: Model) -> float:
     return float(densities(model) @ cell_volumes(model.mesh)) * model.mesh.symmetry_factor
 
 
+@lru_cache(maxsize=4)  # several checks ask
 def cell_volumes(mesh: Mesh) -> Array:
-    """Return the volume of every cell at rest, (c,) [m³]."""
+    """Return the volume of every cell at rest, (c,) [m³]; read-only."""
     r = reference_cell(mesh.cell_type.nodes, CELL_QUADRATURE_DEGREE)
     # no compiled loop: `turgor check` shall not wait for it
     J = np.tensordot(mesh.points[mesh.cells], r.dN, axes=(1, 1)).transpose(0, 2, 1, 3)
-    return np.asarray(np.linalg.det(J) @ r.weights)
+    volumes = np.asarray(np.linalg.det(J) @ r.weights)
+    volumes.flags.writeable = False
+    return volumes
 
 
 def mass_data(system: System, density: Array | None = None) -> Array:

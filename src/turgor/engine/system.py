@@ -6,6 +6,7 @@ unknowns and the entries of the tangent are of the order of one whatever the uni
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 import scipy.sparse as sp
@@ -45,6 +46,8 @@ class System:
         The question.
     controlled : tuple of str
         Faces whose pressure is an unknown, given to `evaluate`.
+    like : System, optional
+        One of a model that differs a little, whose scales are taken: the unknowns of both mean the same then.
 
     Attributes
     ----------
@@ -73,12 +76,13 @@ class System:
         Scaled size of the loads' forces on the free nodes at their largest, at rest: a measure of what is small.
     """
 
-    def __init__(self, model: Model, controlled: tuple[str, ...] = ()) -> None:
+    def __init__(self, model: Model, controlled: tuple[str, ...] = (), like: "System | None" = None) -> None:
         mesh = model.mesh
         self.model = model
         self.controlled = controlled
-        self.length = _mean_edge(mesh.points, mesh.cells)
-        self.stress_scale = max(m.law.shear_modulus for m in model.region_materials.values())
+        self.length: float = _mean_edge(mesh.points, mesh.cells) if like is None else like.length
+        stiffest = max(m.law.shear_modulus for m in model.region_materials.values())
+        self.stress_scale: float = stiffest if like is None else like.stress_scale
         supports = held_components(model)
         self._supports, self._frames, self._ties = supports, supports.frames, supports.ties
         self.carriers = supports.carriers
@@ -102,12 +106,6 @@ class System:
         scales, along_axes = (self.length, self.stress_scale), supports.along_axes
         self.terms = Terms(Setting(model, self.points, along_axes, self.dV, *scales, controlled))
         self.full_force = max(self._applied(factor) for factor in extremes(model))
-        pieces = (self.rubber.unknowns, *self.terms.couplings)
-        tied = [self._ties.extended(rows) for rows in pieces] if len(self._ties.followers) else []
-        base = build_pattern(pieces[0], self.size, *pieces[1:], *tied)
-        self.rubber.locate(base)
-        self.terms.locate(base)
-        self.layout = Layout(base, self.held, self._ties)
 
     def _multipliers(self) -> NDArray[np.int64]:
         """Unknowns of the multipliers of reference points."""
@@ -124,6 +122,16 @@ class System:
         """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
         _, external = self.terms.forces(Configuration(self.points, load_factor, np.ones(len(self.controlled))))
         return float(np.linalg.norm(self.joined(external)[~self.held]))
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Where the entries of the tangent stand; made when one is first asked for, because a residual needs none."""
+        pieces = (self.rubber.unknowns, *self.terms.couplings)
+        tied = [self._ties.extended(rows) for rows in pieces] if len(self._ties.followers) else []
+        base = build_pattern(pieces[0], self.size, *pieces[1:], *tied)
+        self.rubber.locate(base)
+        self.terms.locate(base)
+        return Layout(base, self.held, self._ties)
 
     @property
     def pattern(self) -> Pattern:

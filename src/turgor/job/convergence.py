@@ -9,6 +9,7 @@ import numpy as np
 from turgor.engine.runtime import EngineOptions
 from turgor.errors import TurgorError
 from turgor.job.job import Job
+from turgor.job.meshes import settings_at
 from turgor.job.prepare import prepare
 from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.sizing.sizes import size_range, wall_size
@@ -138,12 +139,7 @@ def _limits(job: Job) -> tuple[float, float]:
 
 
 def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress | None) -> Solution:
-    share = size / job.mesh_size
-    faces = {name: length * share for name, length in job.mesh.face_sizes.items()}
-    limit = job.mesh.ignore_features_below
-    limit = None if limit is None else min(limit, size)  # no mesh allows more than its size
-    settings = replace(job.mesh_settings, size=size, face_sizes=faces, ignore_features_below=limit)
-    model, _ = prepare(replace(job, mesh=settings), say)
+    model, _ = prepare(replace(job, mesh=settings_at(job, size)), say)
     options = EngineOptions(notify=say)
     if job.threads is not None:
         options = replace(options, threads=job.threads)

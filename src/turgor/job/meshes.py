@@ -1,14 +1,21 @@
-"""Mesh of a job."""
+"""Mesh of a job, and its settings at another size."""
+
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 from turgor.geometry import Geometry
-from turgor.job.job import Job
+from turgor.job.job import ACTUATORS, Actuator, Job
 from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.generate import mesh_with
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.settings import MeshSettings
 
 
 def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     """Mesh a geometry with the settings of a job.
+
+    Runs of one process whose actuators and settings are equal share a mesh, because a sweep of constants or a
+    calibration would make the same one again and again.
 
     Parameters
     ----------
@@ -23,4 +30,42 @@ def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     """
     if isinstance(geometry._shape, MeshedShape):
         return geometry._shape.mesh
-    return mesh_with(geometry, job.mesh)
+    if type(job.actuator) not in ACTUATORS.values():  # a file, whose content may change
+        return mesh_with(geometry, job.mesh)
+    return _mesh_of_family(_Asked(job.actuator, job.mesh, geometry))
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """An actuator that its dimensions describe and settings; the geometry follows from the dimensions."""
+
+    actuator: Actuator
+    settings: MeshSettings
+    geometry: Geometry = field(compare=False)
+
+    def __hash__(self) -> int:
+        return hash((type(self.actuator), self.settings.size))  # settings hold a mapping, which has no hash
+
+
+@lru_cache(maxsize=2)
+def _mesh_of_family(asked: _Asked) -> Mesh:
+    return mesh_with(asked.geometry, asked.settings)
+
+
+def settings_at(job: Job, size: float) -> MeshSettings:
+    """Settings of the mesh of a job at another size: the sizes of faces change alike.
+
+    Parameters
+    ----------
+    job : Job
+    size : float [m]
+
+    Returns
+    -------
+    MeshSettings
+    """
+    share = size / job.mesh_size
+    faces = {name: length * share for name, length in job.mesh.face_sizes.items()}
+    limit = job.mesh.ignore_features_below
+    limit = None if limit is None else min(limit, size)  # no mesh allows more than its size
+    return replace(job.mesh_settings, size=size, face_sizes=faces, ignore_features_below=limit)

@@ -1,17 +1,20 @@
 """prepare: build, mesh and check a job without solving it."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from turgor.finding import Finding, by_weight
 from turgor.job.job import Job
-from turgor.job.meshes import mesh_of
+from turgor.job.meshes import mesh_of, settings_at
 from turgor.job.round_parts import meridian_would_do
+from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.checks import check_mesh
 from turgor.model.model import Model
 from turgor.results.measures.measures import check_measures, find_measure
 from turgor.setups.added import with_setup
 from turgor.solvers.checks.early import early_findings
 from turgor.solvers.checks.supports import check_supports
+from turgor.solvers.coarse_path import check_coarse
 from turgor.solvers.methods import may_be_free, method_of
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Procedure
@@ -48,15 +51,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     say("meshing")
     made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
-    wound = tuple(job.fibers.values())
-    model = Model(
-        made,
-        materials=job.materials,
-        supports=job.all_supports,
-        loads=job.all_loads,
-        reinforcements=wound,
-        contact=job.contact,
-    )
+    model = model_of(job, made)
     asked = with_setup(model, job.setup)
     first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
@@ -66,6 +61,53 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
         check_markers(made, job.output.markers)
     found = (*check_mesh(made), *meridian_would_do(model, geometry), *early_findings(asked, job.procedure))
     return asked, by_weight((*geometry.findings, *found))
+
+
+def coarse_mesh(job: Job, model: Model) -> Mesh | None:
+    """Mesh a job at its coarse size; None where it has none.
+
+    Parameters
+    ----------
+    job : Job
+    model : Model
+        Its model on the fine mesh.
+
+    Returns
+    -------
+    Mesh or None
+
+    Raises
+    ------
+    TurgorError
+        If the path on it cannot lead.
+    """
+    if job.mesh_coarse is None:
+        return None
+    made = prepare(replace(job, mesh=settings_at(job, job.mesh_coarse)))[0].mesh
+    check_coarse(model, job.procedure, made)
+    return made
+
+
+def model_of(job: Job, mesh: Mesh) -> Model:
+    """Return the model of a job on a mesh, without what its setup adds.
+
+    Parameters
+    ----------
+    job : Job
+    mesh : Mesh
+
+    Returns
+    -------
+    Model
+    """
+    return Model(
+        mesh,
+        materials=job.materials,
+        supports=job.all_supports,
+        loads=job.all_loads,
+        reinforcements=tuple(job.fibers.values()),
+        contact=job.contact,
+    )
 
 
 def _checked(model: Model, procedure: Procedure) -> Model:

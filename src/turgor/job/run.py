@@ -9,14 +9,15 @@ from turgor.adaptivity.measure import mesh_error_of, with_mesh_error
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding, by_weight, not_told
+from turgor.job.ahead import compile_for
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK, claimed, clear, default_folder
 from turgor.job.output.growing import GrowingFiles
 from turgor.job.output.lock import check_same_job
 from turgor.job.output.outcome import RunOutcome
+from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
-from turgor.job.output.write import write_results, write_tables
-from turgor.job.prepare import Notify, prepare, silent
+from turgor.job.prepare import Notify, coarse_mesh, prepare, silent
 from turgor.response import Response
 from turgor.results.measures.measures import find_measure
 from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
@@ -99,8 +100,11 @@ def _written(files: GrowingFiles, solution: Solution, response: Response, findin
         notices=tuple(files.notices),
         folder=files.folder,
     )
-    write = write_tables if solution.status is Status.INTERRUPTED else write_results
-    return replace(outcome, files=write(outcome, files.say))
+    if solution.status is Status.INTERRUPTED:
+        return replace(outcome, files=write_tables(outcome, files.say))
+    from turgor.job.output.write import write_results  # here: it loads what draws, which a solve need not wait for
+
+    return replace(outcome, files=write_results(outcome, files.say))
 
 
 def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRecord:
@@ -110,10 +114,12 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
         check_same_job(files.job, files.folder / LOCK)
         files.say("going on with the path that the folder holds")
         return RunRecord.open(folder)
+    compile_for(files.job)
     model, findings = prepare(files.job, files.say)
     clear(files.folder)
     files.begin()
-    question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings)
+    coarse = coarse_mesh(files.job, model)
+    question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings, coarse=coarse)
     return RunRecord.create(folder, question)
 
 

@@ -1,9 +1,10 @@
 """Solution: the equilibrium path, every attempted step, and how the solve ended."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from textwrap import shorten
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -244,6 +245,15 @@ class Timing:
     factorizations: int = 0
     linear_solver: str = ""
 
+    @staticmethod
+    def together(timings: "Sequence[Timing]") -> "Timing":
+        """Sums over several solves, with the linear solver of the last."""
+        values: dict[str, Any] = {}
+        for each in fields(Timing):
+            of_all = [getattr(timing, each.name) for timing in timings]
+            values[each.name] = of_all[-1] if isinstance(of_all[-1], str) else sum(of_all)
+        return Timing(**values)
+
     def parts(self) -> dict[str, float]:
         """Seconds of each part by its name in reports."""
         return {
@@ -278,6 +288,8 @@ class Solution(Saved, Shown):
         Where the time went.
     limit_points : tuple of LimitPoint
         Maxima and minima of the pressure that were found on the path, in order.
+    coarse : Solution or None
+        The path on a coarser mesh that led it, where one was asked for. The mesh error is estimated from it.
     """
 
     model: Model
@@ -290,6 +302,7 @@ class Solution(Saved, Shown):
     findings: tuple[Finding, ...] = ()
     timing: Timing = field(default_factory=Timing)
     limit_points: tuple[LimitPoint, ...] = ()
+    coarse: "Solution | None" = None
 
     def __repr__(self) -> str:
         said = shorten(self.message.rstrip("."), LONGEST_MESSAGE, placeholder=" …")

@@ -8,18 +8,21 @@ from pathlib import Path
 from time import perf_counter
 
 from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.cells.kernels_warmup import needed_by
-from turgor.engine.contact.build import may_touch
-from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
+from turgor.engine.runtime import EngineOptions, use_threads
 from turgor.engine.system import System
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
+from turgor.errors import TurgorError
 from turgor.finding import by_weight
-from turgor.model.model import DISPLACEMENT, Model
+from turgor.meshing.mesh import Mesh
+from turgor.model.model import Model
 from turgor.solvers.checkpoints.record import Question, RunRecord
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
 from turgor.solvers.checks.early import early_findings
 from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
+from turgor.solvers.coarse_path import COARSE, check_coarse, iterations_only, led_by, on_coarse_mesh
 from turgor.solvers.continuation.guide import check_guide
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.methods import method_of
@@ -47,6 +50,7 @@ def solve(
     options: EngineOptions | None = None,
     folder: str | Path | None = None,
     guide: Solution | None = None,
+    coarse: Mesh | None = None,
     throw: bool = True,
 ) -> Solution:
     """Follow the equilibrium path of a model from the undeformed state to the full load.
@@ -71,6 +75,9 @@ def solve(
         The path of a similar model: on a coarser mesh, of another rubber, or of a design that differs a little. Steps
         of `Static` then start where it leads and go straight to the load factors asked for, at most ``max_step``
         apart.
+    coarse : Mesh, optional
+        A coarser mesh of the same body. `Static` follows the path on it first, which then guides the steps on the mesh
+        of the model; ``solution.coarse`` is that path, and `measure` estimates the mesh error from it.
     throw : bool
         Whether a run that stops early raises `SolveError` (which holds the path so far) or returns the path.
 
@@ -83,14 +90,20 @@ def solve(
     ------
     TurgorError
         If the supports leave a rigid motion free, prescribe the whole surface of an incompressible body, or the folder
-        holds a run already, or the guide is of another body or leads another procedure than `Static`.
+        holds a run already, or the guide or the coarse mesh is of another body or leads another procedure than
+        `Static`.
     SolveError
         If the full load was not reached and ``throw`` is set.
     """
     procedure = procedure or Static()
     if guide is not None:
         check_guide(model, procedure, guide)
-    question = Question(model=model, procedure=procedure, options=options or EngineOptions(), guide=guide)
+    if coarse is not None:
+        if guide is not None:
+            raise TurgorError("guide and coarse are both given; a run follows one of them.")
+        check_coarse(model, procedure, coarse)
+    options = options or EngineOptions()
+    question = Question(model=model, procedure=procedure, options=options, guide=guide, coarse=coarse)
     record = None if folder is None else RunRecord.create(Path(folder), question)
     return follow_question(question, Listeners(progress, stop), record, throw)
 
@@ -148,6 +161,10 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     model, procedure = question.model, question.procedure
     solution = None if record is None else record.solution()
     if solution is None:
+        led = _led(question, listeners, record)
+        if led is not None and led.status is Status.INTERRUPTED:
+            return replace(led, message=f"{led.message} These states are on the coarse mesh, whose path leads the run.")
+        question = replace(question, guide=question.guide if led is None or len(led.states) < 2 else led)
         one = partial(_solved, question, record)
         if isinstance(procedure, Stages):
             solution = solve_stages(model, procedure, listeners, one)
@@ -156,11 +173,23 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
         early = early_findings(model, procedure)
         beyond = laws_beyond_their_tests(model, solution.states)
         solution = replace(solution, findings=by_weight((*early, *beyond, *solution.findings)))
+        solution = solution if led is None else led_by(led, solution)
         if record is not None and solution.status is not Status.INTERRUPTED:
             record.finish(solution)
     if throw and not solution.complete:
         raise SolveError(solution)
     return solution
+
+
+def _led(question: Question, listeners: Listeners, record: RunRecord | None) -> Solution | None:
+    """Follow the path on the coarse mesh of a question; None where it has none."""
+    if question.coarse is None:
+        return None
+    first = on_coarse_mesh(question)
+    if question.options.notify is not None:
+        question.options.notify(f"following the path on a coarse mesh of {question.coarse.unknown_count:,} unknowns")
+    inner = None if record is None else record.inner(COARSE, first)
+    return follow_question(first, iterations_only(listeners), inner, throw=False)
 
 
 def _solved(
@@ -178,9 +207,7 @@ def _solved(
     check_supports(model, inertia=method.may_be_free(model))
     threads = options.threads if model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
-        cell, mixed = model.mesh.cell_type, model.formulation != DISPLACEMENT
-        sides = cell.side.nodes if may_touch(model) else 0
-        compiling = compile_kernels(options.notify, cell.nodes, mixed, sides, needed_by(model))
+        compiling = compile_kernels(options.notify, Needs.of(model))
         setup = perf_counter()
         system = System(model, method.controlled(model, procedure))
         history = system.history(step=inf)  # slow enough to relax, unless the procedure knows its time

@@ -1,8 +1,8 @@
 """Stage sequence: solve the stages of a sequence one after the other and make one solution of them."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, fields, replace
-from typing import Any, TypeVar
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding
@@ -160,7 +160,7 @@ def together(model: Model, procedure: Stages, found: Sequence[Solution]) -> Solu
             for step in each.steps
         ),
         findings=_findings(procedure, found),
-        timing=_sum([each.timing for each in found]),
+        timing=Timing.together([each.timing for each in found]),
         limit_points=tuple(limits),
     )
 
@@ -188,11 +188,3 @@ def _status(found: Sequence[Solution]) -> Status:
 
 def _once(values: Iterable[T]) -> list[T]:
     return list(dict.fromkeys(values))
-
-
-def _sum(timings: Sequence[Timing]) -> Timing:
-    values: dict[str, Any] = {}
-    for field in fields(Timing):
-        each = [getattr(timing, field.name) for timing in timings]
-        values[field.name] = each[-1] if isinstance(each[-1], str) else sum(each)
-    return Timing(**values)

@@ -34,8 +34,8 @@ class Computation:
     gather: str = ""
     design: Any = None
 
-    def run(self, numbers: Mapping[str, float | int | str], *, nominal: bool = False) -> Run:
-        """Return the run with numbers; whole numbers stay whole."""
+    def run(self, numbers: Mapping[str, float | int | str], *, nominal: bool = False, name: str = "") -> Run:
+        """Return the run with numbers, by default named by them; whole numbers stay whole."""
         given = {name: rounded(value) if isinstance(value, float) else value for name, value in numbers.items()}
         shown = ", ".join(
             f"{name} {value:.5g}" if isinstance(value, float) else f"{name} {value}" for name, value in given.items()
@@ -43,5 +43,5 @@ class Computation:
         keywords: dict[str, Any] = {self.gather: given} if self.gather else given
         more = self.nominal if nominal else {}
         return Run(
-            name=shown, function=self.function, values={**self.values, **more, **keywords}, design=self.design
+            name=name or shown, function=self.function, values={**self.values, **more, **keywords}, design=self.design
         )  # fmt: skip

@@ -65,13 +65,13 @@ class JobNumber:
         """What the number measures, such as ``"length"``; ``"number"`` for a pure one."""
         return next((name for name, units in UNITS.items() if self.unit in units), "number")
 
-    def text(self, value: float) -> float | int | str:
-        """Return an SI value in the form of a job file."""
+    def text(self, value: float, exact: bool = False) -> float | int | str:
+        """Return an SI value in the form of a job file; with all its digits if ``exact``."""
         if self.whole:
             if value != round(value):
                 raise TurgorError(f"'{self.key}' is a whole number; {value:g} is none.")
             return round(value)
-        number = rounded(value / self.factor)
+        number = value / self.factor if exact else rounded(value / self.factor)
         return f"{number!r} {self.unit}" if self.unit else number
 
 
@@ -253,6 +253,8 @@ def solved_job(
 def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tuple[Job, Solution]:
     """Solve a job with other numbers, with one thread; the path as far as it goes.
 
+    The path is kept beside the job until `forget_path`, so that a run that is killed goes on from its last state.
+
     Parameters
     ----------
     job, digest, numbers
@@ -372,7 +374,7 @@ def is_material(content: Mapping[str, Any], key: str) -> bool:
     return first == "materials" and name in content.get("materials", {})
 
 
-def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict[str, Any]:
+def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float], exact: bool = False) -> dict[str, Any]:
     """Return changes for `read_job` from numbers; a number in a list changes the list.
 
     Parameters
@@ -381,6 +383,8 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict
         Of the job file.
     numbers : mapping of str to float
         In SI units, by key, or by several keys with commas between them.
+    exact : bool
+        Whether all digits are written, as differences need them.
 
     Returns
     -------
@@ -400,7 +404,7 @@ def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float]) -> dict
     changes: dict[str, Any] = {}
     single = {key: number for keys, number in numbers.items() for key in keys.split(",")}
     for key, number in single.items():
-        value = any_number(known, key).text(number)
+        value = any_number(known, key).text(number, exact)
         above, _, last = key.rpartition(".")
         there = _at(content, above.split("."))
         if isinstance(there, list) and not isinstance(there[0], dict):

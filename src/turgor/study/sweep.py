@@ -12,7 +12,7 @@ from turgor.study.designs import Designs, factorial
 from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Factor, Value
 from turgor.study.runs import Computed, with_values
-from turgor.study.study import Row, Study
+from turgor.study.study import Row, Study, told
 
 Function = Callable[..., Response | Computed]
 
@@ -90,7 +90,7 @@ def study_of(computation: Computation, designs: Designs, evaluations: Evaluation
     -------
     Study
     """
-    ended = evaluations.of([computation.run(each) for each in designs.values])
+    ended = evaluations.of([computation.run(each, name=told(designs.factors, each)) for each in designs.values])
     rows = tuple(Row(values=values, ended=each) for values, each in zip(designs.values, ended, strict=True))
     return Study(factors=designs.factors, rows=rows, source=source)
 

@@ -8,6 +8,7 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import tomlkit
 from hypothesis import given
@@ -15,10 +16,13 @@ from hypothesis import strategies as st
 
 import turgor
 import turgor.job.job
+from turgor.engine.warmup.needs import Needs
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet, Geometry
+from turgor.job.ahead import needs_of
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
+from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError
@@ -438,3 +442,31 @@ def test_hooke_has_no_bulk_modulus(tmp_path: Path) -> None:
     assert "unknown key 'bulk_modulus'" in problems(tmp_path, text)[0]
     job = read(tmp_path, text.replace(', bulk_modulus = "1 GPa"', ""))
     assert job.materials["strain_limiting_layer"].material.law == Hooke(E=1e9, nu=0.2)
+
+
+def test_jobs_of_one_actuator_and_equal_settings_share_a_mesh(tmp_path: Path) -> None:
+    first, other, finer = (
+        prepare(read(tmp_path, text))[0].mesh
+        for text in (SMALL, SMALL.replace("20 kPa", "10 kPa"), SMALL.replace('"3 mm"', '"2.5 mm"'))
+    )
+    assert other is first
+    assert len(finer.cells) > len(first.cells)
+    longer = prepare(read(tmp_path, SMALL.replace('"20 mm"', '"21 mm"')))[0].mesh
+    assert np.ptp(longer.points[:, 0]) > np.ptp(first.points[:, 0])
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("", ""),
+        ('size = "3 mm"', 'cells = "hexahedra"'),
+        ("[loads]", "[contact]\nself_contact = false\n\n[loads]"),
+        (
+            'base = { library = "elastosil-m4601", record = "yeoh-mosadegh-2014" }',
+            'base = { law = "ogden", mu = ["0.1 MPa"], alpha = [2.0] }',
+        ),
+    ],
+)
+def test_what_is_compiled_ahead_is_what_the_model_needs(before: str, after: str, tmp_path: Path) -> None:
+    job = read(tmp_path, SMALL.replace(before, after))
+    assert needs_of(job) == Needs.of(prepare(job)[0])

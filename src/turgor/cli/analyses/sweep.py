@@ -69,7 +69,6 @@ sweep_command = command_of(_Options, _run)
 
 def _computed(given: "StudyFile", folder: Path, processes: int) -> "Study":
     from turgor.cli.analyses.progress import StudyProgress
-    from turgor.errors import TurgorError
     from turgor.study.evaluations import Evaluations
     from turgor.study.jobs.job_file import RUNS
     from turgor.study.jobs.job_sweep import sweep_job
@@ -82,14 +81,25 @@ def _computed(given: "StudyFile", folder: Path, processes: int) -> "Study":
         ):
             return sweep_job(given, folder, runs)
     except KeyboardInterrupt:
-        raise TurgorError(
-            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
-        ) from None
+        typer.echo(
+            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there.", err=True
+        )
+        raise typer.Exit(NOT_CONVERGED) from None
 
 
 def _drawn(study: "Study", folder: Path, given: "StudyFile") -> tuple[list[Path], list[str]]:
     """Draw each measure; return the files, and sentences on what mesh errors hide."""
-    return [], []
+    from turgor.results.plots.figures import write_figure
+    from turgor.study.pictures import hidden_by_mesh, study_picture
+
+    files: list[Path] = []
+    sentences: list[str] = []
+    for name in given.measures or study.measures:
+        if name in study.measures and name != (given.at or ("",))[0] and len(study) > 1:
+            files.append(folder / f"{name}.png")
+            write_figure(files[-1], study_picture(study, name, given.at))
+            sentences += hidden_by_mesh(study, name, given.at)
+    return files, sentences
 
 
 def _list(designs: "Designs") -> None:

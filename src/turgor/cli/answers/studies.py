@@ -1,4 +1,4 @@
-"""Results of ``turgor calibrate`` and ``turgor uncertainty`` for programs."""
+"""Results of ``turgor calibrate``, ``turgor uncertainty`` and ``turgor gradient`` for programs."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from turgor.calibration.result import Calibration
+    from turgor.gradients.result import Gradient
     from turgor.uncertainty.band import Uncertainty
 
 
@@ -119,4 +120,51 @@ def uncertainty_result(found: "Uncertainty", files: Sequence[Path]) -> Uncertain
         ],
         record_sentences=found.case_sentences(),
         files=files,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GradientResult:
+    """``turgor gradient``: derivatives of measures, in SI units.
+
+    Parameters
+    ----------
+    load_factor : float
+        That of the state.
+    measures : list of tables
+        ``name``, ``unit`` in which it is shown, and ``value`` of each measure.
+    numbers : list of tables
+        ``key``, ``unit`` and ``value`` of each number.
+    derivatives : list of lists
+        Of each measure, by each number in their order.
+    way : str
+        ``"direct"`` or ``"adjoint"``.
+    left : float
+        Share of the change of the forces that the rates leave unbalanced.
+    files : list of str
+        Files that were written.
+    """
+
+    load_factor: float
+    measures: list[dict[str, Any]]
+    numbers: list[dict[str, Any]]
+    derivatives: list[list[float]]
+    way: str
+    left: float
+    files: Sequence[Path]
+
+
+def gradient_result(found: "Gradient", file: Path | None) -> GradientResult:
+    """Make the result of a gradient."""
+    return GradientResult(
+        load_factor=found.load_factor,
+        measures=[{"name": each.name, "unit": each.unit, "value": float(each.values[0])} for each in found.measures],
+        numbers=[
+            {"key": key, "unit": each.unit, "value": float(each.values[0])}
+            for key, each in zip(found.keys, found.numbers, strict=True)
+        ],
+        derivatives=found.values.tolist(),
+        way=found.way,
+        left=found.left,
+        files=[] if file is None else [file],
     )

@@ -13,6 +13,7 @@ import rslab
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.kept import kept
 from turgor.engine.algebra.pattern import Pattern
 from turgor.errors import TurgorError, unknown
 
@@ -63,10 +64,9 @@ class RslabSolver:
 
     def __init__(self, pattern: Pattern, threads: int) -> None:
         self._pattern = pattern
-        lower = pattern.matrix(np.ones(len(pattern.indices)))
         self._settings = {"threads": threads, "scaling": "identity"}
         ordering = "metis" if threads > 1 and pattern.size >= DISSECTED_FROM else "auto"
-        self._symbolic = rslab.analyze(lower, path="ldlt", threads=threads, ordering=ordering)
+        self._symbolic = _analyzed(pattern.indptr, pattern.indices, threads, ordering)
         self._data = np.empty(0)
         self._factor: rslab.Ldlt | None = None
         self.double = pattern.size < SINGLE_FROM
@@ -118,6 +118,13 @@ class RslabSolver:
         assert self._factor is not None
         _positive, negative, _zero = self._factor.diagnostics()["numeric"]["inertia"]
         return int(negative)
+
+
+@kept(2)  # a run often has the mesh of the last one; two, because the mesh error is found on a second mesh
+def _analyzed(indptr: NDArray[np.int64], indices: NDArray[np.int32], threads: int, ordering: str) -> rslab.LdltSymbolic:
+    """Order of elimination and structure of the factors of a lower triangle; its values do not matter."""
+    pattern = Pattern(len(indptr) - 1, indptr, indices)
+    return rslab.analyze(pattern.matrix(np.ones(len(indices))), path="ldlt", threads=threads, ordering=ordering)
 
 
 @dataclass(slots=True, eq=False)

@@ -13,6 +13,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.pattern import Pattern
+from turgor.engine.compiled import LOOP
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -67,7 +68,7 @@ class NodeFrames:
         return (turn @ matrix @ turn.T).tocsc()
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def turn_lower(data: Array, indptr: Ints, indices: NDArray[np.int32], place: Ints, axes: Array) -> None:
     """Turn K into A K Aᵀ with a block A of each node, in the lower triangle of K; ``place`` is −1 where A is one."""
     block, half = np.empty((3, 3)), np.empty((3, 3))

@@ -7,6 +7,8 @@ import scipy.sparse as sp
 from numba import njit
 from numpy.typing import NDArray
 
+from turgor.engine.compiled import LOOP
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pattern:
@@ -60,7 +62,7 @@ def _incidence(unknowns: NDArray[np.int64], size: int) -> sp.csr_matrix:
     )
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def locate(indptr, indices, rows, columns):
     """Positions of entries (row, column), swapped into the lower triangle where needed, (k,) int32; -1 if absent."""
     out = np.empty(len(rows), dtype=np.int32)
@@ -78,7 +80,7 @@ def locate(indptr, indices, rows, columns):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def scatter_add(data, positions, values):
     """Add values at positions, in order, so that the sum does not depend on the number of threads."""
     for k in range(len(positions)):

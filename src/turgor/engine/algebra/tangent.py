@@ -196,6 +196,11 @@ class Tangent:
         self.clock.solve += perf_counter() - start
         return out
 
+    def product(self, vector: Array) -> Array:
+        """Product of the last factored matrix, in which the equations of held unknowns are identities."""
+        whole = self._system.pattern.product(self._data, vector) if self._whole is None else self._whole @ vector
+        return np.asarray(whole if self._rubbing is None else whole + self._rubbing @ vector)
+
     def _with_rubbing(self, rubbing: sp.csc_matrix, right: Array) -> Array:
         """Solve with the unsymmetric part of friction, by GMRES preconditioned with the symmetric factors."""
         size, active = len(right), self._active

@@ -37,7 +37,7 @@ from turgor.engine.cells.kernels_volume import (
     moment_changes,
     penalty_stress_at,
 )
-from turgor.engine.compiled import calls, over
+from turgor.engine.compiled import INNER, LOOP, calls, over
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -106,7 +106,7 @@ class Response(NamedTuple):
         return self._replace(W=np.ascontiguousarray(self.W[:, chosen]), rows=self.rows[chosen])
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@njit(**LOOP, nogil=True, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _residual(begin, end, out, cells, u, p, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
@@ -163,7 +163,7 @@ def residual(cells: Cells, u: Array, p: Array, laws: Response) -> Array:
     return out
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@njit(**LOOP, nogil=True, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
@@ -225,7 +225,7 @@ def extrapolated_stress(cells: Cells, u: Array, p: Array, du: Array, dp: Array, 
     return out
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def _add_point(shape, G, A, w, T9, K):
     """K += w Gᵀ A G for one point; K is (3, 3, nodes, nodes), blocks i ≤ k only."""
     for i in range(3):
@@ -244,7 +244,7 @@ def _add_point(shape, G, A, w, T9, K):
                     K[i, k, a, b] += g0 * T9[0, b] + g1 * T9[1, b] + g2 * T9[2, b]
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
     """Add Σ gₖ gₖᵀ with the gradients gₖ of the moments by displacements (k, 3, nodes) and mean stresses (k, m)."""
     for k in range(len(u_part)):
@@ -262,7 +262,7 @@ def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
                 Kpp[m, n] += p_part[k, m] * p_part[k, n]
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def _pack(shape, modes, K, Kup, Kpp, out):
     """Lower triangle of the cell matrix, row by row: displacement unknowns node by node, then mean stresses."""
     at = 0
@@ -283,7 +283,7 @@ def _pack(shape, modes, K, Kup, Kpp, out):
             at += 1
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@njit(**LOOP, nogil=True, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells

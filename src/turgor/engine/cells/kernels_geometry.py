@@ -7,7 +7,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from turgor.engine.compiled import over
+from turgor.engine.compiled import INNER, LOOP, over
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -15,7 +15,7 @@ Ints = NDArray[np.int64]
 FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def gradient_at(shape, dN, Jinv, G):
     """Shape function gradients ∂N/∂X at one point, stored (3, nodes)."""
     for J in range(3):
@@ -23,7 +23,7 @@ def gradient_at(shape, dN, Jinv, G):
             G[J, a] = dN[a, 0] * Jinv[0, J] + dN[a, 1] * Jinv[1, J] + dN[a, 2] * Jinv[2, J]
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def deformation_gradient_at(shape, u, G, F):
     """F = I + ∂u/∂X with u stored (3, nodes)."""
     for i in range(3):
@@ -34,7 +34,7 @@ def deformation_gradient_at(shape, u, G, F):
             F[i, J] = total
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def cofactor_at(F, Cof):
     """Cofactor J F⁻ᵀ and the volume ratio J."""
     for i in range(3):
@@ -45,7 +45,7 @@ def cofactor_at(F, Cof):
     return F[0, 0] * Cof[0, 0] + F[0, 1] * Cof[0, 1] + F[0, 2] * Cof[0, 2]
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def load_cell(shape, nodes, u, ue):
     """Values at the nodes of one cell, stored (3, nodes)."""
     for a in range(len(shape)):
@@ -53,7 +53,7 @@ def load_cell(shape, nodes, u, ue):
             ue[i, a] = u[nodes[a], i]
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**LOOP, fastmath=FAST)
 def reference_geometry(shape, points, cells, dN, weights):
     """Inverse Jacobian (c, q, 3, 3) and volume weight (c, q) of the curved reference cells."""
     count, q_count = len(cells), len(weights)
@@ -77,7 +77,7 @@ def reference_geometry(shape, points, cells, dN, weights):
     return Jinv, dV
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@njit(**LOOP, nogil=True, fastmath=FAST)
 def _kinematics(begin, end, out, shape, cells, u, dN, Jinv):
     I1, I2, ratio = out
     ue = np.empty((3, len(shape)))
@@ -114,7 +114,7 @@ def kinematics(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: A
     return out
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@njit(**LOOP, nogil=True, fastmath=FAST)
 def _deformation_gradients(begin, end, out, shape, cells, u, dN, Jinv):
     ue = np.empty((3, len(shape)))
     G = np.empty((3, len(shape)))

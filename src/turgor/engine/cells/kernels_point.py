@@ -9,27 +9,21 @@ import numpy as np
 from numba import njit
 
 from turgor.engine.cells.kernels_geometry import FAST
+from turgor.engine.compiled import INNER
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def strain_at(J, F, Cof, C, Ci):
     """C = Fᵀ F and C⁻¹ = Cofᵀ Cof / J² of a point, from its deformation gradient, the cofactor and J."""
-    C[0] = F[0, 0] * F[0, 0] + F[1, 0] * F[1, 0] + F[2, 0] * F[2, 0]
-    C[1] = F[0, 1] * F[0, 1] + F[1, 1] * F[1, 1] + F[2, 1] * F[2, 1]
-    C[2] = F[0, 2] * F[0, 2] + F[1, 2] * F[1, 2] + F[2, 2] * F[2, 2]
-    C[3] = F[0, 0] * F[0, 1] + F[1, 0] * F[1, 1] + F[2, 0] * F[2, 1]
-    C[4] = F[0, 1] * F[0, 2] + F[1, 1] * F[1, 2] + F[2, 1] * F[2, 2]
-    C[5] = F[0, 0] * F[0, 2] + F[1, 0] * F[1, 2] + F[2, 0] * F[2, 2]
+    pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
     s = 1.0 / (J * J)
-    Ci[0] = s * (Cof[0, 0] * Cof[0, 0] + Cof[1, 0] * Cof[1, 0] + Cof[2, 0] * Cof[2, 0])
-    Ci[1] = s * (Cof[0, 1] * Cof[0, 1] + Cof[1, 1] * Cof[1, 1] + Cof[2, 1] * Cof[2, 1])
-    Ci[2] = s * (Cof[0, 2] * Cof[0, 2] + Cof[1, 2] * Cof[1, 2] + Cof[2, 2] * Cof[2, 2])
-    Ci[3] = s * (Cof[0, 0] * Cof[0, 1] + Cof[1, 0] * Cof[1, 1] + Cof[2, 0] * Cof[2, 1])
-    Ci[4] = s * (Cof[0, 1] * Cof[0, 2] + Cof[1, 1] * Cof[1, 2] + Cof[2, 1] * Cof[2, 2])
-    Ci[5] = s * (Cof[0, 0] * Cof[0, 2] + Cof[1, 0] * Cof[1, 2] + Cof[2, 0] * Cof[2, 2])
+    for v in range(6):
+        a, b = pairs[v]
+        C[v] = F[0, a] * F[0, b] + F[1, a] * F[1, b] + F[2, a] * F[2, b]
+        Ci[v] = s * (Cof[0, a] * Cof[0, b] + Cof[1, a] * Cof[1, b] + Cof[2, a] * Cof[2, b])
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def stress_at(C, Ci, given, s1, s2, T, S):
     """S = 2 (W₁ ∂Ī₁/∂C + W₂ ∂Ī₂/∂C) + p J C⁻¹ from ``given`` = (J, W₁, W₂, p).
 
@@ -50,7 +44,7 @@ def stress_at(C, Ci, given, s1, s2, T, S):
     return J, j, k, I1, I2
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def moduli_at(Ci, T, s1, s2, W, given, D):
     """D = 4 ∂²(W + pJ)/∂C∂C + κ J² C⁻¹ ⊗ C⁻¹ as a symmetric 6 × 6 array of tensor components.
 
@@ -81,14 +75,14 @@ def moduli_at(Ci, T, s1, s2, W, given, D):
             D[w, v] = value
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def add_stress(more, S):
     """Add six components to the stress."""
     for v in range(6):
         S[v] += more[v]
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def add_moduli(more, D):
     """Add a lower triangle, stored row by row, to the symmetric D."""
     at = 0
@@ -101,7 +95,7 @@ def add_moduli(more, D):
         at += 1
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def push_forward(F, D, S, A):
     """∂P/∂F (9 × 9, rows iJ) = F D Fᵀ + δ S."""
     index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
@@ -124,7 +118,7 @@ def push_forward(F, D, S, A):
                 A[3 * i + J, 3 * i + L] += S[index[J][L]]
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def strain_change_at(F, H, E):
     """Change of Green's strain with the displacement gradient H of an update; shears count twice, as 2 E₁₂."""
     pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))

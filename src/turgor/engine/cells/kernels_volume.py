@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells import kernels_geometry
 from turgor.engine.cells.kernels_geometry import FAST, cofactor_at, deformation_gradient_at, gradient_at
-from turgor.engine.compiled import calls
+from turgor.engine.compiled import INNER, calls
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -41,7 +41,7 @@ class Cell(NamedTuple):
     penalty: Array
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def mean_stress_at(modes, M, p, mean, J, compliance):
     """Mean stress at one point: interpolated, or κ (J − 1) in a cell that has none of its own."""
     if len(modes) == 0:
@@ -52,7 +52,7 @@ def mean_stress_at(modes, M, p, mean, J, compliance):
     return total
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def lost_volume_at(modes, J, mean, compliance):
     """J − 1 − p/κ: what the volume ratio misses of what the mean stress says; nothing where it follows from J."""
     if len(modes) == 0:
@@ -60,7 +60,7 @@ def lost_volume_at(modes, J, mean, compliance):
     return J - 1.0 - mean * compliance
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def bulk_modulus(modes, compliance):
     """κ where the mean stress is a function of the displacement, zero where it is an unknown."""
     if len(modes) == 0:
@@ -68,7 +68,7 @@ def bulk_modulus(modes, compliance):
     return 0.0
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 @calls(kernels_geometry)
 def lost_moments(shape, modes, ue, p, tables, cell):
     """Moments ∫ φₖ (J − 1 − p/κ) dV of a cell, (k,)."""
@@ -90,7 +90,7 @@ def lost_moments(shape, modes, ue, p, tables, cell):
     return moments
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 @calls(kernels_geometry)
 def moment_changes(shape, modes, ue, update, tables, cell):
     """Changes of the moments of a cell with the updates of displacements (3, nodes) and mean stresses, (k,)."""
@@ -120,7 +120,7 @@ def moment_changes(shape, modes, ue, update, tables, cell):
     return changes
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**INNER, fastmath=FAST)
 def penalty_stress_at(penalty, moments):
     """Mean stress of the penalty at one point: Σ φₖ mₖ."""
     total = 0.0

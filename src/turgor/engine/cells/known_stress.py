@@ -9,10 +9,12 @@ The formulas are those of `turgor.materials.history.isochoric`, at many points.
 import numpy as np
 from numba import njit
 
+from turgor.engine.compiled import LOOP
+
 _FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(**LOOP, fastmath=_FAST)
 def _right_cauchy_green(f, C, inverse):
     """C and its inverse by components; the determinant of C is returned."""
     C[0] = f[0, 0] * f[0, 0] + f[1, 0] * f[1, 0] + f[2, 0] * f[2, 0]
@@ -33,7 +35,7 @@ def _right_cauchy_green(f, C, inverse):
     return determinant
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(**LOOP, fastmath=_FAST)
 def _add(h, product, Ci, stress, tangent):
     """J^(−2/3) (h − ⅓ (h : C) C⁻¹) and its derivative, h and the product scaled by J^(−2/3) already."""
     pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
@@ -50,7 +52,7 @@ def _add(h, product, Ci, stress, tangent):
             at += 1
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(**LOOP, fastmath=_FAST)
 def add_known_stress(F, rows, known, scale, stress, tangent):
     """Add stress and tangent of a known tensor, divided by a scale, in place.
 

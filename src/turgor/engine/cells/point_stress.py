@@ -12,7 +12,7 @@ from turgor.engine.cells import kernels_geometry, kernels_point
 from turgor.engine.cells.cell_materials import Isochoric
 from turgor.engine.cells.kernels_geometry import FAST, cofactor_at
 from turgor.engine.cells.kernels_point import add_moduli, add_stress, moduli_at, push_forward, strain_at, stress_at
-from turgor.engine.compiled import calls
+from turgor.engine.compiled import LOOP, calls
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -59,7 +59,7 @@ def stress_and_moduli(F: Array, p: Array, laws: Isochoric, rows: Ints) -> tuple[
     return np.asarray(P), np.asarray(A), np.asarray(cofactor)
 
 
-@njit(cache=True, fastmath=FAST)
+@njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point)
 def _at_points(F, p, W, rows, stress, moduli):
     count, points = p.shape

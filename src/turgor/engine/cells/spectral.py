@@ -14,7 +14,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from turgor.engine.compiled import over
+from turgor.engine.compiled import LOOP, over
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ CLOSE = 1e-5
 TANGENT = 21  # lower triangle of the symmetric 6 × 6 tangent, row by row
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(**LOOP, fastmath=_FAST)
 def _rotate(A, N, p, q):
     """One Jacobi rotation that makes A[p, q] zero; the columns of N follow."""
     if A[p, q] == 0.0:
@@ -61,7 +61,7 @@ def _rotate(A, N, p, q):
         N[i, q] = s * first + c * second
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(**LOOP, fastmath=_FAST)
 def _principal_axes(A, N):
     """Eigenvectors of a symmetric A as columns of N; A is left with its eigenvalues on the diagonal."""
     for i in range(3):
@@ -76,7 +76,7 @@ def _principal_axes(A, N):
         _rotate(A, N, 1, 2)
 
 
-@njit(cache=True, nogil=True, fastmath=_FAST)
+@njit(**LOOP, nogil=True, fastmath=_FAST)
 def _principal_stretches(begin, end, out, F):
     stretches, directions, scale = out
     q_count = F.shape[1]
@@ -109,7 +109,7 @@ def principal_stretches(F: Array) -> tuple[Array, Array, Array]:
     return out
 
 
-@njit(cache=True, fastmath=_FAST)
+@njit(**LOOP, fastmath=_FAST)
 def _principal_response(bar, scale, W1, W2, S, D):
     """Principal stresses S (3), and D (3, 3) with the shear moduli Gᵢⱼ of equal or unequal stretches, returned."""
     mean = 0.0
@@ -145,7 +145,7 @@ def _principal_response(bar, scale, W1, W2, S, D):
     return G
 
 
-@njit(cache=True, nogil=True, fastmath=_FAST)
+@njit(**LOOP, nogil=True, fastmath=_FAST)
 def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2):
     stress, tangent = out
     q_count = scale.shape[1]

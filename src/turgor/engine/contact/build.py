@@ -6,6 +6,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from turgor.engine.algebra.kept import kept
 from turgor.engine.contact.pair_part import PairPart, Partners, Rigid
 from turgor.engine.contact.shape_part import ShapePart
 from turgor.engine.contact.shapes import scaled
@@ -90,10 +91,10 @@ def may_touch(model: Model) -> bool:
 
 
 def build_parts(
-    model: Model, surface: Surface, points: Array, length: float, bodies: Bodies
+    model: Model, surface: Surface, points: Array, scales: tuple[float, float], bodies: Bodies
 ) -> list[PairPart | ShapePart]:
     """Make a part for every obstacle, and those of the contact of the body with itself."""
-    mesh = model.mesh
+    mesh, (length, stress) = model.mesh, scales
     if mesh.cell_type.side.nodes == 8:
         if model.contact.obstacles:
             raise TurgorError("contact needs tetrahedra or 27-node hexahedra; this mesh has 20-node hexahedra.")
@@ -101,11 +102,11 @@ def build_parts(
     mirrors = of_face(mesh, surface, *mesh.cut_faces)
     cavities = of_face(mesh, surface, *mesh.cavities)
     outside = surface.chosen(~mirrors & ~cavities & ~_pinhole(mesh, surface))
-    parts = _with_itself(model, surface, outside, (points, length))
+    parts = _with_itself(model, surface, outside, points, length / stress)
     for obstacle in model.contact.obstacles:
         chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
         if obstacle.stiffness is not None:
-            chosen = _stiff(chosen, obstacle.stiffness, length, model)
+            chosen = _stiff(chosen, obstacle.stiffness * length / stress)
         unknown = bodies.unknowns[bodies.names.index(obstacle.name)] if obstacle.name in bodies.names else -1
         shape = scaled(obstacle.shape, length)
         if isinstance(shape, RigidSurface):
@@ -122,31 +123,31 @@ def _pinhole(mesh: Mesh, surface: Surface) -> NDArray[np.bool_]:
     return np.asarray(mesh.on_axis[surface.sides].all(axis=1))
 
 
-def _stiff(surface: Surface, stiffness: float, length: float, model: Model) -> Surface:
-    """A surface with a stiffness of its own [Pa/m]."""
-    stress = max(m.law.shear_modulus for m in model.region_materials.values())
-    spring = np.full(len(surface.sides), stiffness * length / stress)
-    return replace(surface, spring=spring)
+def _stiff(surface: Surface, stiffness: float) -> Surface:
+    """A surface with a scaled stiffness of its own."""
+    return replace(surface, spring=np.full(len(surface.sides), stiffness))
 
 
 def _with_itself(
-    model: Model, surface: Surface, outside: Surface, scaled_points: tuple[Array, float]
+    model: Model, surface: Surface, outside: Surface, points: Array, stiffness: float
 ) -> list[PairPart | ShapePart]:
-    """Walls outside, walls of cavities that are pressed together, and walls against their mirror images."""
+    """Walls outside, walls of cavities that are pressed together, and walls against their mirror images.
+
+    ``stiffness`` is the scaled one of 1 Pa/m.
+    """
     mesh, chosen = model.mesh, model.contact.self_contact
     if chosen is None:
         return []
     alone = [surface.chosen(of_face(mesh, surface, cavity)) for cavity in pressed_together(model)]
     if model.contact.for_mesh(mesh) is not None:
         alone.insert(0, outside)
-    points, length = scaled_points
     mirrored = np.zeros(len(points), dtype=bool)
     for name in mesh.cut_faces:
         mirrored[mesh.face_nodes(name)] = True
     parts: list[PairPart | ShapePart] = []
     for one in alone:
         if chosen.stiffness is not None:
-            one = _stiff(one, chosen.stiffness, length, model)
+            one = _stiff(one, chosen.stiffness * stiffness)
         parts.append(_pairs(one, points, mirrored, chosen.friction))
         for name in mesh.symmetry_faces:
             parts += _mirror(mesh, name, one, points)
@@ -154,25 +155,34 @@ def _with_itself(
 
 
 def _pairs(surface: Surface, points: Array, mirrored: NDArray[np.bool_], friction: float) -> PairPart:
-    sides = surface.sides
-    reach = REACH * float(np.sqrt(surface.weights.sum(axis=1)).mean())
+    weights, height = surface.weights, surface.height
+    partners = _partners(surface.sides, (surface.N, surface.dN, weights, height), points, mirrored)
+    return PairPart(SELF, surface, replace(partners, sides=surface.sides), friction, 0.5)
+
+
+@kept(2)  # the search at rest is slow, and the next run often has the same mesh
+def _partners(
+    sides: Ints, tables: tuple[Array, Array, Array, Array], points: Array, mirrored: NDArray[np.bool_]
+) -> Partners:
+    """Sides of a surface that its own points may touch; ``tables`` are N, dN, weights and heights of the surface."""
+    N, dN, weights, height = tables
+    surface = Surface(sides, N, dN, weights, np.ones(len(sides)), height)  # stiffness does not matter to a search
     partners = Partners(
         sides=sides,
         corners=surface.corners,
         overhang=overhangs(points, sides, mirrored),
-        depth=DEPTH * surface.height,
+        depth=DEPTH * height,
         strangers=strangers(points, sides),
         around=_around(sides, surface.corners),
-        reach=reach,
+        reach=REACH * float(np.sqrt(weights.sum(axis=1)).mean()),
     )
     for _ in range(ROUNDS):
-        part = PairPart(SELF, surface, partners, friction, 0.5)
-        found = part.look(points, np.zeros(3))
-        inside = np.argwhere(found.gap < -1e-6 * surface.height[:, None])
+        found = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))
+        inside = np.argwhere(found.gap < -1e-6 * height[:, None])
         if not len(inside):
             break
         partners = _apart(partners, inside[:, 0], found.partner[inside[:, 0], inside[:, 1]])
-    return PairPart(SELF, surface, partners, friction, 0.5)
+    return partners
 
 
 def _apart(partners: Partners, side: Ints, partner: Ints) -> Partners:

@@ -3,6 +3,8 @@
 import numpy as np
 from numba import njit
 
+from turgor.engine.compiled import LOOP
+
 #: Newton steps to the foot point; each gains a factor of distance times curvature, small where walls nearly touch.
 STEPS = 12
 
@@ -10,7 +12,7 @@ STEPS = 12
 ROAM = 0.6
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def shapes(r, s, N, D, H):
     """Fill shape functions (n,), first (n, 2) and second (n, 3: rr, rs, ss) derivatives of a side at (r, s)."""
     if len(N) == 6:
@@ -37,7 +39,7 @@ def shapes(r, s, N, D, H):
         H[k, 0], H[k, 1], H[k, 2] = curved[i] * b[j], da[i] * db[j], a[i] * curved[j]
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def place(corners, N, D, H, x, d, h):
     """Fill position (3,), tangents (2, 3) and second derivatives (3, 3: rr, rs, ss) of a side from its shapes."""
     for i in range(3):
@@ -55,7 +57,7 @@ def place(corners, N, D, H, x, d, h):
                 h[m, i] += H[a, m] * c
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def curvature(apart, d, h):
     """Second derivatives (rr, rs, ss) of half the squared distance; ``apart`` is the point minus the foot."""
     rr = d[0, 0] * d[0, 0] + d[0, 1] * d[0, 1] + d[0, 2] * d[0, 2]
@@ -72,7 +74,7 @@ def curvature(apart, d, h):
     return rr, rs, ss  # far from the surface: Gauss–Newton
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def foot_point(point, corners, guess, values, frame):
     """Foot (r, s) of a point on the surface that extends a side, from a first guess (r, s).
 
@@ -80,9 +82,12 @@ def foot_point(point, corners, guess, values, frame):
     """
     (r, s), (N, D, H), (x, d, h) = guess, values, frame
     apart = np.empty(3)
-    for _ in range(STEPS):
+    last = False
+    for step in range(STEPS + 1):
         shapes(r, s, N, D, H)
         place(corners, N, D, H, x, d, h)
+        if last or step == STEPS:
+            break
         for i in range(3):
             apart[i] = point[i] - x[i]
         rr, rs, ss = curvature(apart, d, h)
@@ -94,14 +99,11 @@ def foot_point(point, corners, guess, values, frame):
         old_r, old_s = r, s
         r = min(max(r + (ss * f - rs * g) / determinant, -ROAM), 1.0 + ROAM)
         s = min(max(s + (rr * g - rs * f) / determinant, -ROAM), 1.0 + ROAM)
-        if abs(r - old_r) + abs(s - old_s) < 1e-13:
-            break
-    shapes(r, s, N, D, H)
-    place(corners, N, D, H, x, d, h)
+        last = abs(r - old_r) + abs(s - old_s) < 1e-13
     return r, s
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def overhang(count, r, s):
     """How far (r, s) lies outside a side of ``count`` nodes, and beyond which of its edges."""
     if count == 6:

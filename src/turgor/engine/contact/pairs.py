@@ -9,12 +9,12 @@ on the two sides are opposite and on one line, and the turning of the normal nee
 import numpy as np
 from numba import njit
 
-from turgor.engine.compiled import calls
+from turgor.engine.compiled import LOOP, calls
 from turgor.engine.contact import closest
 from turgor.engine.contact.closest import curvature, place, shapes
 
 
-@njit(cache=True)
+@njit(**LOOP)
 @calls(closest)
 def press_forces(position, sides, N1, points, partner, at, spring):
     """Nodal forces (k, n1 + n2, 3) on primary, then secondary side, of the k points ``(side, q)`` pressed together.
@@ -41,7 +41,7 @@ def press_forces(position, sides, N1, points, partner, at, spring):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 @calls(closest)
 def press_tangents(position, sides, N1, points, partner, at, spring, start):
     """Tangents (g, m, m), m = 3 (n1 + n2), summed over the points start[g] to start[g + 1] that share both sides."""
@@ -89,7 +89,7 @@ def press_tangents(position, sides, N1, points, partner, at, spring, start):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def tie_tangents(weights, matrices, start):
     """Tangents (g, 3 m, 3 m) of points tied by weights (k, m) of nodes and matrices (k, 3, 3), summed by groups."""
     m = weights.shape[1]
@@ -105,7 +105,7 @@ def tie_tangents(weights, matrices, start):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 @calls(closest)
 def shares_at(count, at):
     """Shape functions (k, count) of a side with ``count`` nodes at places (k, 2)."""
@@ -116,7 +116,7 @@ def shares_at(count, at):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 @calls(closest)
 def normals_at(position, sides, partner, at):
     """Unit normals (k, 3) of sides at places on them."""

@@ -12,7 +12,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from turgor.engine.compiled import calls, over
+from turgor.engine.compiled import INNER, LOOP, calls, over
 from turgor.engine.contact import closest
 from turgor.engine.contact.closest import foot_point, overhang
 
@@ -72,7 +72,7 @@ class Grid:
         return Grid(low, float(edge), counts, start, order)
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def centers_of(position, sides, corners):
     """Centers (s, 3) of the corners of sides, radii (s,) about them that hold all nodes, and unit normals (s, 3)."""
     count, nodes = sides.shape
@@ -99,7 +99,7 @@ def centers_of(position, sides, corners):
     return center, radius, normal
 
 
-@njit(cache=True)
+@njit(**INNER)
 def _unit_cross(a, b, out):
     out[0] = a[1] * b[2] - a[2] * b[1]
     out[1] = a[2] * b[0] - a[0] * b[2]
@@ -110,7 +110,7 @@ def _unit_cross(a, b, out):
             out[i] /= length
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def points_of(position, sides, N, dN):
     """Positions and unit normals (s, q, 3) at the quadrature points of sides, and how much their area has grown."""
     count, nodes = sides.shape
@@ -136,7 +136,7 @@ def points_of(position, sides, N, dN):
     return x, n, area
 
 
-@njit(cache=True, nogil=True)
+@njit(**LOOP, nogil=True)
 @calls(closest)
 def _find_partners(begin, end, out, looking, position, sides, about, grid, allowed, reach, apart):
     partner, at, gap = out
@@ -181,7 +181,7 @@ def find_partners(
     return out
 
 
-@njit(cache=True)
+@njit(**INNER)
 def _near_sides(k, own, other, grid, depth, reach, apart, near):
     """Fill the sides that points of side k may touch, and return how many."""
     (center, radius, normal), (others, radii, normals) = own, other
@@ -212,7 +212,7 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
     return found
 
 
-@njit(cache=True)
+@njit(**INNER)
 def _near_point(p, u, other, depth, reach, near, some, far):
     """Keep the near sides that a point may touch, with center distances; return their number and the smallest."""
     others, radii, normals = other
@@ -233,7 +233,7 @@ def _near_point(p, u, other, depth, reach, near, some, far):
     return few, bound
 
 
-@njit(cache=True)
+@njit(**INNER)
 @calls(closest)
 def _nearest(point, position, sides, radii, allowed, reach):
     """Partner, place and gap of a point: the nearest foot of all that are allowed."""
@@ -270,7 +270,7 @@ def _nearest(point, position, sides, radii, allowed, reach):
     return partner, at_r, at_s, gap
 
 
-@njit(cache=True)
+@njit(**INNER)
 def _listed(value, low, high, rows):
     i = low
     while i < high and rows[i] != value:
@@ -278,7 +278,7 @@ def _listed(value, low, high, rows):
     return i < high
 
 
-@njit(cache=True, nogil=True)
+@njit(**LOOP, nogil=True)
 @calls(closest)
 def _follow_partners(begin, end, out, looking, position, sides, partner, at, around, overhanging, walk):
     side, place, gap = out
@@ -343,13 +343,13 @@ def follow_partners(
     return out
 
 
-@njit(cache=True)
+@njit(**INNER)
 def _corners(position, side, corners):
     for a in range(len(side)):
         for i in range(3):
             corners[a, i] = position[side[a], i]
 
 
-@njit(cache=True)
+@njit(**INNER)
 def _along(p, y, unit):
     return (p[0] - y[0]) * unit[0] + (p[1] - y[1]) * unit[1] + (p[2] - y[2]) * unit[2]

@@ -59,6 +59,10 @@ class Contacts:
         """Whether any point is inside what it touches."""
         return any(found.inside.any() for found in self.found)
 
+    def touch_as(self, other: "Contacts") -> bool:
+        """Whether the same points are inside as in other contacts of the same parts."""
+        return all(np.array_equal(a.inside, b.inside) for a, b in zip(self.found, other.found, strict=True))
+
     def with_friction(self, friction: Friction) -> "Contacts":
         """The same contacts with a friction history."""
         each = friction or (None,) * len(self.found)
@@ -106,7 +110,7 @@ class ContactTerms:
         self._tolerance = model.contact.tolerance
         self.bodies = Bodies.of(model, scales, first_unknown)
         self._known: Contacts | None = None
-        self.parts: list[Part] = build_parts(model, surface, points, self._length, self.bodies)
+        self.parts: list[Part] = build_parts(model, surface, points, scales, self.bodies)
 
     def memory(self, layout: Layout) -> ContactMemory:
         """What was learned so far."""

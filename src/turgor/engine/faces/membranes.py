@@ -14,6 +14,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import reference_cell
+from turgor.engine.compiled import LOOP
 from turgor.materials.laws.laws import Hooke
 from turgor.meshing.cells import side_type
 
@@ -73,7 +74,7 @@ def surface_gradients(points: Array, triangles: NDArray[np.int64]) -> tuple[Arra
     return frames.gradients, frames.areas
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def membrane_stress(x, dx, triangles, gradients, areas, moduli):
     """Stress S + ℂ : ΔE linearized about nodal positions ``x`` for an update ``dx``, (f, q, 3)."""
     out = np.empty((len(triangles), areas.shape[1], 3))
@@ -98,7 +99,7 @@ def membrane_stress(x, dx, triangles, gradients, areas, moduli):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def membrane_forces(x, triangles, gradients, areas, stress):
     """Nodal forces (f, n, 3) of a stress (f, q, 3) at nodal positions ``x``."""
     out = np.zeros((len(triangles), triangles.shape[1], 3))
@@ -118,7 +119,7 @@ def membrane_forces(x, triangles, gradients, areas, stress):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def membrane_tangents(x, triangles, gradients, areas, moduli, stress):
     """Stiffness (f, 3n, 3n) at nodal positions ``x``: moduli (f, q, 3, 3), stress (f, q, 3) in the geometric part."""
     out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))

@@ -5,6 +5,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import side_tables
+from turgor.engine.compiled import LOOP
 from turgor.engine.faces.openings import NO_AXIS, cap_volume
 from turgor.meshing.cells import side_type
 from turgor.meshing.mesh import Mesh
@@ -69,7 +70,7 @@ def nodal_weights(points: Array, triangles: Triangles) -> Array:
     return np.bincount(triangles.ravel(), local.ravel(), minlength=len(points)).astype(float)
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def pressure_forces(x, triangles, N, dN, weights):
     """Unit pressure on each triangle: ∫ N n da per node, (f, n, 3); n points out of the solid."""
     out = np.zeros((len(triangles), triangles.shape[1], 3))
@@ -88,7 +89,7 @@ def pressure_forces(x, triangles, N, dN, weights):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def pressure_tangents(x, triangles, N, dN, weights):
     """Derivative of `pressure_forces` by the nodal positions, (f, 3n, 3n); it is not symmetric triangle by triangle."""
     out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))

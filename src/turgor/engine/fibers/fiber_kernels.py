@@ -13,6 +13,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from turgor.engine.compiled import LOOP
 from turgor.shown import brief
 
 Array = NDArray[np.float64]
@@ -55,7 +56,7 @@ class Pieces:
     __repr__ = brief
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def fiber_tensions(x, dx, sides, along, stiffness, pushed):
     """Stretch λ and tension N + E A n·Δt of each piece, linearized about positions ``x`` for an update ``dx``."""
     stretch = np.empty(len(sides))
@@ -75,7 +76,7 @@ def fiber_tensions(x, dx, sides, along, stiffness, pushed):
     return stretch, tension
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def fiber_forces(x, sides, along, weights, tension):
     """Nodal forces (k, n, 3) of tensions (k,) at positions ``x``."""
     out = np.zeros((len(sides), sides.shape[1], 3))
@@ -91,7 +92,7 @@ def fiber_forces(x, sides, along, weights, tension):
     return out
 
 
-@njit(cache=True)
+@njit(**LOOP)
 def fiber_tangents(x, sides, along, weights, stiffness, tension):
     """Stiffness (k, 3n, 3n) at positions ``x`` with tensions in its geometric part; ``stiffness`` is that of now."""
     n = sides.shape[1]

@@ -1,5 +1,8 @@
 """Guideline 7.4-3: the bottom matters most for the angle, then the walls between chambers, then the gap."""
 
+from collections.abc import Mapping
+
+from turgor.guidelines.factorials import analyses, corner_name, corners, share_lines, shares_told
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import change, line_of, verdict_of
 from turgor.guidelines.multi_chamber.pneunets import MULTI_CHAMBERED, SETUP, bend, count_and_size, pneunet, run_of
@@ -46,6 +49,44 @@ def runs(setting: Setting) -> tuple[Run, ...]:
         for what in (*ORDER, LONGER)
     ]
     return (run_of("reference", bend, setting, PRESSURES[-1]), *changed)
+
+
+def corner_runs(setting: Setting) -> tuple[Run, ...]:
+    """All combinations of dimensions a tenth less and more."""
+    count, _ = count_and_size(setting)
+    return tuple(
+        run_of(corner_name(scales), bend, setting, PRESSURES[-1], {"given": pneunet(count, _corner(scales, count))})
+        for scales in corners(ORDER)
+    )
+
+
+def _corner(scales: Mapping[str, float], count: int) -> dict[str, float]:
+    """Dimensions [mm] of a corner: those that one factor alone changes, added up."""
+    rest = pneunet(count)
+    out: dict[str, float] = {}
+    for what, factor in scales.items():
+        for name, value in _changed(what, factor, count).items():
+            out[name] = out.get(name, rest[name]) + value - rest[name]
+    return out
+
+
+def judge_corners(found: Found) -> Judgement:
+    """Signs of the effects, and the order of their shares of the variance."""
+    tables = analyses(found, ORDER, PRESSURES)
+    holds = [each.effect(name) < 0 for each in tables.values() for name in ORDER]
+    holds += [each.ranking == ORDER for each in tables.values()]
+    seen = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
+    return Judgement(
+        verdict=verdict_of(holds),
+        found=f"shares of the sum of squares; {shares_told(tables)}",
+        conditions=" ".join(seen),
+    )
+
+
+def corner_panels(found: Found) -> tuple[Panel, ...]:
+    """Shares of the variance."""
+    lines = share_lines(analyses(found, ORDER, PRESSURES))
+    return (Panel(x="dimension", y="share of the sum of squares [%]", lines=lines),)
 
 
 def _angles(found: Found, pressure: float) -> dict[str, Value]:
@@ -114,6 +155,16 @@ GUIDELINE = Guideline(
             runs=runs,
             judge=judge,
             panels=panels,
+        ),
+        GuidelineTest(
+            title="All combinations, analysis of variance",
+            setup="Fast "
+            + SETUP.format(count="of two chambers (four at the full setting)")
+            + "; bottom, walls and gap a tenth less and more in all eight combinations. Angles at 4 and 14 kPa.",
+            expected="All three reduce the angle, with shares of the sum of squares in this order.",
+            runs=corner_runs,
+            judge=judge_corners,
+            panels=corner_panels,
         ),
     ),
 )

@@ -1,7 +1,9 @@
 """Guideline 7.3-1: what bends an omnidirectional actuator most: wall, length, chamber diameter, central diameter."""
 
+from collections.abc import Mapping
 from math import log
 
+from turgor.guidelines.factorials import analyses, corner_name, corners, share_lines, shares_told
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting
 from turgor.guidelines.judging import line_of, verdict_of
 from turgor.guidelines.omnidirectional.chambers import REFERENCE, SETUP, angle_at, omni
@@ -16,21 +18,18 @@ PRESSURES = (20, 100)
 SIGNS = {"wall": -1, "length": 1, "chamber diameter": 1, "central diameter": -1}
 
 
-def _changed(what: str, factor: float) -> dict[str, float]:
-    """Dimensions [mm] for one of the parameters; the outer radius follows, so that one changes at a time.
+def _changed(scales: Mapping[str, float]) -> dict[str, float]:
+    """Dimensions [mm] with some multiplied; the outer radius follows, so that one changes at a time.
 
     The chambers lie on a circle of radius outer radius - wall - chamber size / 2; the central diameter is what they
     leave free in the middle.
     """
     wall, chamber = REFERENCE["wall"], REFERENCE["chamber_size"]
     free = REFERENCE["outer_radius"] - wall - chamber
-    if what == "wall":
-        wall *= factor
-    if what == "chamber diameter":
-        chamber *= factor
-    if what == "central diameter":
-        free *= factor
-    length = REFERENCE["length"] * (factor if what == "length" else 1)
+    wall *= scales.get("wall", 1)
+    chamber *= scales.get("chamber diameter", 1)
+    free *= scales.get("central diameter", 1)
+    length = REFERENCE["length"] * scales.get("length", 1)
     return dict(REFERENCE) | {
         "wall": wall,
         "chamber_size": chamber,
@@ -45,13 +44,41 @@ def runs(setting: Setting) -> tuple[Run, ...]:
     out = [Run(name="reference", function=omni, values=_values(dict(REFERENCE), size))]
     for what in SIGNS:
         for factor in (0.9, 1.1):
-            values = _values(_changed(what, factor), size)
+            values = _values(_changed({what: factor}), size)
             out.append(Run(name=f"{what} x {factor:g}", function=omni, values=values))
     return tuple(out)
 
 
 def _values(given: dict[str, float], size: float) -> dict[str, object]:
     return {"given": given, "size": size, "pressure": PRESSURES[-1]}
+
+
+def corner_runs(setting: Setting) -> tuple[Run, ...]:
+    """All combinations of parameters a tenth less and more."""
+    size = 2.0 if setting == "quick" else 1.0
+    return tuple(
+        Run(name=corner_name(scales), function=omni, values=_values(_changed(scales), size))
+        for scales in corners(list(SIGNS))
+    )
+
+
+def judge_corners(found: Found) -> Judgement:
+    """Signs of the effects, and the order of their shares of the variance."""
+    tables = analyses(found, list(SIGNS), PRESSURES)
+    holds = [each.effect(name) * sign > 0 for each in tables.values() for name, sign in SIGNS.items()]
+    holds += [each.ranking == tuple(SIGNS) for each in tables.values()]
+    seen = [f"At {pressure} kPa the order is {', '.join(each.ranking)}." for pressure, each in tables.items()]
+    return Judgement(
+        verdict=verdict_of(holds),
+        found=f"shares of the sum of squares; {shares_told(tables)}",
+        conditions=" ".join(seen),
+    )
+
+
+def corner_panels(found: Found) -> tuple[Panel, ...]:
+    """Shares of the variance."""
+    lines = share_lines(analyses(found, list(SIGNS), PRESSURES))
+    return (Panel(x="parameter", y="share of the sum of squares [%]", lines=lines),)
 
 
 def _sensitivities(found: Found, pressure: float) -> dict[str, Value]:
@@ -110,6 +137,14 @@ GUIDELINE = Guideline(
             runs=runs,
             judge=judge,
             panels=panels,
+        ),
+        GuidelineTest(
+            title="All combinations, analysis of variance",
+            setup=SETUP + "; the same four parameters a tenth less and more in all sixteen combinations.",
+            expected="Signs -, +, +, - and shares of the sum of squares in this order.",
+            runs=corner_runs,
+            judge=judge_corners,
+            panels=corner_panels,
         ),
     ),
 )

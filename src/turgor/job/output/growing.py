@@ -8,8 +8,8 @@ from time import perf_counter
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK, LOG, RESPONSE, STEPS
 from turgor.job.output.lock import lock_text
+from turgor.job.output.tables import write_steps
 from turgor.job.output.versions import versions
-from turgor.job.output.write import write_steps
 from turgor.response import Response
 from turgor.results.measures.measures import Reader
 from turgor.solvers.checkpoints.record import RunRecord

@@ -1,6 +1,5 @@
-"""Files of a run: tables, pictures, fields, report and log."""
+"""Files of a run: its tables, fields, pictures and report."""
 
-import csv
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
@@ -17,11 +16,11 @@ from turgor.job.output.folder import (
     RESPONSE,
     STEPS,
     UNDEFORMED,
-    clear_tables,
 )
 from turgor.job.output.kept import FIELD_FILES, PICTURES, SERIES, drawn_from, kept_files
 from turgor.job.output.lock import dimensions, lock_text
 from turgor.job.output.outcome import RunOutcome
+from turgor.job.output.tables import write_tables
 from turgor.meshing.quality.cell_quality import quality
 from turgor.results.fields.path_fields import PathFields
 from turgor.results.files.vtu import write_series
@@ -29,11 +28,8 @@ from turgor.results.pictures.path_pictures import CAPTIONS, path_figures, pictur
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.figures import write_figure
 from turgor.results.plots.response_plots import write_plot
-from turgor.results.report.describe_procedure import ending
 from turgor.results.report.headline import headline
 from turgor.results.report.page import Picture, Report, write_report
-from turgor.solvers.procedures.stages import Stages
-from turgor.solvers.solution import Solution
 
 #: Description of each file, for the report.
 CONTENTS: Mapping[str, str] = {
@@ -48,8 +44,6 @@ CONTENTS: Mapping[str, str] = {
     DEFORMED: "the actuator at the last state",
     CONTACT: "what touches at the last state, seen through the actuator",
 }
-
-STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
 
 
 def write_results(
@@ -93,23 +87,6 @@ def _write_fields(
     return [folder / f"{SERIES}.pvd", *([obstacles] if obstacles.exists() else [])]
 
 
-def write_tables(
-    outcome: RunOutcome, notify: Callable[[str], None], kept: frozenset[str] = frozenset()
-) -> tuple[Path, ...]:
-    """Write the response, the lock file, the steps and the log alone, in place of the results of an earlier run.
-
-    ``kept`` are those of `turgor.job.output.folder.RESULTS` that are not removed.
-    """
-    folder = outcome.folder
-    notify("writing the response")
-    clear_tables(folder, kept)
-    outcome.response.to_csv(folder / RESPONSE)
-    (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
-    write_steps(folder / STEPS, outcome.solution)
-    (folder / LOG).write_text(log_text(outcome), encoding="utf-8")
-    return folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG
-
-
 def report_of(outcome: RunOutcome, files: Sequence[Path], fields: PathFields) -> Report:
     """Collect the content of the report about a run and its files."""
     job, solution = outcome.job, outcome.solution
@@ -144,34 +121,3 @@ def write_pictures(outcome: RunOutcome, path: PathFields, note: str, kept: froze
         for kind, figure in path_figures(path, outcome.response, outcome.job.name):
             write_figure(outcome.folder / files[kind], figure, kind="picture", note=note)
     return [outcome.folder / name for name in files.values()]
-
-
-def write_steps(file: Path, solution: Solution) -> None:
-    """Write every attempted step as a line of CSV."""
-    columns = ("stage", *STEP_COLUMNS) if isinstance(solution.procedure, Stages) else STEP_COLUMNS
-    with file.open("w", newline="", encoding="utf-8") as stream:
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(f"{name}_s" if name == "seconds" else name for name in columns)
-        for step in solution.steps:
-            writer.writerow(getattr(step, name) for name in columns)
-
-
-def log_text(outcome: RunOutcome) -> str:
-    """Write the log of a run: versions, notices, the end with its advice, findings, and times."""
-    solution, timing = outcome.solution, outcome.solution.timing
-    made = ", ".join(f"{name} {value}" for name, value in outcome.written_by.items())
-    accepted = sum(step.accepted for step in solution.steps)
-    cut = len(solution.steps) - accepted
-    spent = timing.parts() | {"total": timing.total}
-    return "\n".join(
-        [
-            f"job {outcome.job.name}",
-            f"with {made}",
-            *outcome.notices,
-            f"{ending(solution.status)}: {solution.message} {solution.advice}".rstrip(),
-            f"{accepted} steps accepted, {cut} cut back, {solution.iterations} iterations",
-            f"wall time: {', '.join(f'{name} {seconds:.2f} s' for name, seconds in spent.items())}",
-            *map(str, outcome.findings),
-            "",
-        ]
-    )

@@ -24,6 +24,8 @@ from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.sizing.default_size import default_size
 from turgor.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
 from turgor.meshing.sweeping.swept import check_cells
+from turgor.solvers.procedures.static import Static
+from turgor.units import mm
 
 
 def read_actuator(values: Any, problems: Problems) -> Actuator | None:
@@ -63,6 +65,18 @@ def read_mesh(values: Any, geometry: Geometry | None, problems: Problems) -> Mes
     problems.attempt((*key, "ignore_features_below"), lambda: check_features(geometry, limit, size, cells))
     problems.attempt((*key, "cells"), lambda: check_cells(geometry, cells))
     return table
+
+
+def check_coarse_size(mesh: MeshTable | None, procedure: object, problems: Problems) -> None:
+    """Report a coarse mesh that is not coarser than the mesh, or that cannot lead a procedure."""
+    key = ("mesh", "coarse_size")
+    if mesh is None or mesh.coarse_size is None or mesh.size is None or procedure is None:
+        return
+    if mesh.coarse_size <= mesh.size:
+        problems.add(key, f"is {mesh.coarse_size / mm:.4g} mm; it must be larger than size, {mesh.size / mm:.4g} mm.")
+    if not isinstance(procedure, Static) or procedure.duration is not None:
+        name = type(procedure).__name__
+        problems.add(key, f"leads the steps of Static without a duration; the procedure is {name}.")
 
 
 def read_engine(values: Any, problems: Problems) -> int | None:

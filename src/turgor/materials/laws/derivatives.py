@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.materials.laws.kept_code import kept_code
 from turgor.materials.laws.laws import InvariantLaw, Law
 
 Array = NDArray[np.float64]
@@ -98,8 +99,13 @@ def _shaped(w: Any, shape: tuple[int, ...]) -> Array:
 
 @cache
 def _invariant_derivatives(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
-    """Differentiate the energy of a law type by the invariants with SymPy, its parameters kept as symbols."""
-    import sympy  # 0.4 s: only paid by those who solve
+    """Derivatives of the energy of a law type by the invariants, its parameters kept as arguments."""
+    return kept_code(law_type, ("invariants", pattern), lambda: _derived_by_invariants(law_type, pattern))
+
+
+def _derived_by_invariants(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
+    """Differentiate with SymPy, the parameters as symbols."""
+    import sympy  # slow to load, and not needed where all was derived before
 
     I = sympy.symbols("I1 I2", positive=True)
     law, symbols = _symbolic(law_type, pattern)
@@ -111,7 +117,12 @@ def _invariant_derivatives(law_type: type, pattern: tuple[Any, ...]) -> Callable
 
 @cache
 def _stretch_derivatives(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
-    """Differentiate the energy of a law type by the three stretches with SymPy, its parameters kept as symbols."""
+    """Derivatives of the energy of a law type by the three stretches, its parameters kept as arguments."""
+    return kept_code(law_type, ("stretches", pattern), lambda: _derived_by_stretches(law_type, pattern))
+
+
+def _derived_by_stretches(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
+    """Differentiate with SymPy, the parameters as symbols."""
     import sympy
 
     l = sympy.symbols("l1 l2 l3", positive=True)

@@ -8,7 +8,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from turgor.errors import TurgorError, unknown
 from turgor.materials.laws.derivatives import STRETCH_PAIRS, stretch_derivatives
@@ -128,6 +127,8 @@ def _first(law: Law, mode: Mode, criterion: Criterion, initial: float, end: floa
 def _root(function: Callable[[float], float], before: float, after: float) -> float:
     if function(after) >= 0:
         return after
+    from scipy.optimize import brentq  # slow to load, and few laws lose their stability
+
     return float(brentq(function, min(before, after), max(before, after), xtol=1e-12))
 
 

@@ -1,5 +1,7 @@
 """Checks of a mesh before a solve; each returns findings."""
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -39,7 +41,12 @@ def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
     >>> [finding.code for finding in check_mesh(mesh(FastPneuNet(chambers=2, length=20e-3).build(), size=3e-3))]
     ['G01']
     """
-    return (*mesh.findings, *_thin_walls(mesh), *check_surface(mesh))
+    return (*mesh.findings, *_checked(mesh))
+
+
+@lru_cache(maxsize=2)  # the next run of a sweep often has the same mesh
+def _checked(mesh: Mesh) -> tuple[Finding, ...]:
+    return (*_thin_walls(mesh), *check_surface(mesh))
 
 
 def crossings(mesh: Mesh) -> tuple[Ints, Array]:

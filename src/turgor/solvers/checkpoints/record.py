@@ -9,6 +9,7 @@ from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.finding import Finding
+from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.solvers.checkpoints.so_far import LoopSoFar, PathSoFar
 from turgor.solvers.solution import Procedure, Solution
@@ -23,13 +24,14 @@ QUESTION, STAGE_MODEL, SOLUTION = "question", "model", "solution"
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Question:
-    """What a run was asked, which similar run guides it, and what checks found before it began."""
+    """What a run was asked, which similar run or coarser mesh guides it, and what checks found before it began."""
 
     model: Model
     procedure: Procedure
     options: EngineOptions
     findings: tuple[Finding, ...] = ()
     guide: Solution | None = None
+    coarse: Mesh | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -99,6 +101,11 @@ class RunRecord:
         if self._question is None:
             self._question = self.store.read(QUESTION)
         return self._question
+
+    def inner(self, name: str, question: Question) -> "RunRecord":
+        """Open the record of a run that comes before this one, in a folder inside, or begin it."""
+        folder = self.store.folder / name
+        return RunRecord.open(folder) if (folder / INDEX).exists() else RunRecord.create(folder, question)
 
     def stage(self, model: Model) -> "tuple[StageRecord, Model]":
         """Begin the next stage; return its record and its model, the one that is on file where there is one."""

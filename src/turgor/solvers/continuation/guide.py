@@ -16,6 +16,7 @@ from turgor.engine.cells.element import element_of
 from turgor.engine.interpolation import Interpolation
 from turgor.engine.system import System
 from turgor.errors import TurgorError
+from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.restart import unknowns_of
@@ -40,10 +41,13 @@ class Guide:
         Load factors, rising.
     unknowns : sequence of (size,) array
         Scaled unknowns at them.
+    interpolated : bool
+        Whether they come from another mesh. The stress of such states is rough, and misleads a first update.
     """
 
     loads: Sequence[float]
     unknowns: Sequence[Array]
+    interpolated: bool = False
 
     @staticmethod
     def of(system: System, solution: Solution) -> "Guide":
@@ -55,7 +59,8 @@ class Guide:
         same = mesh.cells.shape == other.cells.shape and np.array_equal(mesh.cells, other.cells)
         same &= element_of(solution.model).mean_count == element_of(system.model).mean_count
         carried = _as_it_is if same else partial(_carried, Interpolation(mesh, other), system.model)
-        return Guide([each.load_factor for each in path], [unknowns_of(system, carried(each)) for each in path])
+        unknowns = [unknowns_of(system, carried(each)) for each in path]
+        return Guide([each.load_factor for each in path], unknowns, interpolated=not same)
 
     def leads_to(self, load: float) -> bool:
         """Whether it has come as far as a load factor."""
@@ -80,26 +85,48 @@ def check_guide(model: Model, procedure: Procedure, guide: Solution) -> None:
     """
     if not isinstance(guide, Solution):
         raise TurgorError(f"guide is {guide!r}; allowed is a Solution, as `solve` and `load` return it.")
-    if not isinstance(procedure, Static) or procedure.duration is not None:
-        name = type(procedure).__name__
-        raise TurgorError(f"guide leads the steps of Static without a duration; the procedure is {name}.")
+    check_guided(model, procedure, "guide")
     if len(guide.states) < 2:
         raise TurgorError("guide has no state under load; solve it first.")
-    for name, each in model.region_materials.items():
-        if each.viscoelasticity is not None or each.stress_softening is not None:
-            raise TurgorError(f"guide leaves out states, and the rubber of '{name}' remembers them; solve without it.")
-    if any(coefficient > 0 for coefficient in _friction(model)):
-        raise TurgorError("guide leaves out states, and friction depends on them; solve without it.")
-    here, there = _box(model), _box(guide.model)
-    off = float(np.abs(here - there).max() / np.ptp(here, axis=0).max())
-    if off > ALIKE:
-        raise TurgorError(
-            f"guide is the solution of another body: its corners are off by {off:.0%} of the size of this one; "
-            f"at most {ALIKE:.0%} is allowed."
-        )
+    check_same_body(model, guide.model.mesh, "guide")
     missing = sorted(set(_names(model)) - set(_names(guide.model)))
     if missing:
         raise TurgorError(f"guide knows no {missing[0]}; it is the solution of another model.")
+
+
+def check_guided(model: Model, procedure: Procedure, key: str) -> None:
+    """Refuse to lead the path of a model that depends on more than the load; ``key`` is what the user asked for.
+
+    Raises
+    ------
+    TurgorError
+        If the procedure is not `Static` without a duration, rubber remembers, or something rubs.
+    """
+    if not isinstance(procedure, Static) or procedure.duration is not None:
+        name = type(procedure).__name__
+        raise TurgorError(f"{key} leads the steps of Static without a duration; the procedure is {name}.")
+    for name, each in model.region_materials.items():
+        if each.viscoelasticity is not None or each.stress_softening is not None:
+            raise TurgorError(f"{key} leaves out states, and the rubber of '{name}' remembers them; solve without it.")
+    if any(coefficient > 0 for coefficient in _friction(model)):
+        raise TurgorError(f"{key} leaves out states, and friction depends on them; solve without it.")
+
+
+def check_same_body(model: Model, mesh: Mesh, key: str) -> None:
+    """Refuse a mesh that fills another box than that of a model.
+
+    Raises
+    ------
+    TurgorError
+    """
+    here, there = _box(model.mesh), _box(mesh)
+    off = float(np.abs(here - there).max() / np.ptp(here, axis=0).max())
+    if off > ALIKE:
+        what = "the solution" if key == "guide" else "a mesh"
+        raise TurgorError(
+            f"{key} is {what} of another body: its corners are off by {off:.0%} of the size of this one; "
+            f"at most {ALIKE:.0%} is allowed."
+        )
 
 
 def _names(model: Model) -> list[str]:
@@ -113,9 +140,8 @@ def _friction(model: Model) -> list[float]:
     return [0.0 if itself is None else itself.friction, *(each.friction for each in model.contact.obstacles)]
 
 
-def _box(model: Model) -> Array:
-    points = model.mesh.points
-    return np.stack([points.min(axis=0), points.max(axis=0)])
+def _box(mesh: Mesh) -> Array:
+    return np.stack([mesh.points.min(axis=0), mesh.points.max(axis=0)])
 
 
 def _as_it_is(state: State) -> State:

@@ -39,7 +39,8 @@ class Point:
         Empty under load control.
     stresses : Stresses
     change : (size,) array or None
-        Of the unknowns with the parameter, None where the tangent was singular or the rates were not looked for.
+        Of the unknowns with the parameter, None where the tangent was singular or the rates were not looked for. Under
+        load control it is by the last factors of Newton's method.
     slope : (k,) array or None
         Of the scalars.
     state : State

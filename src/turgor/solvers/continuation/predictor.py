@@ -1,5 +1,8 @@
 """Predictor: extrapolate the last points of a path, with the highest order that a lower one does not improve.
 
+Where walls touch, the state moves on along the tangent of the path instead: the tangent knows which points resist. A
+polynomial through states with other points in contact presses walls far into each other or lifts them off.
+
 Where sheets wrinkle, the order is at most that of a parabola, and stress and strain of the sheets follow a line: each
 point of a sheet has a kink in its path where it goes slack, and the residual, to which a stiff sheet adds much for
 small moves, does not tell a good order from a bad one.
@@ -12,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between, unknowns_between
@@ -41,7 +45,8 @@ class Extrapolation:
     stay : bool
         Whether the last point itself competes with the others.
     shorten : bool
-        Whether those that press walls into each other are shortened.
+        Whether those that press walls into each other are shortened, and those between walls that touch follow the
+        tangent.
     """
 
     measure: Callable[[System, Evaluation], float]
@@ -76,6 +81,9 @@ def predicted(
     Start
     """
     system, last = constraint.sought.system, history[-1]
+    along = _along_tangent(constraint, tangent, history, parameter) if how.shorten else None
+    if along is not None:
+        return along
     if system.model.sheets_wrinkle:
         history = history[-WRINKLING_HISTORY:]
     best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
@@ -119,8 +127,35 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
         return 1.0
     last = history[-1]
     here = system.contacts(last.unknowns, last.parameter)
-    share = system.contact.shortening(here, system.contacts(unknowns_between(history, parameter), parameter))
+    ahead = _ahead(last, parameter) if _knows_touch(here, history) else unknowns_between(history, parameter)
+    share = system.contact.shortening(here, system.contacts(ahead, parameter))
     return min(1.0, TOUCHING_REACH * share) if here.touch else share
+
+
+def _knows_touch(here: Contacts, history: Sequence[Point]) -> bool:
+    """Whether walls touch at the last point and the tangent of the path is known there; not beyond a kink of loads."""
+    return here.touch and len(history) > 1 and history[-1].change is not None
+
+
+def _ahead(last: Point, parameter: float) -> Array:
+    """Unknowns (size,) on the tangent of the path at a point."""
+    assert last.change is not None
+    return last.unknowns + (parameter - last.parameter) * last.change
+
+
+def _along_tangent(
+    constraint: Constraint, tangent: Tangent, history: Sequence[Point], parameter: float
+) -> Start | None:
+    """Move on along the tangent where walls touch; None elsewhere, or where that turns a cell inside out."""
+    system, last = constraint.sought.system, history[-1]
+    if not system.contact.parts or not _knows_touch(system.contacts(last.unknowns, last.parameter), history):
+        return None
+    here = evaluate(constraint, tangent, (last.unknowns, last.scalars), parameter)
+    ahead = _ahead(last, parameter)
+    at = evaluate(constraint, tangent, (ahead, last.scalars), parameter)
+    if here is None or at is None:
+        return None
+    return Start(ahead, system.stresses(here, ahead - last.unknowns), last.scalars, evaluation=at)
 
 
 def _between(system: System, points: Sequence[Point], parameter: float) -> Start:

@@ -37,10 +37,10 @@ def rate_at(system: System, tangent: Tangent, at: Evaluation) -> tuple[float, in
     return float(np.linalg.norm(response[system.moving])), tangent.unstable_modes()
 
 
-def rate_in_step(system: System, tangent: Tangent, unknowns: Array, before: float, after: float) -> float:
-    """How far the nodes move with the load factor, for the loads of a step and by the last factors of the tangent.
+def response_in_step(system: System, tangent: Tangent, unknowns: Array, before: float, after: float) -> Array | None:
+    """Change (size,) of the unknowns with the load factor, for the loads of a step and by the last factors.
 
-    Infinite where supports or obstacles move or the rubber remembers, so that more than loads moves the body.
+    None where supports or obstacles move or the rubber remembers, so that more than loads moves the body.
     """
     obstacles = system.model.contact.obstacles
     if (
@@ -48,9 +48,8 @@ def rate_in_step(system: System, tangent: Tangent, unknowns: Array, before: floa
         or (system.prescribed(before) != system.prescribed(after)).any()
         or any((each.displacement(before) != each.displacement(after)).any() for each in obstacles)
     ):
-        return inf
-    response = load_response(system, tangent, unknowns, before, after)
-    return float(np.linalg.norm(response[system.moving]))
+        return None
+    return load_response(system, tangent, unknowns, before, after)
 
 
 def exceeds_tangent(system: System, change: Array, rise: float, rates: tuple[float, float]) -> bool:

@@ -11,10 +11,12 @@ from turgor.engine.algebra.linear import LinearSolver, SingularTangentError, lin
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.mass import mass_data, total_mass
 from turgor.engine.points.point_mass import carried_mass
-from turgor.engine.runtime import EngineOptions, compile_kernels, use_threads
+from turgor.engine.runtime import EngineOptions, use_threads
 from turgor.engine.system import System
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
 from turgor.errors import TurgorError
-from turgor.model.model import DISPLACEMENT, Model
+from turgor.model.model import Model
 from turgor.shown import brief
 from turgor.solvers.dynamics.thresholds import (
     FIRST_SHIFT,
@@ -110,7 +112,7 @@ def natural_frequencies(
     """
     options = options or EngineOptions()
     with use_threads(options.threads):
-        compile_kernels(options.notify, model.mesh.cell_type.nodes, model.formulation != DISPLACEMENT)
+        compile_kernels(options.notify, Needs.of(model))
         found = {} if state is None else _found_pressures(model, state)
         system = System(model, tuple(found))
         _check(system, count)

@@ -254,11 +254,15 @@ def _in_vain(now: _Iterate) -> bool:
 
 
 def _choose_factors(run: _Newton, now: _Iterate, last: Evaluation, update: Array) -> None:
-    """Keep the factors while they contract the residual well, else linearize the stress for new ones."""
+    """Keep the factors while they contract the residual well, else linearize the stress for new ones.
+
+    Factors from before the last update do not know which points it has brought into contact, or out of it.
+    """
     previous, residual, length = now.residuals[-2], now.residuals[-1], now.lengths[-1]
     wrinkles = run.constraint.sought.system.model.sheets_wrinkle  # every update changes which points are slack
     contracting = not wrinkles and residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
-    now.fresh = run.border.tangent.plain or bool(now.jump.any()) or not (contracting and length == 1)
+    known = now.at.contacts.touch_as(last.contacts)
+    now.fresh = run.border.tangent.plain or bool(now.jump.any()) or not (contracting and known and length == 1)
     if run.mixed and now.fresh:
         start = perf_counter()
         now.geometric = run.constraint.sought.system.stresses(last, length * update, now.geometric)

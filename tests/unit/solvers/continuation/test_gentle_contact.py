@@ -1,11 +1,13 @@
 """Steps of load control in which walls meet."""
 
+import numpy as np
 import pytest
 
 import turgor as tg
 from turgor.engine.system import System
+from turgor.solvers.continuation import load_control
 from turgor.solvers.continuation.path_points import Point, unknowns_between
-from turgor.solvers.continuation.predictor import gentle_share
+from turgor.solvers.continuation.predictor import gentle_share, predicted
 from turgor.solvers.restart import unknowns_of
 from turgor.units import kPa, mm
 
@@ -13,17 +15,25 @@ from turgor.units import kPa, mm
 #: states has brought them far through each other.
 FULL, BEYOND = 7.5 * kPa, 2.0
 
+#: Pressure of a load factor of 1 beyond the touch, and two load factors close to each other at which walls touch.
+HARDER, TOUCHING, NEXT = 12 * kPa, 0.9, 0.91
 
-@pytest.fixture(scope="module")
-def path() -> tuple[System, list[Point]]:
-    """A fast PneuNet of three chambers, half of it, and its path until shortly before the walls meet."""
+
+def finger(pressure: float) -> tg.Model:
+    """A fast PneuNet of three chambers, half of it."""
     rubber = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-    model = tg.Model(
+    return tg.Model(
         tg.mesh(tg.FastPneuNet(chambers=3, length=30 * mm).build(), size=4 * mm),
         materials={"body": rubber, "base": rubber},
         supports=[tg.Fixed("fixed")],
-        loads=[tg.Pressure("cavity", FULL)],
+        loads=[tg.Pressure("cavity", pressure)],
     )
+
+
+@pytest.fixture(scope="module")
+def path() -> tuple[System, list[Point]]:
+    """A finger, and its path until shortly before the walls meet."""
+    model = finger(FULL)
     solution = tg.solve(model)
     system, states = System(model), solution.states
     first = system.evaluate(unknowns_of(system, states[-1]), 1.0)  # searches for what may touch
@@ -49,3 +59,23 @@ def test_a_step_that_brings_no_wall_to_another_is_taken_whole(path: tuple[System
     system, points = path
     assert gentle_share(system, points, points[-1].parameter + 0.02) == 1.0
     assert gentle_share(system, points[:1], BEYOND) == 1.0  # nothing to extrapolate
+
+
+def test_walls_that_touch_move_on_along_the_tangent(monkeypatch: pytest.MonkeyPatch) -> None:
+    starts = {}
+
+    def noted(constraint, tangent, history, parameter, how):  # type: ignore[no-untyped-def]
+        starts[parameter] = history[-1], predicted(constraint, tangent, history, parameter, how)
+        return starts[parameter][1]
+
+    monkeypatch.setattr(load_control, "predicted", noted)
+    solution = tg.solve(finger(HARDER), tg.Static(at=(TOUCHING, NEXT)))
+    system = System(solution.model)
+    there = next(unknowns_of(system, state) for state in solution.states if state.load_factor == NEXT)
+    last, start = starts[NEXT]
+    assert last.parameter == TOUCHING
+    along = last.unknowns + (NEXT - TOUCHING) * last.change
+    assert np.allclose(start.unknowns, along, rtol=0, atol=1e-12)
+    moved = np.linalg.norm((there - last.unknowns)[system.moving])
+    assert np.linalg.norm((along - there)[system.moving]) < 0.02 * moved
+    assert start.evaluation is not None and start.evaluation.contacts.touch_as(system.contacts(there, NEXT))

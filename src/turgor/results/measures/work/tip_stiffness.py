@@ -6,10 +6,11 @@ from numpy.typing import NDArray
 from turgor.engine.algebra.linear import SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.faces import surfaces
-from turgor.engine.runtime import EngineOptions, compile_kernels
+from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import System
+from turgor.engine.warmup.compiling import compile_kernels
+from turgor.engine.warmup.needs import Needs
 from turgor.errors import TurgorError
-from turgor.model.model import DISPLACEMENT
 from turgor.results.fields.state_fields import StateFields
 from turgor.solvers.restart import unknowns_of
 
@@ -48,7 +49,7 @@ def _compliance(at: StateFields) -> Array:
     share = nodes / nodes.sum()
     loaded = {load.face for load in model.pressures}
     found = {face: pressure for face, pressure in at.state.pressures.items() if face not in loaded}
-    compile_kernels(None, at.mesh.cell_type.nodes, model.formulation != DISPLACEMENT)
+    compile_kernels(None, Needs.of(model))
     system = System(model, tuple(found))
     unknowns = unknowns_of(system, at.state)
     pressures = np.array(list(found.values())) / system.stress_scale if found else None

@@ -74,7 +74,7 @@ def asked_cavities(model: Model, procedure: VolumeControl | GasMass) -> tuple[st
 def follow_volume(problem: Problem, procedure: VolumeControl) -> Outcome:
     """Seek the pressures of cavities whose volumes are given."""
     system, (start, pressures, chambers) = problem.system, _now(problem)
-    volumes, injected = chambers.volumes(start), _each(procedure.volume, system.controlled)
+    volumes, injected = chambers.volumes(start), of_each(procedure.volume, system.controlled)
     target = VolumeTarget(chambers, volumes, injected / system.length**3)
     before = (volumes - chambers.volumes(np.zeros(system.size))) * system.length**3
     driven = _amounts("injected_volume", system.controlled, before, before + injected)
@@ -85,9 +85,9 @@ def follow_volume(problem: Problem, procedure: VolumeControl) -> Outcome:
 def follow_gas(problem: Problem, procedure: GasMass) -> Outcome:
     """Seek the pressures of cavities whose amounts of gas are given."""
     system, (start, pressures, chambers) = problem.system, _now(problem)
-    volumes, ratios = chambers.volumes(start), _each(procedure.mass_ratio, system.controlled)
+    volumes, ratios = chambers.volumes(start), of_each(procedure.mass_ratio, system.controlled)
     _check_room(system, volumes)
-    target = _gas(chambers, procedure, ratios, (volumes, pressures))
+    target = gas_target(chambers, procedure, ratios, (volumes, pressures))
     driven = _amounts("gas_mass_ratio", system.controlled, np.ones(len(volumes)), ratios, target.seal)
     turns = {*kinks(system.model), *(() if target.sealed else (target.seal,))}
     return _follow(problem, procedure, target, Goal(driven, _at_the_end, tuple(sorted(turns))), (start, pressures))
@@ -120,11 +120,12 @@ def _check_room(system: System, volumes: Array) -> None:
             raise TurgorError(f"{name} encloses no volume at rest, so it holds no gas; use VolumeControl.")
 
 
-def _each(asked: float | Mapping[str, float], names: Sequence[str]) -> Array:
+def of_each(asked: float | Mapping[str, float], names: Sequence[str]) -> Array:
+    """Return what is asked of each cavity (k,)."""
     return np.array([asked[name] for name in names] if isinstance(asked, Mapping) else [asked], dtype=np.float64)
 
 
-def _gas(chambers: Chambers, procedure: GasMass, ratios: Array, now: tuple[Array, Array]) -> GasTarget:
+def gas_target(chambers: Chambers, procedure: GasMass, ratios: Array, now: tuple[Array, Array]) -> GasTarget:
     """The law of the gas in scaled units, from the scaled volumes and pressures of now."""
     system, (volumes, pressures) = chambers.system, now
     for name, volume in zip(system.controlled, volumes, strict=True):

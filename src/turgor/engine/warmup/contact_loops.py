@@ -1,4 +1,4 @@
-"""Call every kernel of contact once on two sides, so that compilation happens at a known time."""
+"""Call every loop of contact once on two sides, so that compilation happens at a known time."""
 
 from dataclasses import replace
 
@@ -15,8 +15,8 @@ from turgor.meshing.cells import side_type
 INSIDE = 0.05
 
 
-def touch_contact_kernels(nodes: int) -> None:
-    """Call the kernels for sides of ``nodes`` nodes: two that face each other, pressed together and sticking."""
+def touch_contact(nodes: int) -> None:
+    """Call the loops for sides of ``nodes`` nodes: two that face each other, pressed together and sticking."""
     kind, r = side_type(nodes), reference_cell(nodes, DEGREE[nodes])
     flat = np.zeros((nodes, 3))
     flat[:, :2] = reference_nodes(nodes)

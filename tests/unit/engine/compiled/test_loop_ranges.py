@@ -6,11 +6,11 @@ import time
 import numpy as np
 import pytest
 
-from turgor.engine import runtime
 from turgor.engine.cells import spectral
-from turgor.engine.cells.kernels_warmup import SHEETS, STRETCHES, needed_by
 from turgor.engine.compiled import LEAST, over
 from turgor.engine.runtime import use_threads
+from turgor.engine.warmup import compiling
+from turgor.engine.warmup.needs import Needs
 from turgor.materials.laws.laws import Hooke, NeoHooke, Ogden
 from turgor.materials.material import Material
 from turgor.model.model import Membrane, Model
@@ -60,17 +60,20 @@ def test_few_models_need_the_loops_of_stretches_and_sheets(results_body):
         rubber = Material(name="rubber", law=law)
         return Model(results_body, dict.fromkeys(results_body.regions, rubber) | faces, [Fixed("fixed")], [])
 
-    assert needed_by(model(NeoHooke(C10=1e5))) == frozenset()
-    assert needed_by(model(Ogden(mu=(1e5,), alpha=(3.0,)))) == {STRETCHES}
-    assert needed_by(model(NeoHooke(C10=1e5), outside=paper)) == {SHEETS}
+    def few(needs):
+        return needs.stretches, needs.sheets
+
+    assert few(Needs.of(model(NeoHooke(C10=1e5)))) == (False, False)
+    assert few(Needs.of(model(Ogden(mu=(1e5,), alpha=(3.0,))))) == (True, False)
+    assert few(Needs.of(model(NeoHooke(C10=1e5), outside=paper))) == (False, True)
 
 
 @pytest.mark.parametrize("told", [True, False])
 def test_a_compilation_that_takes_long_is_told(told, monkeypatch, capsys):
     heard: list[str] = []
-    monkeypatch.setattr(runtime, "QUIET_SECONDS", 0.01)
-    monkeypatch.setattr(runtime, "touch_kernels", lambda *_: time.sleep(0.3))
-    runtime.compile_kernels(heard.append if told else None)
+    monkeypatch.setattr(compiling, "QUIET_SECONDS", 0.01)
+    monkeypatch.setattr(compiling, "touch_cells", lambda *_: time.sleep(0.3))
+    compiling.compile_kernels(heard.append if told else None, Needs())
     said = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"
     assert heard == ([said] if told else [])
     assert capsys.readouterr().err == ("" if told else f"turgor: {said}\n")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-SOURCE = Path(__file__).parents[3] / "src" / "turgor"
+SOURCE = Path(__file__).parents[4] / "src" / "turgor"
 
 CALLER = """
 from numba import njit

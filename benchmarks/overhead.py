@@ -1,0 +1,110 @@
+"""CPU seconds of `turgor run` around the solve, and of further runs in one process.
+
+python benchmarks/overhead.py          two tables
+python benchmarks/overhead.py --one    what one warm process spends, by part
+
+The job is the demo with a small pressure and without the estimate of the mesh error. A first process fills the caches.
+What counts as overhead is all but the mesh, the solve, the pictures and plots, fields and the report, which have
+targets of their own: starting Python, imports, reading, building the shape, checks, tables and files of the path. The
+code of matplotlib and of what draws is loaded with the first picture. Exit code 1 beyond 1 CPU second.
+"""
+
+import subprocess
+import sys
+from collections import defaultdict
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import process_time
+
+MOST = 1.0
+DEMO = Path(__file__).parents[1] / "examples" / "fast_pneunet.toml"
+LOAD = ("--set", 'loads.pressure="0.2 kPa"', "--set", "output.mesh_error=false")
+
+
+def one() -> None:
+    """Run the job in this process with a clock around each part; print part and CPU seconds, one a line."""
+    spent: dict[str, float] = defaultdict(float)
+
+    def clock(owner: object, name: str, part: str) -> None:
+        function: Callable = getattr(owner, name)
+
+        def timed(*given, **named):
+            began = process_time()
+            try:
+                return function(*given, **named)
+            finally:
+                spent[part] += process_time() - began
+
+        setattr(owner, name, timed)
+
+    from turgor.cli.app import main as command
+    from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
+    from turgor.job import ahead, meshes, prepare, read, run  # noqa: F401
+
+    spent["Python and imports"] = process_time()
+    clock(read, "_build", "shape")
+    clock(meshes, "mesh_with", "mesh")
+    clock(prepare, "check_mesh", "checks of the mesh")
+    clock(run, "compile_for", "first loop")
+    clock(run, "prepare", "all before the solve")
+    clock(run.RunRecord, "create", "record")
+    clock(run, "follow_question", "solve")
+    clock(run, "_written", "files")
+    with TemporaryDirectory() as folder:
+        from turgor.job.output import write
+
+        clock(write, "write_tables", "tables")
+        command(["run", str(DEMO), "--output", folder, "--force", "--threads", "1", *LOAD])
+    spent["all"] = process_time()
+    for part, seconds in spent.items():
+        print(f"= {part}: {seconds:.3f}")
+
+
+def parts() -> dict[str, float]:
+    """The parts of one process: of several, the one with the smallest overhead; the first one fills the caches."""
+    best: dict[str, float] = {}
+    for _ in range(4):
+        told = subprocess.run([sys.executable, __file__, "--one"], capture_output=True, text=True, check=True).stdout
+        lines = (line[2:].rpartition(": ") for line in told.splitlines() if line.startswith("= "))
+        found = {part: float(seconds) for part, _, seconds in lines}
+        found["overhead"] = found["all"] - found["mesh"] - found["solve"] - found["files"] + found["tables"]
+        if not best or found["overhead"] < best["overhead"]:
+            best = found
+    return best
+
+
+def again() -> None:
+    """Solve with three pressures in one process; print what each run costs before its path begins."""
+    import turgor as tg
+    from turgor.engine.algebra.tangent import Tangent
+    from turgor.engine.system import System
+    from turgor.job.text.changes import parse_changes
+
+    for pressure in ("0.2 kPa", "0.3 kPa", "0.4 kPa"):
+        times = [process_time()]
+        job = tg.jobs.read_job(DEMO, parse_changes([f"loads.pressure={pressure}"]))
+        times.append(process_time())
+        model, _ = tg.jobs.prepare(job)
+        times.append(process_time())
+        Tangent(System(model), "rslab", 1)
+        times.append(process_time())
+        read, prepared, equations = (after - before for before, after in pairwise(times))
+        print(f"{pressure}: reading {read:.2f}, mesh and checks {prepared:.2f}, equations {equations:.2f} CPU s")
+
+
+def main() -> int:
+    if sys.argv[1:] == ["--one"]:
+        one()
+        return 0
+    found = parts()
+    for part, seconds in found.items():
+        print(f"{seconds:6.2f} CPU s  {part}")
+    print(f"{MOST:g} CPU s of overhead asked")
+    again()
+    return int(found["overhead"] > MOST)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

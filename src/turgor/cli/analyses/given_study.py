@@ -1,0 +1,103 @@
+"""Studies that commands take: a folder or a table that was written, or a study file that is computed first."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+if TYPE_CHECKING:
+    from turgor.study.factor import Factor
+    from turgor.study.study import Study
+
+#: Ending of study files.
+TOML = ".toml"
+
+
+def given_study(path: Path, processes: int) -> "tuple[Study, Path, tuple[str, float] | None, Sequence[str]]":
+    """Read a study, or compute that of a study file.
+
+    Parameters
+    ----------
+    path : Path
+        Folder of ``turgor sweep``, table of a study, or study file.
+    processes : int
+        Processes at once.
+
+    Returns
+    -------
+    (Study, Path, (str, float) or None, sequence of str)
+        The study, the folder of its files, and where and what measures are read according to the study file.
+    """
+    from turgor.study.files.stored import load_study, write_study
+
+    if path.suffix.lower() != TOML:
+        study = load_study(path)
+        return study, path if path.is_dir() else path.with_suffix(""), None, ()
+    from turgor.cli.analyses.progress import StudyProgress
+    from turgor.errors import TurgorError
+    from turgor.study.evaluations import Evaluations
+    from turgor.study.jobs.job_file import RUNS
+    from turgor.study.jobs.job_sweep import sweep_job
+    from turgor.study.jobs.study_file import read_study_file
+    from turgor.study.running.workers import Workers
+
+    given = read_study_file(path, {})
+    folder = Path(f"{given.name}-study")
+    try:
+        with (
+            StudyProgress(len(given.designs)) as progress,
+            Evaluations(folder=folder / RUNS, executor=Workers(processes=processes), progress=progress) as runs,
+        ):
+            study = sweep_job(given, folder, runs)
+    except KeyboardInterrupt:
+        raise TurgorError(
+            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
+        ) from None
+    write_study(study, folder, given.measures or study.measures, given.at)
+    for line in study.problems:
+        typer.echo(line, err=True)
+    return study, folder, given.at, given.measures
+
+
+def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option: str) -> dict[str, float]:
+    """Read values such as ``wall=1.2 mm``.
+
+    Parameters
+    ----------
+    texts : sequence of str or None
+    units : mapping of str to str
+        Unit in which each name is shown.
+    option : str
+        Beginning of messages.
+
+    Returns
+    -------
+    dict of str to float [SI]
+    """
+    from turgor.errors import TurgorError, unknown
+    from turgor.study.job_runs import JobNumber, read_number
+
+    found = {}
+    for text in texts or ():
+        name, sign, value = (part.strip() for part in text.partition("="))
+        if not (sign and name and value):
+            raise TurgorError(f"{option} is '{text}'; write NAME=VALUE, such as {option} pressure='30 kPa'.")
+        if name not in units:
+            raise unknown(f"name in {option}", name, units)
+        found[name] = read_number(value, JobNumber(key=name, value=0.0, unit=units[name]), f"{option} {name}")
+    return found
+
+
+def read_at(text: str, study: "Study") -> tuple[str, float] | None:
+    """Read where measures are read, such as ``pressure=40 kPa``; nothing is None."""
+    if not text:
+        return None
+    units = {name: study.unit(name) for name in study.measures}
+    ((name, value),) = numbers_given([text], units, "--at").items()
+    return name, value
+
+
+def units_of(factors: "Sequence[Factor]") -> dict[str, str]:
+    """Return the unit in which each factor is shown."""
+    return {each.name: each.unit for each in factors}

@@ -1,0 +1,142 @@
+"""Commands ``turgor surrogate`` and ``turgor predict``: a fast function fitted to a study, and what it says."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from turgor.cli.analyses.calibrate import often
+from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Debug, Json, command_of
+
+if TYPE_CHECKING:
+    from turgor.cli.exits import Answer
+    from turgor.surrogates.surrogate import Surrogate
+
+StudyPath = Annotated[
+    Path,
+    typer.Argument(
+        metavar="STUDY", help="Folder or table of 'turgor sweep', or a study file, which is computed.",
+        show_default=False,
+    ),
+]  # fmt: skip
+Measures = Annotated[
+    list[str] | None, often("--measure", "NAME", "A measure; as often as needed, all that vary by default.")
+]
+At = Annotated[str, typer.Option("--at", metavar="NAME=VALUE", help="Where measures are read: pressure='40 kPa'.")]
+Processes = Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)]
+Output = Annotated[
+    Path | None, typer.Option(help="Folder of results; by default that of the study.", show_default=False)
+]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Options:
+    study: StudyPath
+    measures: Measures = None
+    at: At = ""
+    along: Annotated[
+        str, typer.Option(metavar="NAME", help="A column that becomes an input, such as pressure: whole curves.")
+    ] = ""
+    kind: Annotated[str, typer.Option(help="gaussian_process, network or auto.")] = "auto"
+    processes: Processes = 1
+    output: Output = None
+    as_json: Json = False
+    debug: Debug = False
+
+
+def _fit(asked: _Options) -> None:
+    """Fit a fast function to a study: it predicts measures with their errors, and is inverted by 'turgor predict'."""
+    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+        from turgor.cli.analyses.given_study import given_study, read_at
+        from turgor.cli.answers.surrogates import surrogate_result
+        from turgor.results.plots.figures import write_figure
+        from turgor.surrogates.figure import surrogate_figure
+        from turgor.surrogates.fit import surrogate
+
+        study, place, at, measures = given_study(asked.study, asked.processes)
+        at = None if asked.along else read_at(asked.at, study) or at
+        found = surrogate(study, asked.measures or measures or None, kind=asked.kind, at=at, along=asked.along)
+        folder = asked.output if asked.output is not None else place
+        folder.mkdir(parents=True, exist_ok=True)
+        files = [found.save(folder / "surrogate"), folder / "surrogate.png", folder / "surrogate.txt"]
+        write_figure(files[1], surrogate_figure(found))
+        files[2].write_text(found.summary() + "\n", encoding="utf-8")
+        typer.echo(found.summary())
+        typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
+        answer.give(lambda: surrogate_result(found, files))
+        raise typer.Exit(DONE)
+
+
+surrogate_command = command_of(_Options, _fit)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Asked:
+    file: Annotated[Path, typer.Argument(metavar="SURROGATE", help="File of 'turgor surrogate'.", show_default=False)]
+    at: Annotated[
+        list[str] | None,
+        often("--at", "NAME=VALUE", "Value of a factor, such as pressure='30 kPa'; as often as needed."),
+    ] = None
+    want: Annotated[
+        list[str] | None,
+        often("--want", "NAME=VALUE", "A wanted measure, such as bending_angle='60 deg': inputs are sought that give "
+              "it, those of --at are held."),
+    ] = None  # fmt: skip
+    prefer: Annotated[
+        list[str] | None, often("--prefer", "NAME=VALUE", "A preferred input where many give what is wanted.")
+    ] = None
+    extrapolate: Annotated[
+        bool, typer.Option("--extrapolate", help="Take values beyond the range, with a warning.")
+    ] = False
+    as_json: Json = False
+    debug: Debug = False
+
+
+def _predict(asked: _Asked) -> None:
+    """Say what a surrogate gives for values of its factors, or which of them give wanted measures."""
+    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+        from turgor.cli.analyses.given_study import numbers_given, units_of
+        from turgor.errors import TurgorError
+        from turgor.surrogates.surrogate import Surrogate
+
+        found = Surrogate.load(asked.file)
+        at = numbers_given(asked.at, units_of(found.factors), "--at")
+        if asked.want:
+            if asked.extrapolate:
+                raise TurgorError("--extrapolate does not go with --want: inputs are sought within their ranges.")
+            _invert(found, at, asked, answer)
+        if asked.prefer:
+            raise TurgorError("--prefer goes with --want.")
+        _say(found, at, asked, answer)
+
+
+predict_command = command_of(_Asked, _predict)
+
+
+def _say(found: "Surrogate", at: dict[str, float], asked: _Asked, answer: "Answer") -> None:
+    from turgor.cli.answers.surrogates import prediction_result
+
+    said = found.predict(at, extrapolate=asked.extrapolate)
+    answer.warn(said.findings)
+    for name in found.measures:
+        typer.echo(f"{name.replace('_', ' ')} {said.told(name)}")
+    answer.give(lambda: prediction_result(said, at))
+    raise typer.Exit(DONE)
+
+
+def _invert(found: "Surrogate", held: dict[str, float], asked: _Asked, answer: "Answer") -> None:
+    from turgor.cli.analyses.given_study import numbers_given, units_of
+    from turgor.cli.answers.surrogates import inverse_result
+    from turgor.surrogates.invert import invert
+
+    prefer = numbers_given(asked.prefer, units_of(found.factors), "--prefer")
+    inverse = invert(found, numbers_given(asked.want, found.units, "--want"), held=held, prefer=prefer)
+    typer.echo(inverse.sentence())
+    for each in found.factors:
+        if each.name in inverse.deviations:
+            deviation = inverse.deviations[each.name]
+            typer.echo(f"{each.name} {each.shown(inverse.values[each.name])} ± {each.shown(float(f'{deviation:.2g}'))}")
+    answer.give(lambda: inverse_result(inverse))
+    raise typer.Exit(DONE if inverse.reached else NOT_CONVERGED)

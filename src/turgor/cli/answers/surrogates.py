@@ -1,0 +1,157 @@
+"""Results of ``turgor surrogate``, ``turgor predict`` and ``turgor sensitivity`` for programs."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from turgor.sensitivity.anova import Anova
+    from turgor.sensitivity.indices import Indices
+    from turgor.surrogates.invert import Inverse
+    from turgor.surrogates.surrogate import Prediction, Surrogate
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurrogateResult:
+    """``turgor surrogate``: what was fitted, in SI units.
+
+    Parameters
+    ----------
+    kind : str
+        ``"gaussian_process"`` or ``"network"``.
+    rows : int
+        Rows of the study that were used.
+    factors : list of tables
+        ``name``, ``unit``, ``low`` and ``high`` of each input.
+    measures : list of tables
+        ``name``, ``unit``, and in held-out rows ``rms``, ``worst``, ``share`` of the range, ``r_squared``,
+        ``coverage_68`` and ``coverage_95``, ``factor`` of the standard deviations.
+    notes : list of str
+        What was left out.
+    files : list of str
+        Files that were written.
+    """
+
+    kind: str
+    rows: int
+    factors: list[dict[str, Any]]
+    measures: list[dict[str, Any]]
+    notes: Sequence[str]
+    files: Sequence[Path]
+
+
+def surrogate_result(found: "Surrogate", files: Sequence[Path]) -> SurrogateResult:
+    """Make the result of a fit."""
+    return SurrogateResult(
+        kind=found.kind,
+        rows=found.rows,
+        factors=[
+            {"name": each.name, "unit": each.unit, "low": each.bounds[0], "high": each.bounds[1]}
+            for each in found.factors
+        ],
+        measures=[
+            {
+                "name": each.name, "unit": each.unit, "rms": each.rms, "worst": each.worst, "share": each.share,
+                "r_squared": each.r_squared, "coverage_68": each.coverage[0], "coverage_95": each.coverage[1],
+                "factor": each.factor,
+            }
+            for each in found.held_out
+        ],
+        notes=found.notes,
+        files=files,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PredictionResult:
+    """``turgor predict``: values with their standard deviations, in SI units.
+
+    Parameters
+    ----------
+    at : table
+        Value of each factor; those that were sought too.
+    values, deviations : table
+        Of each measure.
+    reached : bool or None
+        Whether the wanted measures are reached; null where none was wanted.
+    sought : table
+        Standard deviation of each factor that was sought; null where a measure does not depend on it.
+    others : list of tables
+        Further solutions.
+    sentence : str
+        The answer in words.
+    """
+
+    at: Mapping[str, float]
+    values: Mapping[str, float]
+    deviations: Mapping[str, float]
+    reached: bool | None
+    sought: Mapping[str, float | None]
+    others: Sequence[Mapping[str, float]]
+    sentence: str
+
+
+def prediction_result(said: "Prediction", at: Mapping[str, float]) -> PredictionResult:
+    """Make the result of a prediction."""
+    told = ", ".join(f"{name.replace('_', ' ')} {said.told(name)}" for name in said.values)
+    return PredictionResult(
+        at=at, values=said.values, deviations=said.deviations, reached=None, sought={}, others=[], sentence=told
+    )
+
+
+def inverse_result(found: "Inverse") -> PredictionResult:
+    """Make the result of an inverse."""
+    return PredictionResult(
+        at=found.values,
+        values=found.prediction.values,
+        deviations=found.prediction.deviations,
+        reached=found.reached,
+        sought={name: value if value < float("inf") else None for name, value in found.deviations.items()},
+        others=found.others,
+        sentence=found.sentence(),
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SensitivityResult:
+    """``turgor sensitivity``: shares of the variance.
+
+    Parameters
+    ----------
+    method : str
+        ``"anova"`` or ``"sobol"``.
+    terms : list of tables
+        For an analysis of variance ``measure``, ``factors``, ``squares``, ``freedom``, ``share``, ``F`` and ``p``; for
+        Sobol indices ``measure``, ``factor``, ``first``, ``total``, the ends of their intervals and ``unexplained``.
+    files : list of str
+        Files that were written.
+    """
+
+    method: str
+    terms: list[dict[str, Any]]
+    files: Sequence[Path]
+
+
+def anova_terms(found: "Anova") -> list[dict[str, Any]]:
+    """Return the lines of an analysis of variance."""
+    terms = []
+    for each in (*found.terms, found.remainder):
+        line = asdict(each)
+        terms.append(
+            {"measure": found.measure} | {key: None if value != value else value for key, value in line.items()}
+        )
+    return terms
+
+
+def index_terms(found: "Indices") -> list[dict[str, Any]]:
+    """Return the Sobol indices of each factor."""
+    (first_low, first_high), (total_low, total_high) = found.interval("first"), found.interval("total")
+    return [
+        {
+            "measure": found.measure, "factor": name, "first": float(found.first[n]), "first_low": float(first_low[n]),
+            "first_high": float(first_high[n]), "total": float(found.total[n]), "total_low": float(total_low[n]),
+            "total_high": float(total_high[n]), "unexplained": found.unexplained,
+        }
+        for n, name in enumerate(found.factors)
+    ]  # fmt: skip

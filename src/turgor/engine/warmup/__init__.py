@@ -1,0 +1,1 @@
+"""Warm-up: which loops a model needs, and their compilation at a known time, shared among processes."""

@@ -1,0 +1,82 @@
+"""Call the loops of cells, pressure and membranes once on one cell, so that compilation happens at a known time.
+
+The types are those with which `turgor.engine.system.System` calls them.
+"""
+
+import numpy as np
+
+from turgor.engine.algebra.pattern import build_pattern, locate, scatter_add
+from turgor.engine.cells import kernels, kernels_geometry, spectral
+from turgor.engine.cells.element import DISPLACEMENT_DEGREE
+from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes, side_tables
+from turgor.engine.faces import membranes, surfaces
+from turgor.meshing.cells import cell_type
+
+Array = np.ndarray
+
+
+def touch_first_loop() -> bool:
+    """Call one small loop; return whether it had to be compiled, as all others then will."""
+    pattern, before = build_pattern(np.arange(3)[None], 3), sum(locate.stats.cache_misses.values())
+    locate(pattern.indptr, pattern.indices, np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.int64))
+    return sum(locate.stats.cache_misses.values()) > before
+
+
+def touch_cells(nodes: int, mixed: bool) -> None:
+    """Call the loops for cells of ``nodes`` nodes."""
+    kind = cell_type(nodes)
+    points, cells = _one_cell(nodes)
+    shape, modes = (0,) * nodes, (0,) * kind.corners if mixed else ()
+    mean = np.arange(len(modes), dtype=np.int64)[None]
+    r = reference_cell(nodes, _degree(nodes, mixed))
+    Jinv, dV = kernels_geometry.reference_geometry(shape, points, cells, r.dN, r.weights)
+    u, p = np.zeros((nodes, 3)), np.zeros(len(modes))
+    kernels_geometry.kinematics(shape, cells, u, r.dN, Jinv)
+    kernels_geometry.deformation_gradients(shape, cells, u, r.dN, Jinv)
+    rows = np.zeros(1, dtype=np.int64)
+    W = np.ones((5, *dV.shape))
+    compliance, penalty = np.ones(1), np.zeros((*dV.shape, 0))
+    loops = kernels.Cells(shape, modes, cells, mean, r.dN, r.M, Jinv, dV, compliance, penalty)
+    laws = kernels.Response(W, rows, np.zeros((1, *dV.shape[1:], 6)), np.zeros((1, *dV.shape[1:], spectral.TANGENT)))
+    kernels.residual(loops, u, p, laws)
+    kernels.extrapolated_stress(loops, u, p, u, p, laws)
+    packed = kernels.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
+    scatter_add(np.zeros(packed.size), np.arange(packed.size, dtype=np.int32), packed.ravel())
+
+
+def touch_stretches(nodes: int, mixed: bool) -> None:
+    """Call the loops of laws in stretches and of rubber that remembers."""
+    F = np.tile(np.eye(3), (1, len(reference_cell(nodes, _degree(nodes, mixed)).weights), 1, 1))
+    bar, directions, scale = spectral.principal_stretches(F)
+    one = np.ones((6, *F.shape[:2]))
+    spectral.spectral_response(bar, directions, scale, one[:3], one)
+
+
+def touch_pressure(nodes: int) -> None:
+    """Call the loops of follower pressure on the sides of cells."""
+    points, sides = _one_cell(nodes)[0], _one_side(nodes)
+    r = side_tables(sides.shape[1])
+    surfaces.pressure_forces(points, sides, r.N, r.dN, r.weights)
+    surfaces.pressure_tangents(points, sides, r.N, r.dN, r.weights)
+
+
+def touch_sheets(nodes: int) -> None:
+    """Call the loops of membranes on the sides of cells."""
+    points, sides = _one_cell(nodes)[0], _one_side(nodes)
+    gradients, areas = membranes.surface_gradients(points, sides)
+    stress = membranes.membrane_stress(points, points, sides, gradients, areas, np.eye(3))
+    membranes.membrane_forces(points, sides, gradients, areas, stress)
+    membranes.membrane_tangents(points, sides, gradients, areas, np.zeros((*areas.shape, 3, 3)), stress)
+
+
+def _degree(nodes: int, mixed: bool) -> int:
+    return CELL_QUADRATURE_DEGREE if mixed else DISPLACEMENT_DEGREE[nodes]
+
+
+def _one_cell(nodes: int) -> tuple[Array, Array]:
+    points = np.ascontiguousarray(reference_nodes(27 if nodes == 20 else nodes))[:nodes]
+    return points, np.arange(nodes, dtype=np.int64)[None]
+
+
+def _one_side(nodes: int) -> Array:
+    return np.array(cell_type(nodes).sides[-1:], dtype=np.int64)

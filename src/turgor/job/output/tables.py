@@ -1,0 +1,62 @@
+"""Tables of a run: response, lock file, steps and log. Unlike pictures they load no heavy library."""
+
+import csv
+from collections.abc import Callable
+from pathlib import Path
+
+from turgor.job.output.folder import LOCK, LOG, RESPONSE, STEPS, clear_tables
+from turgor.job.output.lock import lock_text
+from turgor.job.output.outcome import RunOutcome
+from turgor.results.report.describe_procedure import ending
+from turgor.solvers.procedures.stages import Stages
+from turgor.solvers.solution import Solution
+
+STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
+
+
+def write_tables(
+    outcome: RunOutcome, notify: Callable[[str], None], kept: frozenset[str] = frozenset()
+) -> tuple[Path, ...]:
+    """Write the response, the lock file, the steps and the log alone, in place of the results of an earlier run.
+
+    ``kept`` are those of `turgor.job.output.folder.RESULTS` that are not removed.
+    """
+    folder = outcome.folder
+    notify("writing the response")
+    clear_tables(folder, kept)
+    outcome.response.to_csv(folder / RESPONSE)
+    (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
+    write_steps(folder / STEPS, outcome.solution)
+    (folder / LOG).write_text(log_text(outcome), encoding="utf-8")
+    return folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG
+
+
+def write_steps(file: Path, solution: Solution) -> None:
+    """Write every attempted step as a line of CSV."""
+    columns = ("stage", *STEP_COLUMNS) if isinstance(solution.procedure, Stages) else STEP_COLUMNS
+    with file.open("w", newline="", encoding="utf-8") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(f"{name}_s" if name == "seconds" else name for name in columns)
+        for step in solution.steps:
+            writer.writerow(getattr(step, name) for name in columns)
+
+
+def log_text(outcome: RunOutcome) -> str:
+    """Write the log of a run: versions, notices, the end with its advice, findings, and times."""
+    solution, timing = outcome.solution, outcome.solution.timing
+    made = ", ".join(f"{name} {value}" for name, value in outcome.written_by.items())
+    accepted = sum(step.accepted for step in solution.steps)
+    cut = len(solution.steps) - accepted
+    spent = timing.parts() | {"total": timing.total}
+    return "\n".join(
+        [
+            f"job {outcome.job.name}",
+            f"with {made}",
+            *outcome.notices,
+            f"{ending(solution.status)}: {solution.message} {solution.advice}".rstrip(),
+            f"{accepted} steps accepted, {cut} cut back, {solution.iterations} iterations",
+            f"wall time: {', '.join(f'{name} {seconds:.2f} s' for name, seconds in spent.items())}",
+            *map(str, outcome.findings),
+            "",
+        ]
+    )

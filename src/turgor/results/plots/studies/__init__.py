@@ -1,0 +1,1 @@
+"""Pictures of studies: curves of each level, effects with mesh errors, maps of two factors, many factors at once."""

@@ -1,0 +1,1 @@
+"""Sensitivity: which inputs matter for a response, and how much."""

@@ -1,0 +1,1 @@
+"""Surrogates: fast functions fitted to a study, with their error."""

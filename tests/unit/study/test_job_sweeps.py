@@ -1,0 +1,126 @@
+"""Jobs varied by key: numbers, whole numbers, records and choices; and a path that was killed goes on."""
+
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+import turgor as tg
+from calibration_cases import JOB
+from turgor.errors import TurgorError
+from turgor.study.job_runs import PATHS, job_changes, numbers_of, path_name, solved_job
+from turgor.study.jobs.job_factors import job_factor
+from turgor.study.jobs.job_file import job_file
+from turgor.units import mm
+
+CONTENT = {
+    "actuator": {"wall": "1 mm", "chambers": 4},
+    "mesh": {"cells": "tetrahedra"},
+    "materials": {"body": {"law": "neo_hooke", "C10": "0.1 MPa", "density": "1070 kg/m³"}},
+}
+
+
+def test_values_of_every_kind_as_changes():
+    given = {"actuator.wall": 2 * mm, "actuator.chambers": 6, "mesh.cells": "hexahedra", "materials.body": "a/b"}
+    assert job_changes(CONTENT, given) == {
+        "actuator.wall": "2.0 mm", "actuator.chambers": 6, "mesh.cells": "hexahedra",
+        "materials.body": {"library": "a", "record": "b", "density": "1070 kg/m³"},
+    }  # fmt: skip
+    with pytest.raises(TurgorError, match=r"'actuator\.chambers' is a whole number; 4\.5 is none"):
+        job_changes(CONTENT, {"actuator.chambers": 4.5})
+
+
+def factor(key, given):
+    return job_factor(key, given, CONTENT, numbers_of(CONTENT))
+
+
+def test_factors_of_a_job():
+    assert factor("actuator.wall", ["1 mm", "0.2 cm"]).levels == (1 * mm, 2 * mm)
+    assert factor("actuator.chambers", [4, 6]).levels == (4, 6)
+    assert factor("actuator.chambers", {"low": 4, "high": 8, "levels": 3}).spaced() == (4, 6, 8)
+    assert factor("mesh.cells", ["tetrahedra", "hexahedra"]).is_choice
+    assert factor("materials.body", ["a/b", "a/c"]).is_choice
+    assert factor("actuator.wall", {"low": "1 mm", "high": "2 mm"}).bounds == (1 * mm, 2 * mm)
+
+
+@pytest.mark.parametrize(
+    ("key", "given", "sentence"),
+    [
+        ("actuator.wal", [1.0], "unknown number of the job 'actuator.wal'; did you mean 'actuator.wall'"),
+        ("materials.bdy", ["a/b"], "unknown number of the job 'materials.bdy'"),
+        ("actuator.chambers", [4.5], "'actuator.chambers' is a whole number; 4.5 is none"),
+        ("actuator.wall,materials.body.C10", ["1 mm"], "length and pressure cannot have one value"),
+        ("actuator.wall", [True], "True is not a value of 'actuator.wall'"),
+    ],
+)
+def test_mistakes_are_answered(key, given, sentence):
+    with pytest.raises(TurgorError, match=sentence):
+        factor(key, given)
+
+
+def test_one_rubber_harder_than_another(tmp_path):
+    (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
+    (tmp_path / "study.toml").write_text(
+        'job = "tube.toml"\n[factors]\n'
+        '"materials.body" = ["ecoflex-00-30/yeoh-steck-2019", "elastosil-m4601/neo-hooke-polygerinos-2020"]\n'
+        "[output]\nmesh_error = false\n",
+        encoding="utf-8",
+    )
+    asked = tg.studies.read_study_file(tmp_path / "study.toml", {"loads.pressure": "2 kPa"})
+    kept = tg.studies.kept_in(tmp_path / "runs")
+    study = tg.studies.sweep_job(asked, tmp_path / "found", kept)
+    soft, hard = study.column("tip_displacement_x")
+    assert soft > 3 * hard > 0
+
+
+SCRIPT = """
+import os
+import signal
+import sys
+import turgor.study.job_runs as runs
+
+count = 0
+real = runs.solve
+
+def killed_after_two_states(*given, **named):
+    def progress(iteration, state):
+        global count
+        count += state is not None
+        if count == 3:
+            os.kill(os.getpid(), signal.SIGKILL)
+    return real(*given, progress=progress, **named)
+
+runs.solve = killed_after_two_states
+job, digest = sys.argv[1:]
+runs.solved_job(job, digest, {"materials.body.C10": 1.1e5})
+"""
+
+
+def test_a_path_that_was_killed_goes_on(tmp_path, monkeypatch):
+    (tmp_path / "tube.toml").write_text(JOB + '\n[procedure]\ntype = "static"\nmax_step = 0.1\n', encoding="utf-8")
+    base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
+    paths = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    script = subprocess.run(
+        [sys.executable, "-c", SCRIPT, base.values["job"], base.values["digest"]], env=paths, check=False
+    )
+    assert script.returncode == -signal.SIGKILL
+    numbers = {"materials.body.C10": 1.1e5}
+    path = base.file.parent / PATHS / path_name(base.values["digest"], numbers)
+    assert path.is_dir()
+    monkeypatch.setattr("turgor.study.job_runs.solve", None)  # it is not begun anew
+    response = solved_job(**base.values, numbers=numbers)
+    monkeypatch.undo()
+    assert not path.exists()
+    whole = solved_job(**base.values, numbers=numbers)
+    assert response["tip_displacement_x"] == pytest.approx(whole["tip_displacement_x"], rel=1e-8)
+
+
+def test_a_path_that_was_hardly_begun_is_begun_anew(tmp_path):
+    (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
+    base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
+    path = base.file.parent / PATHS / path_name(base.values["digest"], {})
+    path.mkdir(parents=True)
+    assert solved_job(**base.values, numbers={}).status == "converged"
+    assert not path.exists()
