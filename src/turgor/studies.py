@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from turgor.study.running.ended import Ended as Ended
     from turgor.study.running.executors import Executor as Executor
     from turgor.study.running.executors import Here as Here
+    from turgor.study.running.on_dask import OnDask as OnDask
     from turgor.study.running.workers import Workers as Workers
     from turgor.study.runs import Computed as Computed
     from turgor.study.runs import Run as Run

@@ -57,6 +57,8 @@ HOME = {
     "embreex": ("results",),
     "jinja2": ("results",),
     "matplotlib": ("results",),
+    "distributed": ("study",),
+    "pyarrow": ("study",),
     "SALib": ("sensitivity",),
     "sklearn": ("surrogates",),
     "pydantic": ("job",),
