@@ -36,7 +36,7 @@ def alive(process: int) -> bool:
     return state != "Z"
 
 
-def until(true, seconds: float = 20.0) -> None:
+def until(true, seconds: float = 60.0) -> None:
     end = time.monotonic() + seconds
     while not true():
         assert time.monotonic() < end
@@ -114,8 +114,8 @@ if __name__ == "__main__":
 """
 
 
-def started(folder: Path) -> "subprocess.Popen[bytes]":
-    (folder / "study.py").write_text(SCRIPT, encoding="utf-8")
+def started(folder: Path, script: str = SCRIPT) -> "subprocess.Popen[bytes]":
+    (folder / "study.py").write_text(script, encoding="utf-8")
     paths = os.pathsep.join(sys.path)
     return subprocess.Popen([sys.executable, "study.py"], cwd=folder, env={**os.environ, "PYTHONPATH": paths})
 
@@ -138,6 +138,16 @@ def test_a_study_that_is_killed_goes_on_and_computes_nothing_twice(tmp_path):
     ended = [number for number, _ in told(log, "ended")]
     assert len(ended) == 8 + len(lost)
     assert set(ended) == set("01234567")
+
+
+def test_workers_end_at_once_with_the_study(tmp_path):
+    """Nothing is computed for nobody: runs of ten minutes end within seconds of the study."""
+    log = tmp_path / "log"
+    study = started(tmp_path, SCRIPT.replace("seconds=0.4", "seconds=600.0"))
+    until(lambda: len(told(log, "begun")) == 2)
+    study.kill()
+    study.wait()
+    until(lambda: not any(alive(int(process)) for _, process in told(log, "begun")))
 
 
 def test_scripts_that_import_themselves_are_told(tmp_path):
