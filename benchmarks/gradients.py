@@ -57,7 +57,9 @@ def main() -> None:
         file.write_text(JOB.format(size=asked.size, pressure=asked.pressure), encoding="utf-8")
         job = tg.jobs.read_job(file)
     model, _ = tg.jobs.prepare(job)
-    tg.solve(model, replace(job.procedure, at=(0.01,)), options=options, stop=lambda state: "warm")  # kernels
+    tg.solve(
+        model, replace(job.procedure, at=(0.01,)), options=options, stop=lambda state: "warm", throw=False
+    )  # kernels
     start = process_time()
     solution = tg.solve(model, job.procedure, options=options)
     run = process_time() - start
