@@ -30,3 +30,6 @@ strong, far = (found.reads(found.pareto[end]) for end in (0, -1))
 print(found.message)
 print(f"The strongest pushes with {strong[0].value / N:.2f} N and extends by {strong[1].value / mm:.2f} mm,")
 print(f"the softest pushes with {far[0].value / N:.2f} N and extends by {far[1].value / mm:.2f} mm.")
+
+# One number to remember: the neck of the strongest is as wide as its range allows.
+assert found.converged and abs(strong[0].value - 1.06) < 0.03, "the strongest pushes with 1.06 N at 2 kPa"

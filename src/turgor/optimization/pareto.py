@@ -29,8 +29,8 @@ BATCH = 4
 
 #: The search ends where what the surfaces promised was computed to be on the front within this share of its range, …
 FRONT_ERROR = 0.02
-#: … so many times in a row.
-QUIET = 2
+#: … so many times in a row, and no promised design is farther than this from a computed one, in the same ranges.
+QUIET, GAP = 2, 0.15
 
 
 def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
@@ -56,7 +56,7 @@ def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
             return Ending.FAILED if not known else Ending.BUDGET
         surfaces = surfaces_through(np.array([each.at for each in known]), np.array([each.readings for each in known]))
         points = _nondominated(problem, surfaces, (POPULATION, GENERATIONS), search.seed)
-        chosen = _apart(problem, points, surfaces, min(BATCH, problem.left))
+        chosen, gap = _apart(problem, points, surfaces, min(BATCH, problem.left))
         if not chosen:
             quiet += 1
             break
@@ -64,7 +64,7 @@ def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
         found = [each for each in problem.compute(chosen) if each.known]
         if len(problem.candidates) == before:
             break
-        quiet = quiet + 1 if _as_promised(problem, found, surfaces) else 0
+        quiet = quiet + 1 if gap < GAP and _as_promised(problem, found, surfaces) else 0
     return _ended(problem, quiet > 0)
 
 
@@ -169,28 +169,35 @@ def _asked(problem: Problem, readings: Callable[[Array], Array]) -> Any:
     return kind(n_var=size, n_obj=count, n_ieq_constr=2, xl=np.zeros(size), xu=np.ones(size))
 
 
-def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int) -> list[Array]:
-    """Choose designs of a promised front that are far from what was computed and from each other, in objectives."""
+def _apart(problem: Problem, points: Sequence[Array], surfaces: Any, count: int) -> tuple[list[Array], float]:
+    """Choose designs of a promised front that are far from what was computed, and say how far the farthest is."""
     promised = np.array([problem.score(surfaces(point)).objectives for point in points]).reshape(len(points), -1)
     if not len(points):
-        return []
-    computed = np.array([each.score.objectives for each in problem.known])
+        return [], 0.0
     ranges = np.ptp(promised, axis=0)
     ranges = np.where(ranges > 0, ranges, 1.0)
-    taken = list(computed / ranges)
+    # what passes a limit is not on the front, and does not stand in for a design that is
+    taken = [np.array(each.score.objectives) / ranges for each in problem.known if each.score.kept]
     chosen: list[Array] = []
-    broken = [bool(problem.broken(point)) for point in points]
+    farthest = 0.0
+    broken = [bool(problem.broken(point)) or _beside_a_failure(problem, point) for point in points]
     for _ in range(count):
         gaps = [
-            -1.0 if wrong else min(float(np.linalg.norm(each / ranges - other)) for other in taken)
+            -1.0 if wrong else min((float(np.linalg.norm(each / ranges - other)) for other in taken), default=1.0)
             for each, wrong in zip(promised, broken, strict=True)
         ]
         place = int(np.argmax(gaps))
+        farthest = max(farthest, gaps[place])
         if gaps[place] <= 1e-3:
             break
         chosen.append(points[place])
         taken.append(promised[place] / ranges)
-    return chosen
+    return chosen, farthest
+
+
+def _beside_a_failure(problem: Problem, point: Array) -> bool:
+    """Whether the nearest candidate gave no value: what surfaces promise there is worth no further run."""
+    return not min(problem.candidates, key=lambda each: float(np.linalg.norm(each.at - point))).known
 
 
 def _as_promised(problem: Problem, found: Sequence[Candidate], surfaces: Any) -> bool:

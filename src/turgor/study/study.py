@@ -18,6 +18,9 @@ from turgor.study.running.ended import Ended
 
 Array = NDArray[np.float64]
 
+#: Relative difference up to which the end of a path is the value that is asked for.
+SAME = 1e-9
+
 #: Status of a row whose run gave no response.
 FAILED = "failed"
 
@@ -131,7 +134,7 @@ class Study:
             Name of the measure; an unknown one fails with the near match.
         at : (str, float), optional
             Column and value [SI] at which it is read between the states, such as ``("pressure", 50e3)``, on the part of
-            the path where this column rises; by default the last state.
+            the path where this column moves away from its first value; by default the last state.
 
         Returns
         -------
@@ -212,7 +215,12 @@ def _read(response: Response | None, name: str, at: tuple[str, float] | None) ->
     values = response.column(name)
     if at is None:
         return float(values[-1])
-    drive = response.column(at[0])
+    drive, value = response.column(at[0]), at[1]
+    if len(drive) > 1 and drive[1] < drive[0]:  # a vacuum
+        drive, value = -drive, -value
     falls = np.flatnonzero(np.diff(drive) <= 0)
     end = int(falls[0]) + 1 if len(falls) else len(drive)
-    return float(np.interp(at[1], drive[:end], values[:end], left=np.nan, right=np.nan))
+    reach = drive[end - 1]
+    if np.isclose(value, reach, rtol=SAME, atol=0.0):  # the full load, but for its last digits
+        value = reach
+    return float(np.interp(value, drive[:end], values[:end], left=np.nan, right=np.nan))

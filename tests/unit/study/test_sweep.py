@@ -8,10 +8,17 @@ from study_cases import Beam, deflection, line, slow
 
 import turgor as tg
 from turgor.errors import TurgorError
-from turgor.response import Response
+from turgor.response import Column, Response
+from turgor.source import Source
 from turgor.units import mm
 
 AT = ("force", 0.01)
+
+
+def branch(end: float, sign: float) -> Response:
+    """A path that turns at its end."""
+    columns = Column("pressure", "kPa", sign * np.array([0.0, end, end / 2])), Column("angle", "", [0.0, 2.0, 3.0])
+    return Response(columns=columns, source=Source(text="a path"))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,6 +83,15 @@ def test_units_of_an_actuator_are_those_of_its_fields():
     finger = tg.FastPneuNet()
     assert factor_of("wall", np.array([1.0, 2.0]) * mm, finger).shown(1.5 * mm) == "1.5 mm"
     assert factor_of("chambers", [3, 5], finger).whole
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_values_at_a_point_of_a_path(sign):
+    """Up to the end of the path, whatever its last digits, and on its first branch; a vacuum is a path too."""
+    study = tg.sweep(branch, {"sign": sign}, end=[10e3 * (1 - 1e-13)])
+    assert study.column("angle", ("pressure", sign * 5e3)) == pytest.approx([1.0])
+    assert study.column("angle", ("pressure", sign * 10e3)) == pytest.approx([2.0])
+    assert np.isnan(study.column("angle", ("pressure", sign * 10.1e3))).all()
 
 
 def test_tables_have_units_and_failed_rows(tmp_path):

@@ -1,0 +1,42 @@
+"""The examples and the guide on optimization run, and say what they say."""
+
+import re
+import runpy
+from pathlib import Path
+
+import pytest
+
+from turgor.jobs import read_job
+from turgor.optimization.study_files import read_study_file
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_bellows_from_the_strongest_to_the_softest():
+    held = runpy.run_path(str(ROOT / "examples" / "optimized_bellows.py"))
+    strong, soft = held["strong"], held["far"]
+    assert strong[0].value == pytest.approx(1.06, abs=0.03)  # N
+    assert soft[1].value == pytest.approx(20.6e-3, rel=0.02)  # m
+
+
+def test_the_tip_passes_three_places():
+    held = runpy.run_path(str(ROOT / "examples" / "tip_path.py"))
+    assert held["found"].values["length"] == pytest.approx(0.15, rel=0.02)  # m
+
+
+def test_the_code_of_the_guide():
+    text = (ROOT / "docs" / "howto" / "optimize.md").read_text(encoding="utf-8")
+    known = {"__name__": "guide"}
+    exec("\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL)), known)
+    assert known["found"].reads()[0].value == pytest.approx(10e-6, rel=0.01)  # m³
+
+
+def test_study_files_of_the_guides_are_those_of_the_example(tmp_path):
+    """The finger itself takes minutes; its files are read."""
+    example = read_study_file(ROOT / "examples" / "gripper_finger_study.toml")
+    assert read_job(example.job).actuator.chambers == 3
+    page = (ROOT / "docs" / "howto" / "optimize.md").read_text(encoding="utf-8")
+    (tmp_path / "page.toml").write_text(re.findall(r"```toml\n(.*?)```", page, re.DOTALL)[0], encoding="utf-8")
+    shown = read_study_file(tmp_path / "page.toml")
+    assert (shown.factors, shown.casting) == (example.factors, example.casting)
+    assert [goal.measure for goal in shown.goals] == [goal.measure for goal in example.goals]
