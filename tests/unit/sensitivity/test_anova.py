@@ -109,3 +109,12 @@ def test_its_figure_names_every_term():
     found = anova(study_of(every()), "angle")
     axes = anova_figure([("4 kPa", found), ("14 kPa", found)]).axes[0]
     assert [each.get_text() for each in axes.get_yticklabels()] == ["a", "b", "a × b", "remainder"]
+
+
+def test_without_a_replicate_main_effects_are_those_beside_the_other_factor():
+    """Type II: of a, with two levels, (Σ w d)² / Σ w, with d its differences within b and w = n₁ n₂/(n₁ + n₂)."""
+    values = every()[1:]  # one replicate of (1, x) is missing
+    found = anova(study_of(values), "angle")
+    differences, weights = np.array([7 - 6, 14 - 8, 9 - 11]), np.array([2 / 3, 1, 1])
+    assert found.term("a").squares == pytest.approx((weights @ differences) ** 2 / weights.sum())
+    assert found.term("a").squares != pytest.approx(12)

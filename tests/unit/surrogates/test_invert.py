@@ -7,6 +7,9 @@ import pytest
 
 import surrogate_cases as cases
 from turgor.errors import TurgorError
+from turgor.response import Column, Response
+from turgor.source import Source
+from turgor.study.factor import Factor
 from turgor.surrogates.fit import surrogate
 from turgor.surrogates.invert import invert
 from turgor.units import deg, kPa, mm
@@ -78,3 +81,19 @@ def test_names_and_values_are_checked(fitted):
         invert(fitted, {})
     with pytest.raises(TurgorError, match="'tip_y' is nan"):
         invert(fitted, {"tip_y": float("nan")})
+
+
+def curved(first: float, second: float) -> Response:
+    """A value that is the same along a parabola."""
+    return Response(columns=(Column("y", "", [first**2 + second]),), source=Source(text="a parabola"))
+
+
+def test_the_nearest_inputs_on_a_curve():
+    """On first² + second = 1 the point nearest to (0.9, 0.9), by a search along the curve."""
+    factors = [Factor(name=name, low=0.0, high=1.0) for name in ("first", "second")]
+    fitted = surrogate(cases.study_of(curved, factors, 32))
+    found = invert(fitted, {"y": 1.0}, prefer={"first": 0.9, "second": 0.9})
+    along = np.linspace(0, 1, 100_001)
+    nearest = along[np.argmin((along - 0.9) ** 2 + (1 - along**2 - 0.9) ** 2)]
+    assert found.reached
+    assert [found.values["first"], found.values["second"]] == pytest.approx([nearest, 1 - nearest**2], abs=2e-3)
