@@ -39,6 +39,12 @@ class Computed:
     seconds: float = 0.0
 
 
+class Place(str):
+    """Path of a file whose content another value states by a hash: a run is the same wherever the file lies."""
+
+    __slots__ = ()
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Run:
     """One computation of a study: a function, and the values that it is called with.
@@ -99,7 +105,8 @@ class Run:
         """Hash of the function, its code, and the values: equal runs have equal keys, whatever they are called."""
         # a worker knows the script that called it under another name
         module = self.function.__module__.replace("__mp_main__", "__main__")
-        asked: list[Any] = [module, self.function.__qualname__, dict(self.values)]
+        values = {name: value for name, value in self.values.items() if not isinstance(value, Place)}
+        asked: list[Any] = [module, self.function.__qualname__, values]
         if self.code:
             asked.append(self.code)
         if self.design is not None:

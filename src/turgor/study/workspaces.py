@@ -19,7 +19,7 @@ from turgor.study.evaluations import Evaluations
 from turgor.study.job_runs import digest_of, solved_job, write_whole_job
 from turgor.study.rounding import rounded
 from turgor.study.running.ended import Ended
-from turgor.study.runs import Computed, Run
+from turgor.study.runs import Computed, Place, Run
 from turgor.units import kPa, mm
 
 Function = Callable[..., Response | Computed]
@@ -145,7 +145,7 @@ def _job_runs(job: Job, file: Path, combinations: Sequence[Mapping[str, float]])
     for name in combinations[0]:
         if name not in keys:
             raise unknown("cavity with a pressure", name, keys)
-    same: dict[str, Any] = {"job": str(file), "digest": digest_of(file), "measures": list(COLUMNS)}
+    same: dict[str, Any] = {"job": Place(file), "digest": digest_of(file), "measures": list(COLUMNS)}
     return [
         Run(
             name=_told(each), function=solved_job,

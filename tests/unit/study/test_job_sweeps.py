@@ -4,12 +4,14 @@ import os
 import signal
 import subprocess
 import sys
+from dataclasses import replace
 
 import pytest
 
 import turgor as tg
 from calibration_cases import JOB
 from turgor.errors import TurgorError
+from turgor.job.read import read_job
 from turgor.study.job_runs import PATHS, job_changes, numbers_of, path_name, solved_job
 from turgor.study.jobs.job_factors import job_factor
 from turgor.study.jobs.job_file import job_file
@@ -124,3 +126,15 @@ def test_a_path_that_was_hardly_begun_is_begun_anew(tmp_path):
     path.mkdir(parents=True)
     assert solved_job(**base.values, numbers={}).status == "converged"
     assert not path.exists()
+
+
+def test_a_study_that_was_moved_finds_its_runs_again(tmp_path):
+    (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
+    job = read_job(tmp_path / "tube.toml")
+    keys = [
+        job_file(job, tmp_path / folder).computation(mesh_error=False).run({"actuator.wall": 2e-3}).key
+        for folder in ("a", "b")
+    ]
+    assert keys[0] == keys[1]
+    other = replace(job, output=replace(job.output, measures=("cavity_volume",)))
+    assert job_file(other, tmp_path / "c").computation(mesh_error=False).run({"actuator.wall": 2e-3}).key != keys[0]

@@ -21,6 +21,7 @@ from turgor.study.job_runs import (
     solved_job,
     write_whole_job,
 )
+from turgor.study.runs import Place
 
 #: The job at the start with every value.
 START = "start.toml"
@@ -47,7 +48,7 @@ class JobFile:
     @property
     def values(self) -> dict[str, Any]:
         """Arguments of `solved_job` besides the numbers."""
-        return {"job": str(self.file), "digest": digest_of(self.file)}
+        return {"job": Place(self.file), "digest": digest_of(self.file)}
 
     @property
     def content(self) -> dict[str, Any]:
