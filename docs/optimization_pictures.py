@@ -29,7 +29,7 @@ def bellows() -> None:
     for name, row in ends.items():
         values = found.study.rows[row].values
         shape = tg.actuators.BellowsOfRevolution(outer_radius=16 * mm, pitch=8 * mm, **values)
-        mesh = tg.mesh(shape.build(), size=3 * mm, cells="axisymmetric")
+        mesh = tg.mesh(shape.build(), size=1 * mm, cells="axisymmetric")
         model = tg.Model(
             mesh,
             materials={"body": held["RUBBER"]},
