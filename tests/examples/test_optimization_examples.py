@@ -2,10 +2,12 @@
 
 import re
 import runpy
+import tomllib
 from pathlib import Path
 
 import pytest
 
+from turgor.cli.app import app
 from turgor.jobs import read_job
 from turgor.optimization.study_files import read_study_file
 
@@ -40,3 +42,17 @@ def test_study_files_of_the_guides_are_those_of_the_example(tmp_path):
     shown = read_study_file(tmp_path / "page.toml")
     assert (shown.factors, shown.casting) == (example.factors, example.casting)
     assert [goal.measure for goal in shown.goals] == [goal.measure for goal in example.goals]
+
+
+def test_the_page_on_the_finger_shows_the_files_of_the_example():
+    """Every command of the page was run; here its files are compared, and its commands with those that there are."""
+    page = (ROOT / "docs" / "howto" / "gripper-finger.md").read_text(encoding="utf-8")
+    tables = [tomllib.loads(text) for text in re.findall(r"```toml\n(.*?)```", page, re.DOTALL)]
+    job, sweep, study = tables
+    assert job == tomllib.loads((ROOT / "examples" / "gripper_finger.toml").read_text(encoding="utf-8"))
+    example = tomllib.loads((ROOT / "examples" / "gripper_finger_study.toml").read_text(encoding="utf-8"))
+    assert study | {"job": ""} == example | {"job": ""}
+    assert set(sweep["factors"]) <= set(study["factors"])
+    known = {each.name for each in app.registered_commands}
+    asked = set(re.findall(r"^    turgor (\w+)", page, re.MULTILINE))
+    assert {"init", "check", "run", "sweep", "optimize", "uncertainty", "export"} == asked <= known
