@@ -9,7 +9,7 @@ import pytest
 
 from turgor.cli.app import app
 from turgor.jobs import read_job
-from turgor.optimization.study_files import read_study_file
+from turgor.optimization.files.study_files import read_study_file
 
 ROOT = Path(__file__).parents[2]
 

@@ -138,7 +138,7 @@ def test_mistakes_are_answered(call, folder, old, new, sentence):
 
 
 def test_paths_limits_and_shares_are_read(folder):
-    from turgor.optimization.study_files import read_study_file
+    from turgor.optimization.files.study_files import read_study_file
     from turgor.units import kPa, mm
 
     text = (
