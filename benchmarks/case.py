@@ -17,6 +17,8 @@ import turgor as tg
 from peers.problem import STEPS as PEER_STEPS
 from peers.problem import mesh_file, stated
 from turgor.engine.runtime import EngineOptions
+from turgor.meshing.mesh import TETRAHEDRON_EDGES
+from turgor.meshing.refining.split import split_edges
 from turgor.units import MPa, kPa, mm
 
 ROOT = Path(__file__).parents[1]
@@ -111,13 +113,17 @@ def demo(*, solver: str, threads: int) -> dict[str, Any]:
     return facts(tg.solve(model, job.procedure, options=EngineOptions(linear_solver=solver, threads=threads)))
 
 
-def growth(*, solver: str, threads: int, size: float) -> dict[str, Any]:
-    """The first load step of a six-chamber fast PneuNet: a few iterations show what one costs."""
-    finger = tg.FastPneuNet(chambers=6, length=60 * mm)
+def growth(*, solver: str, threads: int, size: float, halved: bool = False) -> dict[str, Any]:
+    """The first load step of a six-chamber fast PneuNet: a few iterations show what one costs.
+
+    Where ``halved``, every edge of the mesh is cut in two.
+    """
+    mesh = tg.mesh(tg.FastPneuNet(chambers=6, length=60 * mm).build(), size=size)
+    mesh = split_edges(mesh, every_edge(mesh)) if halved else mesh
     rubber_ = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
     paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
     model = tg.Model(
-        tg.mesh(finger.build(), size=size),
+        mesh,
         materials={"body": rubber_, "base": rubber_, "strain_limiting_layer": paper},
         supports=[tg.Fixed("fixed")],
         loads=[tg.Pressure("cavity", 20 * kPa)],
@@ -125,6 +131,12 @@ def growth(*, solver: str, threads: int, size: float) -> dict[str, Any]:
     options = EngineOptions(linear_solver=solver, threads=threads)
     first = tg.Static(first_step=0.05, max_step=0.05)
     return facts(tg.solve(model, first, options=options, stop=lambda state: "one step is enough", throw=False))
+
+
+def every_edge(mesh: tg.Mesh) -> np.ndarray:
+    """The edges of all cells, as pairs of vertices."""
+    pairs = mesh.cells[:, np.array(TETRAHEDRON_EDGES)[:, :2]].reshape(-1, 2)
+    return np.unique(np.sort(pairs, axis=1), axis=0)
 
 
 def facts(solution: tg.Solution) -> dict[str, Any]:

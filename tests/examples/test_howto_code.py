@@ -166,3 +166,28 @@ def test_jobs_with_weight(tmp_path):
     assert [load.at(0.2) if isinstance(load, tg.Pressure) else load.share(0.2) for load in both] == [0.0, 1.0]
     (pull,) = job_of(tmp_path, HEAD + hung).loads
     assert (pull.face, pull.vector) == ("tip", pytest.approx((0, 0, -0.05 * 9.80665)))
+
+
+def test_surrogates(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    known = {"__name__": "page"}  # functions of a study belong to a module
+    for _ in after_each_block("surrogate", known):
+        pass
+    exact = known["ball"](**known["design"])
+    stretch = np.interp(40 * kPa, exact["pressure"], exact["inner_stretch"])
+    assert known["said"]["inner_stretch"] == pytest.approx(stretch, abs=1e-3)
+    pressure = np.interp(1.05, exact["inner_stretch"], exact["pressure"])
+    assert known["back"].values["pressure"] == pytest.approx(pressure, rel=0.02)
+    assert known["again"].predict({**known["design"], "pressure": 40 * kPa}).values == known["said"].values
+    assert (tmp_path / "held-out.png").is_file()
+    assert "of the range: reached." in capsys.readouterr().out
+
+
+def test_sensitivities(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    known = {"__name__": "page"}  # functions of a study belong to a module
+    for _ in after_each_block("sensitivity", known):
+        pass
+    assert known["indices"][0].ranking == known["table"].ranking == ("C10", "wall")
+    assert (tmp_path / "indices.png").is_file()
+    assert "C10 × wall" in capsys.readouterr().out

@@ -117,12 +117,11 @@ def pressed(values: Values) -> tg.Model:
     return contact_cases.standing(mesh, plate, law=tg.laws.NeoHooke(C10=given["C10"]))
 
 
-def ball(values: Values, pressure: float | None = None) -> tg.Model:
+def ball(values: Values, around: int = 1, through: int = 2) -> tg.Model:
     """One eighth of a thick sphere."""
     given = {"C10": 0.12 * MPA, "inner": 10 * mm, "outer": 15 * mm, **values}
-    mesh = meshes.sphere_octant(given["inner"], given["outer"], 1, 2)
-    loads = [] if pressure is None else [tg.Pressure("cavity", given.get("pressure", pressure))]
-    return problems.one_material(mesh, tg.laws.NeoHooke(C10=given["C10"]), loads=loads)
+    mesh = meshes.sphere_octant(given["inner"], given["outer"], around, through)
+    return problems.one_material(mesh, tg.laws.NeoHooke(C10=given["C10"]))
 
 
 def turned(values: Values) -> tg.Model:

@@ -28,6 +28,10 @@ CENTRAL = ((1, 0.5), (-1, -0.5))
 FORWARD = ((0, -1.5), (1, 2.0), (2, -0.5))
 BACKWARD = ((0, 1.5), (-1, -2.0), (-2, 0.5))
 
+#: Nodes move another way on the other side where the second difference of their positions is this share of the first.
+#: A layer of cells moves at once where a wall gets thicker than a gap. Positions are known up to round-off, scaled.
+KINK, ROUND_OFF = 1e-2, 1e-12
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Place:
@@ -145,7 +149,8 @@ class Neighbors:
 def neighbors_of(base: Equilibrium, variation: Variation, name: str) -> Neighbors:
     """Make the models at nearby values of one number of a variation.
 
-    Where one side is not allowed, such as a share beyond 1, or has other cells, the other side alone is taken.
+    Where one side is not allowed, such as a share beyond 1, or has other cells, the other side alone is taken. Where
+    the mesh moves another way on the other side, the derivative is that of a number that grows.
 
     Parameters
     ----------
@@ -172,10 +177,19 @@ def neighbors_of(base: Equilibrium, variation: Variation, name: str) -> Neighbor
 
     for stencil in (CENTRAL, FORWARD, BACKWARD):
         try:
-            return Neighbors(name, step, tuple(at(*point) for point in stencil))
+            found = Neighbors(name, step, tuple(at(*point) for point in stencil))
         except TurgorError as error:
             errors.append(error)
+            continue
+        if stencil is not CENTRAL or not _turns(base.system, found):
+            return found
     raise TurgorError(f"'{name}' cannot change by little: {errors[-1]}") from errors[-1]
+
+
+def _turns(middle: System, found: Neighbors) -> bool:
+    """Whether nodes move another way on the other side of a value, so that there are two derivatives."""
+    more, less = (each.system.points for each in found.each)
+    return bool(np.abs(more + less - 2 * middle.points).max() > KINK * np.abs(more - less).max() + ROUND_OFF)
 
 
 def _neighbor(base: Equilibrium, variation: Variation, name: str, steps: int) -> tuple[System, Model, Constraint]:

@@ -115,11 +115,13 @@ class Anova:
 
     def table(self) -> str:
         """Return the lines as text."""
-        head = f"{'':28}{'sum of squares':>15}{'df':>4}{'share':>9}{'F':>11}{'p':>9}"
-        lines = [head]
-        for each in (*self.terms, self.remainder):
-            tested = "" if np.isnan(each.F) else f"{each.F:11.3g}{each.p:9.2g}"
-            lines.append(f"{each.name:28}{each.squares:15.4g}{each.freedom:4d}{100 * each.share:8.2f} %"[:57] + tested)
+        every = (*self.terms, self.remainder)
+        width = max(len(each.name) for each in every)
+        lines = [f"{'':{width}}  sum of squares  df    share          F         p"]
+        for each in every:
+            tested = "" if np.isnan(each.F) else f"{each.F:11.3g}{each.p:10.2g}"
+            share = f"{100 * each.share:7.2f} %"
+            lines.append(f"{each.name:{width}}{each.squares:16.4g}{each.freedom:4d}{share}{tested}")
         if self.error:
             lines.append(f"F compares with {self.error}.")
         if self.left_out:
@@ -177,6 +179,7 @@ def anova(study: Study, measure: str, *, at: tuple[str, float] | None = None, in
     pairs = list(combinations([each.name for each in factors], 2)) if interactions and len(factors) > 1 else []
     squares, freedom, rest = _divided([*names, *pairs], codes, y)
     total = float(((y - y.mean()) ** 2).sum())
+    rest = rest if rest > 1e-20 * total else 0.0  # round-off
     rest_freedom = len(y) - 1 - sum(freedom)
     error = _error_term(study.mesh_error(measure, at)[known], rows, [each.name for each in factors], y)
     if error is None:

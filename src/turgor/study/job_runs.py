@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from shutil import rmtree
+from socket import gethostname
 from typing import Any
 
 from turgor.adaptivity.measure import measure
@@ -19,6 +20,7 @@ from turgor.job.read import read_job
 from turgor.response import Response
 from turgor.solvers.solution import Solution
 from turgor.solvers.solve import resume, solve
+from turgor.store.whole import whole
 from turgor.study.rounding import rounded
 from turgor.units import UNITS, parse_quantity, split_quantity
 
@@ -110,7 +112,8 @@ def write_whole_job(job: Job, file: Path) -> dict[str, JobNumber]:
     text = lock_text(job, {})
     if not file.is_file() or file.read_text(encoding="utf-8") != text:
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8")
+        with whole(file) as part:  # tasks on several machines may write it at once
+            part.write_text(text, encoding="utf-8")
     return numbers_of(tomllib.loads(text))
 
 
@@ -265,6 +268,11 @@ def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tupl
     (Job, Solution)
         The job with these numbers.
     """
+    if not Path(job).is_file():
+        raise TurgorError(
+            f"the job of the study, '{job}', is not seen on the machine '{gethostname()}'; "
+            "studies of jobs need a folder that all machines share."
+        )
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
     asked = read_job(job, job_changes(content, numbers))
     return asked, _followed(asked, EngineOptions(threads=1), _path_of(job, digest, numbers))

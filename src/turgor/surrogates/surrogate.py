@@ -269,7 +269,7 @@ class Surrogate(Saved):
         told = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.shown(low[n])} to {_high(factor)}"
         if not extrapolate:
             raise TurgorError(f"{told}. Compute more rows there, or ask with extrapolate=True at your own risk.")
-        message = f"{told}: {100 * off[row, n]:.2g} % of the range beyond."
+        message = f"{told}: {100 * off[row, n]:.3g} % of the range beyond."
         advice = "Compute the design itself; neither the value nor its standard deviation was tested there."
         return (Finding(code="U01", severity=Severity.WARNING, message=message, advice=advice),)
 

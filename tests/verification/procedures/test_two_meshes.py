@@ -13,12 +13,15 @@ import numpy as np
 import pytest
 
 import turgor as tg
+from turgor.adaptivity.mesh_error import estimate_mesh_error
+from turgor.results.measures.measures import find_measure
 from turgor.solvers import solve as solving
 from turgor.solvers.solution import Iteration
 from turgor.units import MPa, kPa, mm
 
 AT = (0.25, 0.5, 0.75)
 ASKED = tg.Static(at=AT)
+TIP = [find_measure("tip_displacement")]
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.1 * MPa))
 FLOOR = tg.obstacles.Plane(point=(0.0, 0.0, -15 * mm), normal=(0.0, 0.0, 1.0))
 
@@ -95,6 +98,7 @@ def test_time_and_factorizations_are_those_of_both_meshes(led: tg.Solution) -> N
 
 def test_the_difference_of_the_meshes_is_the_mesh_error(led: tg.Solution, coarse: tg.Mesh) -> None:
     """The estimate is at least the error against a much finer mesh, and not much more; no state is found again."""
+    assert estimate_mesh_error(led, TIP).unknowns == coarse.unknown_count
     response = tg.measure(led, "tip_displacement")
     truth = tg.measure(tg.solve(bent(bar(2.5 * mm)), ASKED), "tip_displacement", mesh_error=False)
     by_load = dict(zip(truth.column("load_factor"), truth.column("tip_displacement"), strict=True))
@@ -107,14 +111,10 @@ def test_the_difference_of_the_meshes_is_the_mesh_error(led: tg.Solution, coarse
 
 
 def test_a_mesh_that_is_hardly_coarser_says_nothing_about_the_error(fine: tg.Model) -> None:
-    from turgor.adaptivity.mesh_error import estimate_mesh_error
-    from turgor.results.measures.measures import find_measure
-
     near = bar(5.5 * mm)
     assert 1 < fine.mesh.unknown_count / near.unknown_count < 1.7
     solution = tg.solve(fine, ASKED, coarse=near)
-    found = estimate_mesh_error(solution, [find_measure("tip_displacement")])
-    assert found.unknowns > fine.mesh.unknown_count
+    assert estimate_mesh_error(solution, TIP).unknowns > fine.mesh.unknown_count
 
 
 def test_a_coarse_mesh_that_leads_astray_is_left(fine: tg.Model, coarse: tg.Mesh) -> None:
@@ -140,17 +140,20 @@ def _few_steps(question: solving.Question) -> solving.Question:
     return replace(question, procedure=replace(question.procedure, max_steps=4))
 
 
-@pytest.mark.parametrize("load", [0.1, 0.6], ids=["on the coarse mesh", "on the fine mesh"])
-def test_a_run_that_was_ended_goes_on(
-    fine: tg.Model, coarse: tg.Mesh, led: tg.Solution, load: float, tmp_path: Path
+@pytest.mark.parametrize("on_fine", [False, True], ids=["on the coarse mesh", "on the fine mesh"])
+def test_a_run_that_was_ended_goes_on_from_there(
+    fine: tg.Model, coarse: tg.Mesh, led: tg.Solution, on_fine: bool, tmp_path: Path
 ) -> None:
-    def kill(iteration: Iteration, _: object) -> None:
-        if iteration.load_factor >= load:
+    heard: list[float] = []
+
+    def kill(iteration: Iteration, state: object) -> None:  # only states on the fine mesh are told
+        if iteration.load_factor >= 0.6 and on_fine == (state is not None):
             raise RuntimeError("killed")
 
     with pytest.raises(RuntimeError):
         tg.solve(fine, ASKED, coarse=coarse, folder=tmp_path / "path", progress=kill)
-    resumed = tg.resume(tmp_path / "path")
+    resumed = tg.resume(tmp_path / "path", progress=lambda each, _: heard.append(each.load_factor))
+    assert heard[0] > 0.5
     assert resumed.message == led.message
     assert np.array_equal(moves(resumed), moves(led))
 

@@ -15,6 +15,7 @@ from turgor.cli.signals import ends_at_once
 if TYPE_CHECKING:
     from turgor.study.designs import Designs
     from turgor.study.jobs.study_file import StudyFile
+    from turgor.study.running.executors import Executor
     from turgor.study.study import Study
 
 #: Rows of a table on a terminal; the file has all.
@@ -28,6 +29,23 @@ class _Options:
         Path | None, typer.Option(help="Folder of results; by default NAME-study here.", show_default=False)
     ] = None
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
+    scheduler: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Compute on the workers of a Dask scheduler: tcp://host:8786.",
+                                 show_default=False)
+    ] = None  # fmt: skip
+    index: Annotated[
+        int | None, typer.Option(metavar="TASK", help="Compute the share of one task alone, from 1, such as of a SLURM "
+                                 "array; no table is written.", min=1, show_default=False)
+    ] = None  # fmt: skip
+    of: Annotated[
+        int | None, typer.Option(metavar="TASKS", help="Number of tasks for --index; by default one for each design.",
+                                 min=1, show_default=False)
+    ] = None  # fmt: skip
+    gather: Annotated[bool, typer.Option("--gather", help="Compute nothing: write the table of what was kept.")] = False
+    sbatch: Annotated[
+        Path | None, typer.Option(metavar="SCRIPT", help="Write a job script of SLURM, an array with --of tasks.",
+                                  show_default=False)
+    ] = None  # fmt: skip
     dry_run: Annotated[bool, typer.Option("--dry-run", help="List the designs and compute nothing.")] = False
     changes: Changes = None
     as_json: Json = False
@@ -40,6 +58,7 @@ def _run(asked: _Options) -> None:
     Killed and called again, it goes on: nothing is computed twice.
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+        from turgor.cli.analyses.machines import check_together, executor_of, share_of, write_script
         from turgor.cli.answers.sweeps import designs_result, sweep_result
         from turgor.job.text.changes import parse_changes
         from turgor.study.files.stored import write_study
@@ -51,7 +70,19 @@ def _run(asked: _Options) -> None:
             answer.give(partial(designs_result, given.designs))
             raise typer.Exit(DONE)
         folder = asked.output if asked.output is not None else Path(f"{given.name}-study")
-        study = _computed(given, folder, asked.processes)
+        check_together(asked.scheduler, asked.index, asked.of, asked.gather, asked.sbatch)
+        if asked.sbatch is not None:
+            typer.echo(write_script(given, asked.study, folder, asked.sbatch, asked.of))
+            answer.give(partial(designs_result, given.designs))
+            raise typer.Exit(DONE)
+        if asked.index is not None:
+            given = share_of(given, asked.index, asked.of)
+        study = _computed(given, folder, executor_of(asked.scheduler, asked.gather, asked.processes))
+        if asked.index is not None:
+            failed = sum(row.response is None for row in study.rows)
+            typer.echo(f"Task {asked.index}: {len(study)} designs, {failed} failed; kept in {folder}.")
+            answer.give(partial(designs_result, given.designs))
+            raise typer.Exit(NOT_CONVERGED if study.problems else DONE)
         measures = given.measures or study.measures
         files = [write_study(study, folder, measures, given.at)]
         pictures, sentences = _drawn(study, folder, given)
@@ -67,17 +98,16 @@ def _run(asked: _Options) -> None:
 sweep_command = command_of(_Options, _run)
 
 
-def _computed(given: "StudyFile", folder: Path, processes: int) -> "Study":
+def _computed(given: "StudyFile", folder: Path, executor: "Executor") -> "Study":
     from turgor.cli.analyses.progress import StudyProgress
     from turgor.study.evaluations import Evaluations
     from turgor.study.jobs.job_file import RUNS
     from turgor.study.jobs.job_sweep import sweep_job
-    from turgor.study.running.workers import Workers
 
     try:
         with (
             StudyProgress(len(given.designs)) as progress,
-            Evaluations(folder=folder / RUNS, executor=Workers(processes=processes), progress=progress) as runs,
+            Evaluations(folder=folder / RUNS, executor=executor, progress=progress) as runs,
         ):
             return sweep_job(given, folder, runs)
     except KeyboardInterrupt:

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.algebra.linear import LinearSolver
+from turgor.engine.algebra.linear import REFINED, LinearSolver
 from turgor.engine.algebra.pattern import Pattern
 
 Array = NDArray[np.float64]
@@ -51,10 +51,10 @@ class FreeSolver:
         """Factor the values of the analyzed lower triangle."""
         self._inner.factor(data[self._kept])
 
-    def solve(self, right: Array) -> Array:
+    def solve(self, right: Array, left: float = REFINED) -> Array:
         """Solve with the last factors."""
         out = np.array(right)
-        out[self._free] = self._inner.solve(right[self._free])
+        out[self._free] = self._inner.solve(right[self._free], left)
         return out
 
     def negative_pivots(self, expected: int) -> int | None:

@@ -1,11 +1,6 @@
 """Linear solvers for the symmetric indefinite tangent: analyze once, factor, solve, count negative pivots."""
 
-import ctypes
-import sys
-import weakref
 from collections.abc import Callable
-from dataclasses import dataclass
-from pathlib import Path
 from typing import Protocol
 
 import numpy as np
@@ -14,8 +9,10 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.kept import kept
+from turgor.engine.algebra.pardiso import Pardiso, load_mkl
 from turgor.engine.algebra.pattern import Pattern
-from turgor.errors import TurgorError, unknown
+from turgor.engine.algebra.singular import SingularTangentError as SingularTangentError
+from turgor.errors import unknown
 
 Array = NDArray[np.float64]
 
@@ -23,16 +20,14 @@ Array = NDArray[np.float64]
 SINGLE_FROM = 10_000
 
 #: Unknowns from which two threads or more factor faster in the order of nested dissection, by a quarter at 35,000, than
-#: in the one with the fewest entries, whose tree of fronts is too narrow to share.
-DISSECTED_FROM = 10_000
+#: in the one with the fewest entries, whose tree of fronts is too narrow to share; and from which one thread does too,
+#: by a tenth at 67,000 and at 200,000, because the analysis is shorter and the fronts are larger.
+DISSECTED_FROM, DISSECTED_ALONE_FROM = 10_000, 40_000
 
-#: Refinements at most of a solution from single precision factors, and the relative residual that may be left.
+#: Refinements at most of a solution from single precision factors, and the relative residual that may be left: by new
+#: factors, and by those of an earlier iterate, which leave more than that of the residual anyway.
 REFINEMENTS = 4
-REFINED = 1e-5
-
-
-class SingularTangentError(RuntimeError):
-    """The tangent could not be factored."""
+REFINED, ROUGH = 1e-5, 1e-3
 
 
 class LinearSolver(Protocol):
@@ -45,79 +40,85 @@ class LinearSolver(Protocol):
     def factor(self, data: Array) -> None:
         """Factor the values of the analyzed lower triangle."""
 
-    def solve(self, right: Array) -> Array:
-        """Solve with the last factors."""
+    def solve(self, right: Array, left: float = REFINED) -> Array:
+        """Solve with the last factors; a relative residual of ``left`` may be left."""
 
     def negative_pivots(self, expected: int) -> int | None:
         """Negative pivots of the last factors, None where the solver does not count them; ``expected`` if stable."""
 
 
-class RslabSolver:
-    """LDLᵀ by rslab (pure Rust, MIT, wheels for all systems).
+class Factors(Protocol):
+    """What a library does: LDLᵀ factors of one analyzed pattern, in single or double precision."""
 
-    Factors are single precision, a third faster and half as large, and the solution is refined against the matrix. A
-    doubtful count of pivots is settled in double precision, and from the first solution on that refinement does not
-    settle (a nearly singular tangent, a very stiff membrane) all factors are double.
+    name: str
+
+    def factor(self, data: Array, single: bool) -> None:
+        """Factor new values; raise `SingularTangentError` where that fails."""
+
+    def solve(self, right: Array) -> Array:
+        """Solve with the last factors, as well as they do it."""
+
+    def negative_pivots(self) -> int:
+        """Negative pivots of the last factors."""
+
+
+class MixedPrecision:
+    """A linear solver whose factors are in single precision, a third faster and half as large, where that will do.
+
+    The solution is refined against the matrix. A doubtful count of pivots is settled in double precision, and from the
+    first solution on that refinement does not settle (a nearly singular tangent, a very stiff membrane) all factors are
+    double.
+
+    Parameters
+    ----------
+    factors : Factors
+    pattern : Pattern
+        The one that they were analyzed for.
     """
 
-    name = "rslab"
-
-    def __init__(self, pattern: Pattern, threads: int) -> None:
-        self._pattern = pattern
-        self._settings = {"threads": threads, "scaling": "identity"}
-        ordering = "metis" if threads > 1 and pattern.size >= DISSECTED_FROM else "auto"
-        self._symbolic = _analyzed(pattern.indptr, pattern.indices, threads, ordering)
+    def __init__(self, factors: Factors, pattern: Pattern) -> None:
+        self.name = factors.name
+        self._factors, self._pattern = factors, pattern
         self._data = np.empty(0)
-        self._factor: rslab.Ldlt | None = None
         self.double = pattern.size < SINGLE_FROM
         self._single = not self.double
 
     def factor(self, data: Array) -> None:
         """Factor new values on the analyzed pattern."""
         self._data = data
-        self._factor = None  # frees the old factors before the new ones are made
         self._single = not self.double
         if not self._single:
-            return self._factor_in_double()
+            return self._factors.factor(data, False)
         try:
-            self._factor = self._symbolic.factor(data, factor_dtype="float32", **self._settings)
-        except RuntimeError:
+            self._factors.factor(data, True)
+        except SingularTangentError:
             self._factor_in_double()
 
     def _factor_in_double(self) -> None:
-        self._factor, self._single = None, False
-        try:
-            self._factor = self._symbolic.factor(self._data, **self._settings)
-        except RuntimeError as error:
-            raise SingularTangentError(str(error)) from error
+        self._single = False
+        self._factors.factor(self._data, False)
 
-    def solve(self, right: Array) -> Array:
+    def solve(self, right: Array, left: float = REFINED) -> Array:
         """Solve; Newton's next residual corrects the rest."""
-        assert self._factor is not None
-        solution = np.asarray(self._factor.solve(right))
+        solution = self._factors.solve(right)
         if not self._single:
             return solution
         for _ in range(REFINEMENTS + 1):
             left_over = right - self._pattern.product(self._data, solution)
-            if float(np.linalg.norm(left_over)) <= REFINED * float(np.linalg.norm(right)):
+            if float(np.linalg.norm(left_over)) <= left * float(np.linalg.norm(right)):
                 return solution
-            solution = solution + np.asarray(self._factor.solve(left_over))
+            solution = solution + self._factors.solve(left_over)
         self.double = True
         self._factor_in_double()
-        return np.asarray(self._factor.solve(right))
+        return self._factors.solve(right)
 
     def negative_pivots(self, expected: int) -> int | None:
         """Negative pivots from the inertia of D; an unexpected number is counted again in double precision."""
-        negative = self._count()
+        negative = self._factors.negative_pivots()
         if negative != expected and self._single:
             self._factor_in_double()
-            negative = self._count()
+            negative = self._factors.negative_pivots()
         return negative
-
-    def _count(self) -> int:
-        assert self._factor is not None
-        _positive, negative, _zero = self._factor.diagnostics()["numeric"]["inertia"]
-        return int(negative)
 
 
 @kept(2)  # a run often has the mesh of the last one; two, because the mesh error is found on a second mesh
@@ -127,107 +128,38 @@ def _analyzed(indptr: NDArray[np.int64], indices: NDArray[np.int32], threads: in
     return rslab.analyze(pattern.matrix(np.ones(len(indices))), path="ldlt", threads=threads, ordering=ordering)
 
 
-@dataclass(slots=True, eq=False)
-class _PardisoArrays:
-    """What Pardiso keeps between calls: its handle and settings, the matrix in its one-based form."""
+class Rslab:
+    """LDLᵀ by rslab: pure Rust, MIT, wheels for all systems."""
 
-    handle: NDArray[np.int64]
-    settings: NDArray[np.int32]
-    data: Array
-    indptr: NDArray[np.int32]
-    indices: NDArray[np.int32]
-
-
-class PardisoSolver:
-    """LDLᵀ by MKL Pardiso, type −2 without matching; faster, proprietary, used where turgor[fast] installed it."""
-
-    name = "mkl-pardiso"
-
-    double = True
+    name = "rslab"
 
     def __init__(self, pattern: Pattern, threads: int) -> None:
-        mkl = _load_mkl()
-        if mkl is None:
-            raise TurgorError("linear solver 'mkl-pardiso' needs the package mkl; install it with turgor[fast].")
-        mkl.MKL_Set_Num_Threads(ctypes.c_int(threads))
-        self._mkl = mkl
-        # the lower triangle by columns is the upper triangle by rows, which is what Pardiso reads
-        self._arrays = _PardisoArrays(
-            handle=np.zeros(64, dtype=np.int64),
-            settings=np.zeros(64, dtype=np.int32),
-            data=np.ones(len(pattern.indices)),
-            indptr=(pattern.indptr + 1).astype(np.int32),
-            indices=(pattern.indices + 1).astype(np.int32),
-        )
-        # 1: own settings; 2: parallel nested dissection; 8: no refinement; 10: pivot 1e-8; 11, 13: no scaling, no
-        # matching (they depend on values and would force a new analysis); 21: 1 × 1 and 2 × 2 pivots; 24: two-level
-        for index, value in ((0, 1), (1, 3), (7, 0), (9, 8), (10, 0), (12, 0), (20, 1), (23, 1)):
-            self._arrays.settings[index] = value
-        _call_pardiso(mkl, self._arrays, 11, None)
-        # at interpreter exit the operating system takes the memory back, and NumPy may be gone by then
-        weakref.finalize(self, _call_pardiso, mkl, self._arrays, -1, None).atexit = False
+        self._settings = {"threads": threads, "scaling": "identity"}
+        dissected = pattern.size >= (DISSECTED_FROM if threads > 1 else DISSECTED_ALONE_FROM)
+        ordering = "metis" if dissected else "auto"
+        self._symbolic = _analyzed(pattern.indptr, pattern.indices, threads, ordering)
+        self._factor: rslab.Ldlt | None = None
+        self._precision: type = np.float64
 
-    def factor(self, data: Array) -> None:
-        """Factor new values on the analyzed pattern."""
-        self._arrays.data = np.ascontiguousarray(data)
-        _call_pardiso(self._mkl, self._arrays, 22, None)
+    def factor(self, data: Array, single: bool) -> None:
+        """Factor new values."""
+        self._factor = None  # frees the old factors before the new ones are made
+        self._precision = np.float32 if single else np.float64  # of its own copy of the matrix, too
+        try:
+            self._factor = self._symbolic.factor(data.astype(self._precision, copy=False), **self._settings)
+        except RuntimeError as error:
+            raise SingularTangentError(str(error)) from error
 
     def solve(self, right: Array) -> Array:
-        """Solve; Newton's next residual corrects what round-off leaves."""
-        return _call_pardiso(self._mkl, self._arrays, 33, right)
+        """Solve with the last factors."""
+        assert self._factor is not None
+        return np.asarray(self._factor.solve(right.astype(self._precision, copy=False)), dtype=np.float64)
 
-    def negative_pivots(self, expected: int) -> int | None:
-        """Negative pivots, iparm(23)."""
-        return int(self._arrays.settings[22])
-
-
-def _call_pardiso(mkl: ctypes.CDLL, arrays: _PardisoArrays, phase: int, right: Array | None) -> Array:
-    size = len(arrays.indptr) - 1
-    vector = np.zeros(size) if right is None else np.ascontiguousarray(right)
-    result = np.zeros(size)
-    permutation = np.zeros(1, dtype=np.int32)
-    error = ctypes.c_int(0)
-
-    def integer(value: int) -> object:
-        return ctypes.byref(ctypes.c_int(value))
-
-    def pointer(array: NDArray) -> ctypes.c_void_p:
-        return array.ctypes.data_as(ctypes.c_void_p)
-
-    mkl.pardiso(
-        pointer(arrays.handle),
-        integer(1),
-        integer(1),
-        integer(-2),
-        integer(phase),
-        integer(size),
-        pointer(arrays.data),
-        pointer(arrays.indptr),
-        pointer(arrays.indices),
-        pointer(permutation),
-        integer(1),
-        pointer(arrays.settings),
-        integer(0),
-        pointer(vector),
-        pointer(result),
-        ctypes.byref(error),
-    )
-    if error.value:
-        raise SingularTangentError(f"Pardiso returned {error.value} in phase {phase}")
-    return result
-
-
-def _load_mkl() -> ctypes.CDLL | None:
-    """The MKL runtime of the current environment, None where it is not installed."""
-    folders = [Path(sys.prefix) / "lib", Path(sys.prefix) / "Library" / "bin"]
-    for folder in folders:
-        for pattern in ("libmkl_rt.so*", "mkl_rt*.dll"):
-            for path in sorted(folder.glob(pattern)):
-                try:
-                    return ctypes.CDLL(str(path))
-                except OSError:
-                    continue
-    return None
+    def negative_pivots(self) -> int:
+        """Negative pivots from the inertia of D."""
+        assert self._factor is not None
+        _positive, negative, _zero = self._factor.inertia
+        return int(negative)
 
 
 class UnsymmetricSolver:
@@ -246,7 +178,7 @@ class UnsymmetricSolver:
         except RuntimeError as error:
             raise SingularTangentError(str(error)) from error
 
-    def solve(self, right: Array) -> Array:
+    def solve(self, right: Array, left: float = REFINED) -> Array:
         """Solve with one step of refinement."""
         assert self._factor is not None
         return np.asarray(self._factor.solve(right, refine=1))
@@ -256,18 +188,18 @@ class UnsymmetricSolver:
         return None
 
 
-_SOLVERS: dict[str, Callable[[Pattern, int], LinearSolver]] = {"rslab": RslabSolver, "mkl-pardiso": PardisoSolver}
+_LIBRARIES: dict[str, Callable[[Pattern, int], Factors]] = {"rslab": Rslab, "mkl-pardiso": Pardiso}
 
 
 def available_solvers() -> tuple[str, ...]:
     """Names of the solvers that this environment has, the fastest first."""
-    return ("mkl-pardiso", "rslab") if _load_mkl() is not None else ("rslab",)
+    return ("mkl-pardiso", "rslab") if load_mkl() is not None else ("rslab",)
 
 
 def linear_solver(name: str, pattern: Pattern, threads: int) -> LinearSolver:
     """Make the named solver; ``"auto"`` takes MKL Pardiso where it is installed and rslab elsewhere."""
     if name == "auto":
         name = available_solvers()[0]
-    if name not in _SOLVERS:
-        raise unknown("linear solver", name, [*_SOLVERS, "auto"])
-    return _SOLVERS[name](pattern, threads)
+    if name not in _LIBRARIES:
+        raise unknown("linear solver", name, [*_LIBRARIES, "auto"])
+    return MixedPrecision(_LIBRARIES[name](pattern, threads), pattern)

@@ -7,7 +7,9 @@ import scipy.sparse as sp
 from numba import njit
 from numpy.typing import NDArray
 
-from turgor.engine.compiled import LOOP
+from turgor.engine.compiled import LOOP, over
+
+Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,19 +49,106 @@ class Pattern:
         return (lower + sp.tril(lower, -1).T).tocsc()
 
 
-def build_pattern(cell_unknowns: NDArray[np.int64], size: int, *more: NDArray[np.int64]) -> Pattern:
+def build_pattern(cell_unknowns: Ints, size: int, *more: Ints) -> Pattern:
     """Build the lower triangle from the (c, n) unknowns of the cells, and of what else ties unknowns, −1 for none."""
-    incidence = sp.vstack([_incidence(unknowns, size) for unknowns in (cell_unknowns, *more)], format="csr")
-    graph = sp.tril(incidence.T @ incidence + sp.identity(size, dtype=np.int32), format="csc")
-    graph.sort_indices()
-    return Pattern(size, graph.indptr.astype(np.int64), graph.indices.astype(np.int32))
+    groups = [unknowns for unknowns in (cell_unknowns, *more) if unknowns.size]
+    none = np.zeros(0, dtype=np.int64)
+    members = np.concatenate([none, *(unknowns.ravel() for unknowns in groups)])
+    widths = np.concatenate([none, *(np.full(len(unknowns), unknowns.shape[1]) for unknowns in groups)])
+    first = np.concatenate([[0], np.cumsum(widths)]).astype(np.int64)
+    of_first, of = _transposed(members, size)
+    piece = np.repeat(np.arange(len(first) - 1), np.diff(first))[of]  # pieces of each unknown
+    count = np.empty(size, dtype=np.int64)
+    over(size, _count_column, count, (first, members), (of_first, piece))
+    indptr = np.concatenate([[0], np.cumsum(count)]).astype(np.int64)
+    indices = np.empty(int(indptr[-1]), dtype=np.int32)
+    over(size, _fill_column, indptr, indices, (first, members), (of_first, piece))
+    return Pattern(size, indptr, indices)
 
 
-def _incidence(unknowns: NDArray[np.int64], size: int) -> sp.csr_matrix:
-    rows, places = np.nonzero(unknowns >= 0)
-    return sp.csr_matrix(
-        (np.ones(rows.size, dtype=np.int32), (rows, unknowns[rows, places])), shape=(len(unknowns), size)
-    )
+def cell_places(pattern: Pattern, unknowns: Ints) -> NDArray[np.int32]:
+    """Where the entries of all cells stand in a pattern that has them, lower triangles packed row by row.
+
+    Each column is laid open once, and every entry of it read off: no search.
+    """
+    width = unknowns.shape[1]
+    out = np.empty((len(unknowns), width * (width + 1) // 2), dtype=np.int32)
+    of_first, of = _transposed(unknowns.ravel(), pattern.size)
+    over(pattern.size, _place_column, out, pattern.indptr, pattern.indices, (of_first, of), unknowns)
+    return out
+
+
+@njit(**LOOP)
+def _transposed(members, size):
+    """Places of every unknown in a flat list, (size + 1,) and (k,); −1 in the list is no unknown."""
+    first = np.zeros(size + 1, dtype=np.int64)
+    for k in range(len(members)):
+        if members[k] >= 0:
+            first[members[k] + 1] += 1
+    for unknown in range(size):
+        first[unknown + 1] += first[unknown]
+    free = first[:-1].copy()
+    places = np.empty(first[size], dtype=np.int64)
+    for k in range(len(members)):
+        if members[k] >= 0:
+            places[free[members[k]]] = k
+            free[members[k]] += 1
+    return first, places
+
+
+@njit(**LOOP, nogil=True)
+def _count_column(begin, end, count, pieces, of):
+    """Entries on and below the diagonal of each column: the unknowns that a piece has beside it."""
+    (first, members), (of_first, piece) = pieces, of
+    seen = np.full(len(count), -1, dtype=np.int64)
+    for column in range(begin, end):
+        seen[column] = column
+        found = 1
+        for e in range(of_first[column], of_first[column + 1]):
+            for k in range(first[piece[e]], first[piece[e] + 1]):
+                row = members[k]
+                if row > column and seen[row] != column:
+                    seen[row] = column
+                    found += 1
+        count[column] = found
+
+
+@njit(**LOOP, nogil=True)
+def _fill_column(begin, end, indptr, indices, pieces, of):
+    """Rows of each column, rising."""
+    (first, members), (of_first, piece) = pieces, of
+    seen = np.full(len(indptr) - 1, -1, dtype=np.int64)
+    for column in range(begin, end):
+        seen[column] = column
+        free = indptr[column]
+        indices[free] = column
+        free += 1
+        for e in range(of_first[column], of_first[column + 1]):
+            for k in range(first[piece[e]], first[piece[e] + 1]):
+                row = members[k]
+                if row > column and seen[row] != column:
+                    seen[row] = column
+                    indices[free] = row
+                    free += 1
+        indices[indptr[column] : free].sort()
+
+
+@njit(**LOOP, nogil=True)
+def _place_column(begin, end, out, indptr, indices, of, unknowns):
+    """Places of the cells' entries in each column."""
+    of_first, places = of
+    width = unknowns.shape[1]
+    spot = np.empty(len(indptr) - 1, dtype=np.int32)
+    for column in range(begin, end):
+        for k in range(indptr[column], indptr[column + 1]):
+            spot[indices[k]] = k
+        for e in range(of_first[column], of_first[column + 1]):
+            cell, own = places[e] // width, places[e] % width
+            for other in range(width):
+                row = unknowns[cell, other]
+                if row >= column:
+                    high, low = max(own, other), min(own, other)
+                    out[cell, high * (high + 1) // 2 + low] = spot[row]
 
 
 @njit(**LOOP)

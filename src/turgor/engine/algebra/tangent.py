@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, gmres
 
 from turgor.engine.algebra.free_solver import solver_of
-from turgor.engine.algebra.linear import LinearSolver, UnsymmetricSolver, linear_solver
+from turgor.engine.algebra.linear import REFINED, ROUGH, LinearSolver, UnsymmetricSolver, linear_solver
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.evaluation import Evaluation, Stresses
 from turgor.engine.runtime import MIXED, PLAIN
@@ -189,10 +189,14 @@ class Tangent:
         size = self._system.size
         return None if columns is None else sp.csc_matrix(columns, shape=(size, size))
 
-    def solve(self, right: Array) -> Array:
-        """Solve with the last factors."""
+    def solve(self, right: Array, rough: bool = False) -> Array:
+        """Solve with the last factors; ``rough`` is for those of another iterate, or for a mere estimate."""
         start = perf_counter()
-        out = self._active.solve(right) if self._rubbing is None else self._with_rubbing(self._rubbing, right)
+        out = (
+            self._active.solve(right, ROUGH if rough else REFINED)
+            if self._rubbing is None
+            else self._with_rubbing(self._rubbing, right)
+        )
         self.clock.solve += perf_counter() - start
         return out
 

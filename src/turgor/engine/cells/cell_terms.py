@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.algebra.pattern import Pattern, locate, scatter_add
+from turgor.engine.algebra.pattern import Pattern, cell_places, scatter_add
 from turgor.engine.cells import kernels, kernels_geometry
 from turgor.engine.cells.cell_materials import CellMaterials, Isochoric
 from turgor.engine.cells.element import element_of
@@ -70,11 +70,7 @@ class CellTerms:
 
     def locate(self, base: Pattern) -> None:
         """Find the places of all entries in a pattern."""
-        rows, columns = np.tril_indices(self.unknowns.shape[1])
-        self._positions = np.empty((len(self.unknowns), len(rows)), dtype=np.int32)
-        for chunk in self._chunks():
-            entries = (self.unknowns[chunk][:, of].ravel() for of in (rows, columns))
-            self._positions[chunk] = locate(base.indptr, base.indices, *entries).reshape(-1, len(rows))
+        self._positions = cell_places(base, self.unknowns)
 
     def _chunks(self) -> list[slice]:
         cells = max(1, CHUNK_ENTRIES // self._positions.shape[1])

@@ -226,34 +226,48 @@ def extrapolated_stress(cells: Cells, u: Array, p: Array, du: Array, dp: Array, 
 
 
 @njit(**INNER, fastmath=FAST)
-def _add_point(shape, G, A, w, T9, K):
-    """K += w Gᵀ A G for one point; K is (3, 3, nodes, nodes), blocks i ≤ k only."""
+def _add_point(G, A, w, AG, K):
+    """K += w Gᵀ A G for one point; K is (nodes, 6 pad), the blocks i ≤ k of a row of nodes side by side.
+
+    Each block is padded to a multiple of four columns, and the length of a row is read from the array: with a length
+    that it knows the compiler unrolls the loop before it finds that entries can be added four at a time.
+    """
+    pad, at = G.shape[1], 0
     for i in range(3):
         for k in range(i, 3):
             for J in range(3):
                 a0 = w * A[3 * i + J, 3 * k]
                 a1 = w * A[3 * i + J, 3 * k + 1]
                 a2 = w * A[3 * i + J, 3 * k + 2]
-                for b in range(len(shape)):
-                    T9[J, b] = a0 * G[0, b] + a1 * G[1, b] + a2 * G[2, b]
-            for a in range(len(shape)):
-                g0 = G[0, a]
-                g1 = G[1, a]
-                g2 = G[2, a]
-                for b in range(len(shape)):
-                    K[i, k, a, b] += g0 * T9[0, b] + g1 * T9[1, b] + g2 * T9[2, b]
+                for b in range(pad):
+                    AG[J, at + b] = a0 * G[0, b] + a1 * G[1, b] + a2 * G[2, b]
+            at += pad
+    for a in range(len(K)):
+        g0 = G[0, a]
+        g1 = G[1, a]
+        g2 = G[2, a]
+        for j in range(AG.shape[1]):
+            K[a, j] += g0 * AG[0, j] + g1 * AG[1, j] + g2 * AG[2, j]
+
+
+@njit(**INNER, fastmath=FAST)
+def _block(i, k, pad):
+    """First column of block i ≤ k."""
+    return (i * (5 - i) // 2 + k) * pad
 
 
 @njit(**INNER, fastmath=FAST)
 def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
     """Add Σ gₖ gₖᵀ with the gradients gₖ of the moments by displacements (k, 3, nodes) and mean stresses (k, m)."""
+    pad = K.shape[1] // 6
     for k in range(len(u_part)):
         for i in range(3):
             for j in range(i, 3):
+                at = _block(i, j, pad)
                 for a in range(len(shape)):
                     g = u_part[k, i, a]
                     for b in range(len(shape)):
-                        K[i, j, a, b] += g * u_part[k, j, b]
+                        K[a, at + b] += g * u_part[k, j, b]
         for m in range(len(modes)):
             for i in range(3):
                 for a in range(len(shape)):
@@ -265,13 +279,13 @@ def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
 @njit(**INNER, fastmath=FAST)
 def _pack(shape, modes, K, Kup, Kpp, out):
     """Lower triangle of the cell matrix, row by row: displacement unknowns node by node, then mean stresses."""
-    at = 0
+    pad, at = K.shape[1] // 6, 0
     for a in range(len(shape)):
         for i in range(3):
             for b in range(a + 1):
                 last = i + 1 if b == a else 3
                 for k in range(last):
-                    out[at] = K[i, k, a, b] if i <= k else K[k, i, b, a]
+                    out[at] = K[a, _block(i, k, pad) + b] if i <= k else K[b, _block(k, i, pad) + a]
                     at += 1
     for m in range(len(modes)):
         for a in range(len(shape)):
@@ -288,12 +302,13 @@ def _pack(shape, modes, K, Kup, Kpp, out):
 def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W, rows, stress, moduli = laws
-    ue, G, T9 = np.empty((3, len(shape))), np.empty((3, len(shape))), np.empty((3, len(shape)))
+    pad = (len(shape) + 3) // 4 * 4
+    ue, G, T9 = np.empty((3, len(shape))), np.zeros((3, pad)), np.empty((3, len(shape)))
     F, Cof = np.empty((3, 3)), np.empty((3, 3))
     C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
     s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
-    D, A = np.empty((6, 6)), np.empty((9, 9))
-    K, Kpp = np.empty((3, 3, len(shape), len(shape))), np.empty((len(modes), len(modes)))
+    D, A, AG = np.empty((6, 6)), np.empty((9, 9)), np.empty((3, 6 * pad))
+    K, Kpp = np.empty((len(shape), 6 * pad)), np.empty((len(modes), len(modes)))
     Kup = np.empty((len(modes), 3, len(shape)))
     for c in range(begin, end):
         K[:], Kpp[:], Kup[:] = 0.0, 0.0, 0.0
@@ -320,7 +335,7 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
                     S[v] = geometric[c, q, v]
             push_forward(F, D, S, A)
             w = dV[c, q]
-            _add_point(shape, G, A, w, T9, K)
+            _add_point(G, A, w, AG, K)
             for i in range(3):
                 for a in range(len(shape)):
                     T9[i, a] = w * (Cof[i, 0] * G[0, a] + Cof[i, 1] * G[1, a] + Cof[i, 2] * G[2, a])

@@ -5,7 +5,7 @@ The types are those with which `turgor.engine.system.System` calls them.
 
 import numpy as np
 
-from turgor.engine.algebra.pattern import build_pattern, locate, scatter_add
+from turgor.engine.algebra.pattern import build_pattern, cell_places, locate, scatter_add
 from turgor.engine.cells import kernels, kernels_geometry, spectral
 from turgor.engine.cells.element import DISPLACEMENT_DEGREE
 from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell, reference_nodes, side_tables
@@ -18,6 +18,7 @@ Array = np.ndarray
 def touch_first_loop() -> bool:
     """Call one small loop; return whether it had to be compiled, as all others then will."""
     pattern, before = build_pattern(np.arange(3)[None], 3), sum(locate.stats.cache_misses.values())
+    cell_places(pattern, np.arange(3)[None])
     locate(pattern.indptr, pattern.indices, np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.int64))
     return sum(locate.stats.cache_misses.values()) > before
 

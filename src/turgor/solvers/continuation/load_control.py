@@ -98,6 +98,7 @@ def load_run(
     # loads that grow in proportion: all say how the first ones do
     if guide is None and run.stepping.length >= LONG_FIRST_STEP and not turns and not goes_on:
         strategy.rate = rate_at(system, problem.tangent, rest)[0]
+        strategy.factored_at_rest = bool(np.isfinite(strategy.rate))
     return run
 
 
@@ -135,6 +136,8 @@ class LoadStrategy:
         Whether an attempt since the last state had unstable modes.
     rate : float
         How far nodes move with the load factor at the last state; infinite where that is not known.
+    factored_at_rest : bool
+        Whether the last factors are those of the state at rest.
     relaxations : int
         How often pseudo-transient continuation was tried.
     guide : Guide or None
@@ -148,6 +151,7 @@ class LoadStrategy:
     patient: bool
     lost_stability: bool = False
     rate: float = inf
+    factored_at_rest: bool = False
     relaxations: int = 0
     guide: Guide | None = None
     astray: int = 0
@@ -172,7 +176,9 @@ class LoadStrategy:
         led = self._led(run, parameter) if self._leads_to(parameter) else None
         if led is not None:
             return self._start(run, led)
-        return predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
+        start = predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
+        begins, self.factored_at_rest = self.factored_at_rest, False
+        return replace(start, fresh=not begins)
 
     def _leads_to(self, load: float) -> bool:
         return self.guide is not None and self.guide.leads_to(load)

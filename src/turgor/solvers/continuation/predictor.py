@@ -1,5 +1,9 @@
 """Predictor: extrapolate the last points of a path, with the highest order that a lower one does not improve.
 
+The residual compares extrapolations with each other, not with the last state: where a slender body turns, any of them
+stretches its walls a little, and the residual of that is large although the next update removes it at once. So on the
+first steps of a path, the last state is taken only where walls touch, where sheets wrinkle, or where stresses are not
+linearized.
 Where walls touch, the state moves on along the tangent of the path instead: the tangent knows which points resist. A
 polynomial through states with other points in contact presses walls far into each other or lifts them off.
 
@@ -19,7 +23,7 @@ from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between, unknowns_between
-from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, SHORTENINGS, TOUCHING_REACH, WRINKLING_HISTORY
+from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, HISTORY, SHORTENINGS, WRINKLING_HISTORY
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
@@ -88,7 +92,8 @@ def predicted(
         history = history[-WRINKLING_HISTORY:]
     best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
     for count in range(len(history), 0, -1):
-        if count == 1 and not how.stay and np.isfinite(smallest):
+        stays = how.stay and not (len(history) < HISTORY and _moves_on(system, tangent, best.evaluation))
+        if count == 1 and not stays and np.isfinite(smallest):
             break
         trial = _between(system, history[-count:], parameter)
         unknowns, at = trial.unknowns, evaluate(constraint, tangent, (trial.unknowns, trial.scalars), parameter)
@@ -128,8 +133,12 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
     last = history[-1]
     here = system.contacts(last.unknowns, last.parameter)
     ahead = _ahead(last, parameter) if _knows_touch(here, history) else unknowns_between(history, parameter)
-    share = system.contact.shortening(here, system.contacts(ahead, parameter))
-    return min(1.0, TOUCHING_REACH * share) if here.touch else share
+    return system.contact.shortening(here, system.contacts(ahead, parameter))
+
+
+def _moves_on(system: System, tangent: Tangent, at: Evaluation | None) -> bool:
+    """Whether Newton's method removes at once what an extrapolation stretches, so that it is better than to stay."""
+    return at is not None and tangent.mixed_points and not at.contacts.touch and not system.model.sheets_wrinkle
 
 
 def _knows_touch(here: Contacts, history: Sequence[Point]) -> bool:

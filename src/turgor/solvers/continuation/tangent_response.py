@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 def load_response(system: System, tangent: Tangent, unknowns: Array, before: float = 0.0, after: float = 1.0) -> Array:
     """Change (size,) of the unknowns with the load factor, for loads from one to another, by the last factors."""
     force = (system.external(unknowns, after) - system.external(unknowns, before)) / (after - before)
-    return tangent.solve(np.where(system.held, 0.0, force))
+    return tangent.solve(np.where(system.held, 0.0, force), rough=True)
 
 
 def rate_at(system: System, tangent: Tangent, at: Evaluation) -> tuple[float, int | None]:

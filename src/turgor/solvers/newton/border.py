@@ -65,9 +65,9 @@ class Border:
         """Schur complement (k, k) of the tangent in the bordered matrix: D + C B."""
         return np.asarray(conditions.corner + conditions.rows @ self.responses.T)
 
-    def update(self, right: Array, conditions: Conditions, errors: Array) -> tuple[Array, Array]:
+    def update(self, right: Array, conditions: Conditions, errors: Array, rough: bool = False) -> tuple[Array, Array]:
         """Updates of unknowns and scalars for a right side of equilibrium and errors of the conditions."""
-        free = self.tangent.solve(right)
+        free = self.tangent.solve(right, rough)
         if not len(errors):
             return free, errors
         left = -errors - conditions.rows @ free

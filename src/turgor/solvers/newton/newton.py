@@ -223,7 +223,7 @@ def _update(run: _Newton, now: _Iterate) -> tuple[Array, Array]:
         coupling, now.moved = run.border.factor(now.at, now.geometric, now.jump), 0.0
     right = -now.at.residual - coupling
     right[system.held] = now.jump
-    return run.border.update(right, now.conditions, now.conditions.errors)
+    return run.border.update(right, now.conditions, now.conditions.errors, rough=not now.fresh)
 
 
 def _take(run: _Newton, now: _Iterate, step: tuple[Array, Array], reported: tuple[int, Report]) -> bool:

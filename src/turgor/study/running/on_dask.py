@@ -1,6 +1,7 @@
 """OnDask: runs computed by the workers of a Dask scheduler, on this machine or on many."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import chdir, nullcontext
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -43,7 +44,7 @@ class OnDask:
         try:
             _check(client, self.scheduler)
             # pure=False: what a run computes is known by its key, and a failed one may be tried again
-            waiting = {client.submit(compute, run, pure=False): run for run in runs}
+            waiting = {client.submit(_computed, run, str(Path.cwd()), pure=False): run for run in runs}
             for future in dask.as_completed(list(waiting), loop=client.loop):
                 yield _kept(waiting.pop(future), future, folder)
                 future.release()
@@ -92,6 +93,12 @@ def _check(client: Any, scheduler: str) -> None:
 
 def _version() -> str:
     return str(import_module("turgor").__version__)
+
+
+def _computed(run: Run, folder: str) -> Ended:
+    """Compute a run on a worker, in the folder that relative paths of this study start from, if the worker sees it."""
+    with chdir(folder) if Path(folder).is_dir() else nullcontext():
+        return compute(run)
 
 
 def _kept(run: Run, future: Any, folder: Path | None) -> Ended:

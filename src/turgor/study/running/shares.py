@@ -53,15 +53,3 @@ def share(count: int, index: int, of: int) -> range:
     if not 1 <= index <= of:
         raise TurgorError(f"--index is {index}; allowed is 1 to {of}, the number of tasks.")
     return range(index - 1, count, of)
-
-
-#: A job script of SLURM: an array with a task for each share, and a last job that gathers.
-SCRIPT = """\
-#!/bin/bash
-#SBATCH --job-name={name}
-#SBATCH --array=1-{tasks}
-#SBATCH --cpus-per-task=1
-#SBATCH --output={folder}/slurm-%A-%a.log
-# {designs} designs in {tasks} tasks. Submit: sbatch {script}; then: {command} --gather
-exec {command} --index "$SLURM_ARRAY_TASK_ID" --of {tasks}
-"""

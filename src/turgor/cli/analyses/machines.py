@@ -1,0 +1,83 @@
+"""Where `turgor sweep` computes: on this machine, on the workers of a Dask scheduler, or as tasks of a SLURM array."""
+
+import shlex
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from turgor.errors import TurgorError
+from turgor.store.whole import whole
+from turgor.study.jobs.job_file import job_file
+from turgor.study.jobs.study_file import StudyFile
+from turgor.study.running.executors import Executor
+from turgor.study.running.on_dask import OnDask
+from turgor.study.running.shares import Gathering, share
+from turgor.study.running.workers import Workers
+
+#: A job script of SLURM: an array of tasks that each compute a share.
+SCRIPT = """\
+#!/bin/bash
+#SBATCH --job-name={name}
+#SBATCH --array=1-{tasks}
+#SBATCH --cpus-per-task=1
+#SBATCH --output={log}
+#SBATCH --chdir={here}
+# {designs} designs in {tasks} tasks, on machines that share this folder.
+exec {command} --index "$SLURM_ARRAY_TASK_ID" --of {tasks}
+"""
+
+
+def check_together(scheduler: str | None, index: int | None, of: int | None, gather: bool, sbatch: Path | None) -> None:
+    """Raise an error if options exclude each other."""
+    given = {"--scheduler": scheduler, "--index": index, "--gather": gather or None, "--sbatch": sbatch}
+    named = [name for name, value in given.items() if value is not None]
+    if len(named) > 1:
+        raise TurgorError(f"{' and '.join(named)} exclude each other; give one of them.")
+    if of is not None and index is None and sbatch is None:
+        raise TurgorError("--of is the number of tasks for --index or --sbatch; give one of these, too.")
+
+
+def executor_of(scheduler: str | None, gather: bool, processes: int) -> Executor:
+    """Return where runs are computed."""
+    if gather:
+        return Gathering()
+    return Workers(processes=processes) if scheduler is None else OnDask(scheduler=scheduler)
+
+
+def share_of(given: StudyFile, index: int, of: int | None) -> StudyFile:
+    """Return a study with the designs of one task alone; an error if it has none."""
+    count = len(given.designs)
+    places = share(count, index, count if of is None else of)
+    if not places:
+        raise TurgorError(f"--index is {index}, but there are {count} designs only; give fewer tasks to --of.")
+    values = tuple(given.designs.values[k] for k in places)
+    return replace(given, designs=replace(given.designs, values=values))
+
+
+def write_script(given: StudyFile, study: Path, folder: Path, script: Path, tasks: int | None) -> str:
+    """Write a job script of SLURM, and return what to do with it.
+
+    Parameters
+    ----------
+    given : StudyFile
+    study : Path
+        The file that it was read from.
+    folder : Path
+        Folder of results. The job is written there at once, so that tasks do not all write it; SLURM adds its logs.
+    script : Path
+    tasks : int or None
+        Number of tasks; by default one for each design.
+    """
+    designs = len(given.designs)
+    tasks = min(tasks or designs, designs)
+    job_file(given.job, folder)
+    asked = ["sweep", str(study), "--output", str(folder)]
+    text = SCRIPT.format(
+        name=study.stem, tasks=tasks, designs=designs, log=folder / "slurm-%A-%a.log", here=Path.cwd(),
+        command=shlex.join([sys.executable, "-m", "turgor", *asked]),
+    )  # fmt: skip
+    with whole(script) as part:
+        part.write_text(text, encoding="utf-8")
+        part.chmod(0o755)
+    again = shlex.join(["turgor", *asked, "--gather"])
+    return f"{designs} designs in {tasks} tasks. Submit them: sbatch {script}; then write the table: {again}"
