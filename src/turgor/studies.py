@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from turgor.gradients.result import Gradient as Gradient
     from turgor.gradients.variation import Variation as Variation
     from turgor.optimization.figure import optimization_figure as optimization_figure
+    from turgor.optimization.files.write import write_optimization as write_optimization
     from turgor.optimization.goals import Limit as Limit
     from turgor.optimization.goals import Maximize as Maximize
     from turgor.optimization.goals import Minimize as Minimize
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from turgor.optimization.search import Ending as Ending
     from turgor.optimization.search import Search as Search
     from turgor.optimization.slopes import with_slopes as with_slopes
-    from turgor.optimization.write import write_optimization as write_optimization
     from turgor.sensitivity.anova import Anova as Anova
     from turgor.sensitivity.anova import Term as Term
     from turgor.sensitivity.anova import anova as anova

@@ -2,12 +2,17 @@
 
 import re
 import runpy
+import shlex
+import tomllib
 from pathlib import Path
 
 import pytest
 
+from turgor.cli import main
+from turgor.cli.app import app
+from turgor.cli.exits import DONE, NOT_CONVERGED
 from turgor.jobs import read_job
-from turgor.optimization.study_files import read_study_file
+from turgor.optimization.files.study_files import read_study_file
 
 ROOT = Path(__file__).parents[2]
 
@@ -40,3 +45,34 @@ def test_study_files_of_the_guides_are_those_of_the_example(tmp_path):
     shown = read_study_file(tmp_path / "page.toml")
     assert (shown.factors, shown.casting) == (example.factors, example.casting)
     assert [goal.measure for goal in shown.goals] == [goal.measure for goal in example.goals]
+
+
+def test_the_page_on_the_finger_shows_the_files_of_the_example():
+    """Every command of the page was run; here its files are compared, and its commands with those that there are."""
+    page = (ROOT / "docs" / "howto" / "gripper-finger.md").read_text(encoding="utf-8")
+    tables = [tomllib.loads(text) for text in re.findall(r"```toml\n(.*?)```", page, re.DOTALL)]
+    job, sweep, study = tables
+    assert job == tomllib.loads((ROOT / "examples" / "gripper_finger.toml").read_text(encoding="utf-8"))
+    example = tomllib.loads((ROOT / "examples" / "gripper_finger_study.toml").read_text(encoding="utf-8"))
+    assert study | {"job": ""} == example | {"job": ""}
+    assert set(sweep["factors"]) <= set(study["factors"])
+    known = {each.name for each in app.registered_commands}
+    asked = set(re.findall(r"^    turgor (\w+)", page, re.MULTILINE))
+    assert {"init", "check", "run", "sweep", "optimize", "uncertainty", "export"} == asked <= known
+
+
+@pytest.mark.slow
+def test_every_command_of_the_page_on_the_finger_runs(tmp_path, monkeypatch):
+    """The commands one after the other, on a shorter finger and with few runs; what they write is there."""
+    monkeypatch.chdir(tmp_path)
+    page = (ROOT / "docs" / "howto" / "gripper-finger.md").read_text(encoding="utf-8")
+    job, sweep, study = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
+    job = job.replace("chambers = 3", "chambers = 2").replace('"33 mm"', '"22 mm"').replace('"15 kPa"', '"4 kPa"')
+    for name, text in (("finger", job), ("sweep", sweep), ("study", study.replace('"40 deg"', '"6 deg"'))):
+        (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
+    for line in re.findall(r"^    turgor (.*)$", page, re.MULTILINE):
+        asked = shlex.split(line) + (["--most-solves", "5"] if line.startswith("optimize") else [])
+        assert main(asked) in (DONE, NOT_CONVERGED), line
+    assert (tmp_path / "finger-mold" / "finger-mold-core.stl").stat().st_size > 10_000
+    assert (tmp_path / "finger-uncertainty" / "uncertainty.csv").is_file()
+    assert (tmp_path / "sweep-study" / "study.csv").is_file()

@@ -1,11 +1,9 @@
 """Figure of an optimization: how each goal came nearer from run to run, or the front of several objectives."""
 
-from io import BytesIO
 from textwrap import fill
 from typing import Any
 
 import numpy as np
-from matplotlib.image import imread
 
 from turgor.optimization.goals import MET, Goal, Limit, Minimize, TipPath
 from turgor.optimization.reading import Read
@@ -13,6 +11,7 @@ from turgor.optimization.result import Optimization
 from turgor.response import COLUMN_UNITS, unit_text
 from turgor.results.plots.figures import PlotFigure
 from turgor.results.plots.response_plots import BLUE, COLORS
+from turgor.results.plots.study_figure import pictures_beside
 from turgor.results.plots.styling import INK, style_axes
 
 #: Gray of candidates that are not the best, and of those that miss a target or pass a limit.
@@ -68,14 +67,12 @@ def before_and_after(found: Optimization) -> PlotFigure | None:
     pictures = [row.ended.found.picture if row.ended.found is not None else b"" for _, _, row in rows]
     if not all(pictures):
         return None
-    figure = PlotFigure(figsize=(11.0, 4.4))
-    for axes, picture, (name, number, row) in zip(figure.subplots(1, 2), pictures, rows, strict=True):
-        axes.imshow(imread(BytesIO(picture), format="png"))
-        axes.set_axis_off()
+    titles = []
+    for name, number, row in rows:
         reached = "; ".join(f"{each.name} {each.short}" for each in found.reads(number))
         text = f"{name}: {found.study.told(row.values)}\n{reached}"
-        axes.set_title("\n".join(fill(line, TITLE_LETTERS) for line in text.splitlines()), color=INK, fontsize=9)
-    return figure
+        titles.append("\n".join(fill(line, TITLE_LETTERS) for line in text.splitlines()))
+    return pictures_beside(list(zip(titles, pictures, strict=True)), (11.0, 4.4))
 
 
 def _history(axes: Any, found: Optimization, goal: Goal) -> None:

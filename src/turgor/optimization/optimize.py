@@ -9,13 +9,13 @@ import numpy as np
 from turgor.errors import TurgorError, unknown
 from turgor.optimization.endings import told_ending
 from turgor.optimization.goals import MET, Goal, Minimize, with_scales
-from turgor.optimization.pareto import best_of_front, evolution, front_of, pareto_search
 from turgor.optimization.problem import Candidate, Problem, check_factors
 from turgor.optimization.result import Optimization
 from turgor.optimization.rules import Rule
 from turgor.optimization.search import Ending, Search
-from turgor.optimization.step import merit
-from turgor.optimization.trust_region import trust_region
+from turgor.optimization.searches.pareto import best_of_front, evolution, front_of, pareto_search
+from turgor.optimization.searches.step import merit
+from turgor.optimization.searches.trust_region import trust_region
 from turgor.response import Response
 from turgor.source import Source
 from turgor.study.computation import Computation

@@ -109,7 +109,7 @@ def test_what_cannot_be_cast_is_not_computed(call, folder):
             "unknown key in wrong.toml: 'factor'; did you mean 'factors'?",
         ),
         ("actuator.wall", "actuator.wal", "unknown number of the job 'actuator.wal'; did you mean 'actuator.wall'?"),
-        ('low = "1 mm"', "low = 1", "[factors] actuator.wall.low: '1' needs a unit"),
+        ('low = "1 mm"', "low = 1", "[factors] actuator.wall: 1 needs a unit, such as '1 mm'"),
         ('low = "1 mm"', 'low = "1 kPa"', "'1 kPa' is a pressure"),
         ('low = "1 mm", ', "", "[factors] actuator.wall: 'low' is missing"),
         ('low = "1 mm"', 'low = "5 mm"', "'actuator.wall' goes from 0.005 to 0.004; low must be below high"),
@@ -138,7 +138,7 @@ def test_mistakes_are_answered(call, folder, old, new, sentence):
 
 
 def test_paths_limits_and_shares_are_read(folder):
-    from turgor.optimization.study_files import read_study_file
+    from turgor.optimization.files.study_files import read_study_file
     from turgor.units import kPa, mm
 
     text = (

@@ -148,6 +148,14 @@ def test_the_noise_of_a_mesh_does_not_lead_it_away():
     assert cases.bowl(**found.values)["height"][0] == pytest.approx(3.0, rel=5e-3)
 
 
+def test_rows_say_whether_they_keep_the_limits():
+    goals = [studies.Minimize("height"), studies.Limit("total", most=0.5)]
+    found = tg.optimize(cases.bowl, AB, goals, start={"a": 0.5, "b": 0.5}, search=search(30))
+    total = found.study.column("total")
+    assert total[0] == 1.0 and found.converged
+    assert [each.kept for each in found.scores] == (total <= 0.5 * 1.002).tolist()
+
+
 def test_own_objectives_and_factors_are_measures():
     goals = [studies.Minimize(lambda response: float(response["height"][0] ** 2)), studies.Limit("a", most=0.1)]
     found = tg.optimize(cases.bowl, AB, goals, start=BEGIN, search=search(50))

@@ -12,7 +12,7 @@ from turgor.cli.options import Changes, Debug, Json, asked_job, command_of
 from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
-    from turgor.optimization.jobs import JobOptimization
+    from turgor.optimization.files.jobs import JobOptimization
     from turgor.optimization.result import Optimization
 
 
@@ -42,9 +42,9 @@ def _run(asked: _Options) -> None:
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.answers.optimization import optimization_result
-        from turgor.optimization.jobs import job_optimization
-        from turgor.optimization.study_files import read_study_file
-        from turgor.optimization.write import write_optimization
+        from turgor.optimization.files.jobs import job_optimization
+        from turgor.optimization.files.study_files import read_study_file
+        from turgor.optimization.files.write import write_optimization
 
         study = read_study_file(asked.study)
         if asked.most_solves is not None:

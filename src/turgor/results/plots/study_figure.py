@@ -102,6 +102,27 @@ def study_figure(panels: Sequence[Panel], pictures: Sequence[tuple[str, bytes]] 
     return figure
 
 
+def pictures_beside(pictures: Sequence[tuple[str, bytes]], size: tuple[float, float]) -> PlotFigure:
+    """Draw pictures beside each other, with a title each.
+
+    Parameters
+    ----------
+    pictures : sequence of (str, bytes)
+        Titles and PNG files.
+    size : (float, float) [inch]
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    figure = PlotFigure(figsize=size)
+    for axes, (title, png) in zip(figure.subplots(1, len(pictures), squeeze=False)[0], pictures, strict=True):
+        axes.imshow(imread(BytesIO(png), format="png"))
+        axes.set_axis_off()
+        axes.set_title(title, color=INK, fontsize=9)
+    return figure
+
+
 def _spread(pictures: Sequence[tuple[str, bytes]]) -> list[tuple[str, bytes]]:
     drawn = [each for each in pictures if each[1]]
     if len(drawn) <= MOST_PICTURES:

@@ -12,11 +12,11 @@ from turgor.errors import unknown
 from turgor.job.job import Job
 from turgor.job.read import read_job
 from turgor.model.loads import Pressure
+from turgor.optimization.files.study_files import StudyFile, read_factors
 from turgor.optimization.goals import Goal, TipPath
 from turgor.optimization.manufacture import casting_rules
 from turgor.optimization.optimize import optimize
 from turgor.optimization.result import Optimization
-from turgor.optimization.study_files import StudyFile, read_factors
 from turgor.response import Column
 from turgor.results.measures.measures import MEASURES
 from turgor.results.pictures.picture import picture

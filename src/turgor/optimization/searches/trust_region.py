@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from turgor.optimization.goals import MET
 from turgor.optimization.problem import Candidate, Problem
 from turgor.optimization.search import Ending, Search
-from turgor.optimization.step import Box, best_step, merit
-from turgor.optimization.surfaces import Surfaces, surfaces_through
+from turgor.optimization.searches.step import Box, best_step, merit
+from turgor.optimization.searches.surfaces import Surfaces, surfaces_through
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

@@ -11,7 +11,7 @@ from scipy.stats import qmc
 from turgor.errors import TurgorError
 from turgor.optimization.problem import Candidate, Problem
 from turgor.optimization.search import Ending, Search
-from turgor.optimization.surfaces import surfaces_through
+from turgor.optimization.searches.surfaces import surfaces_through
 
 Array = NDArray[np.float64]
 

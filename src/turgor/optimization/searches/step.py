@@ -11,7 +11,7 @@ from scipy.optimize import minimize
 
 from turgor.optimization.goals import MET, Limit
 from turgor.optimization.problem import Problem, Score
-from turgor.optimization.surfaces import Surfaces
+from turgor.optimization.searches.surfaces import Surfaces
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

@@ -1,0 +1,1 @@
+"""Study files, optimizations of jobs, and files that are written."""

@@ -1,0 +1,1 @@
+"""Searches: in a trust region, and for a front."""
