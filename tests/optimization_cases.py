@@ -87,3 +87,10 @@ def sloped_bowl(**values: float) -> Response:
     away = np.array([values[name] for name in names]) - np.linspace(-0.5, 0.5, len(names))
     slopes = dict(zip(names, 2 * steep * away, strict=True))
     return tg.studies.with_slopes(long_bowl(**values), {"height": slopes})
+
+
+def half_sloped_bowl(**values: float) -> Response:
+    """The same with slopes by some of its arguments."""
+    known = sloped_bowl(**values)
+    kept = tuple(each for each in known.columns if each.name not in ("height_slope_a", "height_slope_c"))
+    return Response(columns=kept, source=known.source)

@@ -191,3 +191,13 @@ def test_sensitivities(tmp_path, monkeypatch, capsys):
     assert known["indices"][0].ranking == known["table"].ranking == ("C10", "wall")
     assert (tmp_path / "indices.png").is_file()
     assert "C10 × wall" in capsys.readouterr().out
+
+
+def test_optimizations(capsys):
+    known = {"__name__": "page"}  # functions of a study belong to a module
+    for _ in after_each_block("optimize", known):
+        pass
+    assert known["found"].reads()[0].value == pytest.approx(10 * mL, rel=0.011)
+    assert known["longer"].reads()[0].value == pytest.approx(0.6 * mm, rel=0.011)
+    assert "tip_displacement_x_slope_wall" in known["longer"].best_row.response
+    assert "All targets are met, after 5 runs." in capsys.readouterr().out

@@ -55,7 +55,7 @@ def optimize(
     start : mapping of str to number, optional
         Where the search begins [SI]; by default the middle of the ranges.
     search : Search, optional
-        Method, most runs, precision.
+        Method, most runs, precision, whether slopes are taken.
     evaluations : Evaluations, optional
         Where runs are computed and kept, such as `turgor.studies.kept_in`; by default in this process, without files.
 
@@ -96,6 +96,7 @@ def optimize(
     problem = Problem(
         computation=computation, factors=tuple(factors), goals=wanted, evaluations=evaluations or Evaluations(),
         rules=tuple(each for each in goals if isinstance(each, Rule)), most=settings.most_solves,
+        slopes=settings.slopes,
     )  # fmt: skip
     begin = _start(problem, start)
     problem = replace(problem, goals=_scaled(problem, begin))
@@ -118,6 +119,7 @@ def _result(problem: Problem, ending: Ending, search: Search) -> Optimization:
         study=study, goals=problem.goals, scores=tuple(each.score for each in problem.candidates), start=0,
         best=None if best is None else places[id(best.row)], pareto=tuple(places[id(each.row)] for each in front),
         ending=ending, message=message, advice=advice,
+        notes=next((each.ended.found.notes for each in rows if each.ended.found and each.ended.found.notes), ()),
     )  # fmt: skip
 
 

@@ -18,6 +18,7 @@ from turgor.study.runs import Run
 from turgor.study.study import Row
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,9 +75,9 @@ class Candidate:
         return bool(np.isfinite(self.readings).all())
 
     @property
-    def sloped(self) -> bool:
-        """Whether the derivatives of all readings are known."""
-        return bool(np.isfinite(self.slopes).all())
+    def sloped(self) -> Flags:
+        """By which factors the derivatives of all readings are known, (n,)."""
+        return np.asarray(np.isfinite(self.slopes).all(axis=0))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -93,6 +94,8 @@ class Problem:
     evaluations : Evaluations
     most : int
         Runs at most.
+    slopes : bool
+        Whether derivatives that responses have are taken.
     candidates : list of Candidate
         In the order of the runs.
     """
@@ -103,6 +106,7 @@ class Problem:
     rules: tuple[Rule, ...]
     evaluations: Evaluations
     most: int
+    slopes: bool = True
     candidates: list[Candidate] = field(default_factory=list)
 
     @property
@@ -194,7 +198,9 @@ class Problem:
     def _candidate(self, at: Array, row: Row) -> Candidate:
         readings = np.concatenate([each.read(row) for each in self.goals])
         names, widths = [each.name for each in self.factors], [high - low for low, high in self._ranges]
-        slopes = np.concatenate([each.slopes(row, names) for each in self.goals]) * widths
+        slopes = np.full((len(readings), len(names)), np.nan)
+        if self.slopes:
+            slopes = np.concatenate([each.slopes(row, names) for each in self.goals]) * widths
         return Candidate(at=at, row=row, readings=readings, score=self.score(readings), slopes=slopes)
 
     @property

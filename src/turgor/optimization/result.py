@@ -36,6 +36,8 @@ class Optimization:
         How it ended, in a sentence.
     advice : str
         What to do; empty where nothing is to be done.
+    notes : tuple of str
+        What the runs say of themselves, such as why they have no slopes: those of the first one that says something.
     """
 
     study: Study
@@ -47,6 +49,7 @@ class Optimization:
     ending: Ending
     message: str
     advice: str
+    notes: tuple[str, ...] = ()
 
     @property
     def converged(self) -> bool:
@@ -93,7 +96,7 @@ class Optimization:
                 lines.append(f"{after_read}, at the start {before_read.short}")
             else:
                 lines.append(str(after_read))
-        return "\n".join([*lines, *self.front_lines()])
+        return "\n".join([*lines, *self.front_lines(), *self.notes])
 
     def front_lines(self) -> list[str]:
         """Return the Pareto front as lines of text; none for one objective."""

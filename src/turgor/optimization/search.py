@@ -37,6 +37,9 @@ class Search:
         mesh error: smaller steps than these errors are chance.
     seed : int
         Of what is random; the same seed gives the same runs.
+    slopes : bool
+        Whether the search in a trust region takes derivatives where responses have them (`turgor.studies.with_slopes`).
+        Runs of a job compute theirs where that is exact.
 
     Raises
     ------
@@ -48,6 +51,7 @@ class Search:
     most_solves: int = 25
     precision: float = 2e-3
     seed: int = 0
+    slopes: bool = True
 
     def __post_init__(self) -> None:
         if self.method not in METHODS:

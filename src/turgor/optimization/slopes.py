@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from turgor.errors import TurgorError
 from turgor.optimization.reading import At, Measure, read
 from turgor.response import Column, Response
-from turgor.study.study import Row
+from turgor.study.study import Row, place_on
 
 Array = NDArray[np.float64]
 
@@ -22,7 +22,8 @@ def with_slopes(response: Response, slopes: Mapping[str, Mapping[str, ArrayLike]
     response : Response
     slopes : mapping of str to mapping of str to float or (n,) array [SI]
         Derivatives by measure and factor, such as ``{"bending_angle": gradient.by("bending_angle")}``: one for each
-        state, or one number for the last state.
+        state, NaN where it is not known, or one number for the last state. Where a goal reads at a value of a drive
+        that depends on the factors, that of the drive is needed as well.
 
     Returns
     -------
@@ -72,5 +73,24 @@ def slopes_of(row: Row, measure: Measure, at: At, factors: Sequence[str]) -> Arr
         return np.full(len(factors), np.nan)
     if measure in row.values:
         return np.array([float(name == measure) for name in factors])
+    found = _column_slopes(row, measure, at, factors)
+    if at is None or at[0] in row.values:
+        return found
+    moved = np.nan_to_num(_column_slopes(row, at[0], at, factors))  # a drive without slopes is the same for all designs
+    return found - _rise(row.response, measure, at) * moved if moved.any() else found
+
+
+def _column_slopes(row: Row, measure: str, at: At, factors: Sequence[str]) -> Array:
     names = [slope_name(measure, name) for name in factors]
-    return np.array([read(row, name, at) if name in row.response else np.nan for name in names])
+    return np.array([read(row, name, at) if row.response and name in row.response else np.nan for name in names])
+
+
+def _rise(response: Response, measure: str, at: tuple[str, float]) -> float:
+    """Return by how much a measure changes along the path as the drive rises; it is read straight between rows."""
+    drive, values = response.column(at[0]), response.column(measure)
+    place = place_on(drive, at[1])
+    if place is None or len(drive) < 2:
+        return float("nan")
+    first, share = place
+    low, high = (first, first + 1) if share else (max(first - 1, 0), min(first + 1, len(drive) - 1))
+    return float((values[high] - values[low]) / (drive[high] - drive[low]))

@@ -32,11 +32,14 @@ class Computed:
         Picture as PNG; empty where none was drawn.
     seconds : float [s]
         CPU time; `run_all` sets it, unless the function has timed a part of itself.
+    notes : tuple of str
+        What is worth saying of it, such as what was left out; its end stands in the message of the response.
     """
 
     response: Response
     picture: bytes = b""
     seconds: float = 0.0
+    notes: tuple[str, ...] = ()
 
 
 class Place(str):
@@ -201,6 +204,7 @@ def kept_as(key: str, folder: Path) -> Computed | None:
         response=response,
         picture=picture.read_bytes() if picture.is_file() else b"",
         seconds=float(told["cpu_seconds"]),
+        notes=tuple(told.get("notes", ())),
     )
 
 
@@ -229,6 +233,7 @@ def keep(run: Run, found: Computed, folder: Path) -> None:
         "status": found.response.status,
         "message": found.response.message,
         "cpu_seconds": round(found.seconds, 3),
+        **({"notes": list(found.notes)} if found.notes else {}),
     }
     with whole(notes) as part:
         part.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")

@@ -215,12 +215,39 @@ def _read(response: Response | None, name: str, at: tuple[str, float] | None) ->
     values = response.column(name)
     if at is None:
         return float(values[-1])
-    drive, value = response.column(at[0]), at[1]
+    place = place_on(response.column(at[0]), at[1])
+    if place is None:
+        return float("nan")
+    first, share = place
+    return float(values[first] + share * (values[first + 1] - values[first]) if share else values[first])
+
+
+def place_on(drive: Array, value: float) -> tuple[int, float] | None:
+    """Return where a drive has a value on its first way: a row, and the share of the way to the next one.
+
+    Parameters
+    ----------
+    drive : (n,) array
+    value : float
+
+    Returns
+    -------
+    (int, float) or None
+        The share is 0 at a row, but for its last digits; None where the drive does not reach the value.
+
+    Examples
+    --------
+    >>> place_on(np.array([0.0, 10.0, 20.0, 15.0]), 15.0), place_on(np.array([0.0, 10.0]), 10.0 + 1e-12)
+    ((1, 0.5), (1, 0.0))
+    """
     if len(drive) > 1 and drive[1] < drive[0]:  # a vacuum
         drive, value = -drive, -value
     falls = np.flatnonzero(np.diff(drive) <= 0)
-    end = int(falls[0]) + 1 if len(falls) else len(drive)
-    reach = drive[end - 1]
-    if np.isclose(value, reach, rtol=SAME, atol=0.0):  # the full load, but for its last digits
-        value = reach
-    return float(np.interp(value, drive[:end], values[:end], left=np.nan, right=np.nan))
+    way = drive[: int(falls[0]) + 1] if len(falls) else drive
+    same = np.flatnonzero(np.isclose(way, value, rtol=SAME, atol=0.0))
+    if len(same):
+        return int(same[0]), 0.0
+    if not way[0] < value < way[-1]:
+        return None
+    first = int(np.searchsorted(way, value)) - 1
+    return first, float((value - way[first]) / (way[first + 1] - way[first]))

@@ -9,7 +9,12 @@ import pytest
 import optimization_cases as cases
 import turgor as tg
 from turgor.errors import TurgorError
+from turgor.response import Column, Response
+from turgor.source import Source
 from turgor.study.evaluations import Evaluations
+from turgor.study.running.ended import Ended
+from turgor.study.runs import Computed
+from turgor.study.study import Row
 from turgor.units import mm
 
 studies = tg.studies
@@ -284,13 +289,36 @@ def test_evaluations_without_files_are_enough():
 def test_slopes_spare_runs():
     names = ("a", "b", "c", "d", "e")
     counts = {}
-    for function in (cases.long_bowl, cases.sloped_bowl):
+    for function in (cases.long_bowl, cases.half_sloped_bowl, cases.sloped_bowl):
         found = tg.optimize(function, cases.factors(*names), [studies.Target("height", 1.05)], search=search(200))
         assert found.converged, found.summary()
         counts[function.__name__] = found.solves
     assert counts["sloped_bowl"] <= 0.6 * counts["long_bowl"], counts
+    assert counts["sloped_bowl"] < counts["half_sloped_bowl"] < counts["long_bowl"], counts
     away = np.array(list(found.values.values())) - np.linspace(-0.5, 0.5, 5)
     assert float(np.geomspace(1, 100, 5) @ away**2) == pytest.approx(0.05, abs=0.011)
+
+
+def test_slopes_are_left_out_where_nobody_wants_them():
+    asked = [studies.Target("height", 1.05)]
+    factors = cases.factors("a", "b", "c")
+    alone = tg.optimize(cases.long_bowl, factors, asked, search=search(200))
+    found = tg.optimize(cases.sloped_bowl, factors, asked, search=search(200, slopes=False))
+    assert found.study.inputs == pytest.approx(alone.study.inputs, abs=0)
+
+
+def test_slopes_at_a_value_of_a_drive_that_moves_as_well():
+    """Read at a tip of 2: x = p a and y = p² b give y = b (2/a)² there, whose derivative by a is −8 b / a³."""
+    p, a, b = np.linspace(0, 3, 3001), 1.5, 0.7
+    columns = tuple(Column(name, "", values) for name, values in (("x", p * a), ("y", p**2 * b)))
+    response = studies.with_slopes(
+        Response(columns=columns, source=Source(text="two powers")), {"x": {"a": p}, "y": {"a": 0 * p, "b": p**2}}
+    )
+    row = Row(values={"a": a, "b": b}, ended=Ended(run=studies.Computation(function=cases.bowl).run({}),
+              found=Computed(response=response)))  # fmt: skip
+    for at in (2.0, 3.0):
+        found = studies.Target("y", 1.0, at=("x", at)).slopes(row, ["a", "b"])[0]
+        assert found == pytest.approx([-2 * b * at**2 / a**3, at**2 / a**2], rel=1e-3)
 
 
 def test_slopes_of_the_wrong_length_are_refused():

@@ -21,6 +21,8 @@ class OptimizationResult:
         ``"converged"``, ``"budget_ended"``, ``"infeasible"`` or ``"failed"``.
     message, advice : str
         What happened, and what to do.
+    notes : list of str
+        What the runs say of themselves, such as why they have no slopes.
     solves : int
         Number of runs.
     factors : list of tables
@@ -41,6 +43,7 @@ class OptimizationResult:
     status: str
     message: str
     advice: str
+    notes: Sequence[str]
     solves: int
     factors: list[dict[str, Any]]
     goals: list[dict[str, Any]]
@@ -60,6 +63,7 @@ def optimization_result(found: "Optimization", files: Sequence[Path]) -> Optimiz
         status=found.ending.value,
         message=found.message,
         advice=found.advice,
+        notes=list(found.notes),
         solves=found.solves,
         factors=[
             {

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from turgor.engine.mass import cell_volumes
 from turgor.errors import unknown
 from turgor.job.job import Job
 from turgor.job.read import read_job
 from turgor.model.loads import Pressure
+from turgor.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes, solid_volume_of, with_job_slopes
 from turgor.optimization.files.study_files import StudyFile, read_factors
-from turgor.optimization.goals import Goal, TipPath
+from turgor.optimization.goals import Goal, Minimize, TipPath
 from turgor.optimization.manufacture import casting_rules
 from turgor.optimization.optimize import optimize
 from turgor.optimization.result import Optimization
@@ -27,9 +27,6 @@ from turgor.study.factor import Value
 from turgor.study.job_runs import any_number, forget_path, measured_job, solution_of_job
 from turgor.study.jobs.job_file import JobFile, job_file
 from turgor.study.runs import Computed
-
-#: The volume of rubber of a design: a column of the responses of jobs.
-SOLID_VOLUME = "solid_volume"
 
 #: Width of the pictures of designs in pixels.
 PICTURE_WIDTH = 700
@@ -55,8 +52,18 @@ class JobOptimization:
     @property
     def computation(self) -> Computation:
         """The job as a function of its numbers."""
-        nominal = {"mesh_error": True} if self.mesh_error else {}
-        return Computation(function=solved_design, values=self.base.values, nominal=nominal, gather="numbers")
+        asked = {**self.base.values, "slopes": self._slopes}
+        nominal = {"mesh_error": True, "slopes": []} if self.mesh_error else {}
+        return Computation(function=solved_design, values=asked, nominal=nominal, gather="numbers")
+
+    @property
+    def _slopes(self) -> list[list[Any]]:
+        """What is differentiated: what the goals read, where the search takes slopes."""
+        in_region = self.study.search.method in ("auto", "trust_region")
+        fronts = sum(isinstance(each, Minimize) for each in self.study.goals) > 1
+        if not self.study.search.slopes or not in_region or fronts:
+            return []
+        return asked_slopes(self.study.goals, {key.replace(" ", "") for key in self.study.factors})
 
     def search(self, evaluations: Evaluations) -> Optimization:
         """Search, with the rules of casting where the study file has any."""
@@ -105,27 +112,37 @@ def job_optimization(study: StudyFile, job: Job, folder: Path, *, mesh_error: bo
     return JobOptimization(base=base, study=study, mesh_error=mesh_error)
 
 
-def solved_design(job: str, digest: str, numbers: Mapping[str, Value], mesh_error: bool = False) -> Computed:
+def solved_design(
+    job: str,
+    digest: str,
+    numbers: Mapping[str, Value],
+    mesh_error: bool = False,
+    slopes: Sequence[Sequence[Any]] = (),
+) -> Computed:
     """Solve a job with other numbers; its response has the volume of rubber, and there is a picture of the last state.
 
     Parameters
     ----------
     job, digest, numbers, mesh_error
         As those of `turgor.study.job_runs.solved_job`.
+    slopes : sequence of (str, str or None, float)
+        Measures that are differentiated by the numbers, where that is exact: at a value of a column, or at the end.
 
     Returns
     -------
     Computed
+        With notes on what could not be differentiated.
     """
     asked, solution = solution_of_job(job, digest, numbers)
     response = measured_job(asked, solution, mesh_error=mesh_error)
-    mesh = solution.model.mesh
-    volume = float(cell_volumes(mesh).sum()) * mesh.symmetry_factor
-    column = Column(SOLID_VOLUME, "mL", np.full(len(response), volume))
+    column = Column(SOLID_VOLUME, "mL", np.full(len(response), solid_volume_of(solution.model.mesh)))
     response = replace(response, columns=(*response.columns, column))
+    notes: tuple[str, ...] = ()
+    if slopes and solution.states:
+        response, notes = with_job_slopes(asked, solution, response, tuple(numbers), slopes)
     drawn = picture(solution, width=PICTURE_WIDTH).png if solution.states else b""
     forget_path(job, digest, numbers)
-    return Computed(response=response, picture=drawn)
+    return Computed(response=response, picture=drawn, notes=notes)
 
 
 def _measures(job: Job, study: StudyFile) -> tuple[str, ...]:

@@ -61,8 +61,7 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
     begun = _begun(problem, start, search)
     if begun is None:
         return Ending.FAILED if problem.left <= 0 or not problem.known else Ending.BUDGET
-    if not begun.sloped:
-        problem.compute(_around(problem, begun.at))
+    problem.compute(_around(problem, begun))
     center, radius = _lowest(problem), FIRST_RADIUS
     while problem.left > 0:
         if _all_met(problem, center):
@@ -71,7 +70,7 @@ def trust_region(problem: Problem, start: Array, search: Search) -> Ending:
         box = Box(center=center.at, radius=radius)
         to = best_step(problem, surfaces, box, search.seed + len(problem.candidates))
         step = float(np.abs(to - center.at).max())
-        missing = None if center.sloped else _missing_direction(problem, center.at, radius)
+        missing = _missing_direction(problem, center, radius)
         if _is_idle(problem, surfaces, center, to, search.precision):
             if missing is None and radius <= LAST_REGION * search.precision:
                 return _ended(problem, center)
@@ -107,10 +106,10 @@ def _begun(problem: Problem, start: Array, search: Search) -> Candidate | None:
     return None
 
 
-def _around(problem: Problem, center: Array) -> list[Array]:
-    """Return a point beside the center along each factor, to the side with more room and within the rules."""
-    found = []
-    for direction in np.eye(len(center)):
+def _around(problem: Problem, begun: Candidate) -> list[Array]:
+    """Return a point beside the start along each factor without slopes, on the side with more room within the rules."""
+    found, center = [], begun.at
+    for direction in np.eye(len(center))[~begun.sloped]:
         reach = max(FIRST_RADIUS, float(problem.levels @ direction))
         sides = (1.0, -1.0) if direction @ center <= 0.5 else (-1.0, 1.0)
         points = [problem.snapped(center + share * side * reach * direction) for share in (1.0, 0.5) for side in sides]
@@ -125,9 +124,8 @@ def _surfaces(problem: Problem, step: float) -> Surfaces:
     for each in problem.known:
         points.append(each.at)
         values.append(each.readings)
-        if each.sloped:
-            points.extend(each.at + step * np.eye(len(each.at)))
-            values.extend(each.readings + step * each.slopes.T)
+        points.extend(each.at + step * np.eye(len(each.at))[each.sloped])
+        values.extend(each.readings + step * each.slopes.T[each.sloped])
     return surfaces_through(np.array(points), np.array(values))
 
 
@@ -172,9 +170,9 @@ def _narrowed(
     )
 
 
-def _missing_direction(problem: Problem, center: Array, radius: float) -> Array | None:
-    """Return a point in the direction that no candidate in the region lies in; None where they span it."""
-    moving = problem.levels <= NEAR * radius
+def _missing_direction(problem: Problem, candidate: Candidate, radius: float) -> Array | None:
+    """Return a point in the direction that no candidate in the region lies in; None where they or slopes span it."""
+    center, moving = candidate.at, (problem.levels <= NEAR * radius) & ~candidate.sloped
     if not moving.any():
         return None
     away = np.array([each.at - center for each in problem.known]) / radius
