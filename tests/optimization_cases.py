@@ -1,5 +1,6 @@
 """Formulas that the tests of optimizations call, some in other processes."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -94,3 +95,25 @@ def half_sloped_bowl(**values: float) -> Response:
     known = sloped_bowl(**values)
     kept = tuple(each for each in known.columns if each.name not in ("height_slope_a", "height_slope_c"))
     return Response(columns=kept, source=known.source)
+
+
+def two_cavities(length: float, wall: float, left: float, right: float) -> Response:
+    """A beam that bends with the difference of two pressures and stretches with their sum, as length²/wall."""
+    share = 1e-8 * length**2 / (60 * mm) / wall
+    ends = (share * (left + right), share * (left - right), 0.0)
+    names = ("tip_displacement_x", "tip_displacement_y", "tip_displacement_z")
+    columns = tuple(Column(name, "mm", [0.0, end]) for name, end in zip(names, ends, strict=True))
+    return Response(columns=columns, source=Source(text="a beam"))
+
+
+PRESSURES = (0.0, 10 * kPa, 20 * kPa)
+
+
+def reach_of_two_cavities(length: float, wall: float) -> Response:
+    """The workspace of the beam, the stress of its wall and its rubber."""
+    pressures = {"left": PRESSURES, "right": PRESSURES}
+    runs = tg.studies.workspace_of(two_cavities, pressures, values={"length": length, "wall": wall})
+    found = runs.to_response()
+    stress = Column("stress", "kPa", [20 * kPa * 8 * mm / wall])
+    rubber = Column("rubber", "mL", [length * wall * 50 * mm])
+    return replace(found, columns=(*found.columns, stress, rubber))

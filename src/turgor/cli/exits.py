@@ -106,7 +106,7 @@ def _said(raised: BaseException) -> tuple[int, str]:
     if isinstance(raised, OSError):
         return BAD_INPUT, f"'{raised.filename or 'a file'}' cannot be read or written: {raised.strerror}."
     if isinstance(raised, KeyboardInterrupt):
-        return NOT_CONVERGED, "interrupted; with --resume, a run goes on from its last state."
+        return NOT_CONVERGED, str(raised) or "interrupted; with --resume, a run goes on from its last state."
     if not isinstance(raised, Exception):
         raise raised
     what = f"{type(raised).__name__}: {raised}"

@@ -5,6 +5,7 @@ import signal
 import socket
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from threading import Thread, current_thread, main_thread
 from types import FrameType
 
@@ -41,6 +42,23 @@ def ends_at_once() -> Iterator[None]:
             signal.signal(number, handler)
         signal.set_wakeup_fd(before)
         there.close()
+
+
+@contextmanager
+def kept_in_folder(folder: Path) -> Iterator[None]:
+    """Say of runs that Ctrl-C ends where they are kept, and how to go on.
+
+    Parameters
+    ----------
+    folder : Path
+        That of the study.
+    """
+    try:
+        yield
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(
+            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
+        ) from None
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:

@@ -15,7 +15,7 @@ from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Factor, Value
 from turgor.study.rounding import rounded
 from turgor.study.runs import Run
-from turgor.study.study import Row
+from turgor.study.study import Row, told
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -165,7 +165,7 @@ class Problem:
         runs: dict[str, tuple[Run, Array, dict[str, Value]]] = {}
         for point in points:
             values = self.values(point)
-            run = self.computation.run(values, nominal=nominal)
+            run = self.computation.run(values, nominal=nominal, name=told(self.factors, values))
             runs.setdefault(run.key, (run, point, values))
         fresh = [entry for key, entry in runs.items() if key not in before][: max(self.left, 0)]
         ended = self.evaluations.of([run for run, _, _ in fresh])

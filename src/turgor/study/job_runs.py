@@ -3,6 +3,7 @@
 import json
 import tomllib
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -29,8 +30,11 @@ Value = float | int | str
 #: Sections of a job whose numbers are no quantities of the actuator.
 _LEFT_OUT = ("written_by", "output", "engine", "name")
 
-#: Folder beside the job for paths that are being followed; each is removed when its run has ended.
+#: Folder beside the job for paths that are being followed: each goes when its run has ended, the folder with the last.
 PATHS = "paths"
+
+#: How often the folder of a path is made: other runs may remove the one above it while it is empty.
+ATTEMPTS = 10
 
 #: Keys of a material that stay when it gets another record.
 _OF_THE_JOB = ("density", "viscoelasticity", "stress_softening", "thickness", "form", "compression")
@@ -286,7 +290,10 @@ def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
     job, digest, numbers
         As those of `solved_job`.
     """
-    rmtree(_path_of(job, digest, numbers), ignore_errors=True)
+    folder = _path_of(job, digest, numbers)
+    rmtree(folder, ignore_errors=True)
+    with suppress(OSError):  # the paths of other runs are there
+        folder.parent.rmdir()
 
 
 def _path_of(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:
@@ -322,7 +329,16 @@ def _followed(job: Job, options: EngineOptions, folder: Path) -> Solution:
         except TurgorError:  # killed as the folder was begun
             rmtree(folder)
     model, _ = prepare(job)
+    _make(folder)
     return solve(model, job.procedure, options=options, folder=folder, throw=False)
+
+
+def _make(folder: Path) -> None:
+    """Make the folder of a path, again if a run that ended has removed the empty one above it in between."""
+    for _ in range(ATTEMPTS):
+        with suppress(FileNotFoundError):
+            folder.mkdir(parents=True, exist_ok=True)
+            return
 
 
 def path_name(digest: str, numbers: Mapping[str, Value]) -> str:

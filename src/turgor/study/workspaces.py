@@ -12,11 +12,12 @@ from typing import Any
 from turgor.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.model.loads import Pressure
-from turgor.response import Response
+from turgor.response import Column, Response
 from turgor.results.measures.shape.workspaces import COLUMNS, Workspace, workspace
+from turgor.source import Source
 from turgor.store.whole import whole
 from turgor.study.evaluations import Evaluations
-from turgor.study.job_runs import digest_of, solved_job, write_whole_job
+from turgor.study.job_runs import Value, any_number, digest_of, solved_job, write_whole_job
 from turgor.study.rounding import rounded
 from turgor.study.running.ended import Ended
 from turgor.study.runs import Computed, Place, Run
@@ -57,6 +58,15 @@ class WorkspaceRuns:
                 told.append(f"The run with {each.run.name} ended early: {each.found.response.message}")
         return tuple(told)
 
+    def to_response(self) -> Response:
+        """Return area and volume as a response of one state, as a sweep or an optimization of designs reads them."""
+        columns = (
+            Column("workspace_area", "mm2", [self.reached.area]),
+            Column("workspace_volume", "mL", [self.reached.volume]),
+        )
+        source = Source(text="a workspace", detail=f"{len(self.ended)} runs")
+        return Response(columns=columns, source=source, message=" ".join(self.problems))
+
     def write(self, file: str | Path) -> None:
         """Write a table with a line for each run: pressures [kPa], the last place of the tip [mm], and its problem."""
         with whole(Path(file)) as part, part.open("w", encoding="utf-8", newline="") as opened:
@@ -71,7 +81,11 @@ class WorkspaceRuns:
 
 
 def workspace_of(
-    model: Job | Function, pressures: Mapping[str, Sequence[float]], *, evaluations: Evaluations | None = None
+    model: Job | Function,
+    pressures: Mapping[str, Sequence[float]],
+    *,
+    values: Mapping[str, Value] | None = None,
+    evaluations: Evaluations | None = None,
 ) -> WorkspaceRuns:
     """Compute a model at all combinations of the pressures of its cavities, and the workspace that its tip reaches.
 
@@ -87,6 +101,8 @@ def workspace_of(
         Pressures of each cavity, such as ``{"cavity_1": [0, 10 * kPa], "cavity_2": [0, 10 * kPa]}``. Cavities of a job
         that are not named keep the pressure of the job. A combination at which nothing loads a job is not computed:
         every path begins at rest.
+    values : mapping of str to float, int or str, optional
+        Numbers of the job by key [SI], such as ``{"actuator.wall": 2e-3}``, or further arguments of the function.
     evaluations : Evaluations, optional
         Where runs are computed and kept, such as `turgor.studies.kept_in`; by default in this process, without files.
 
@@ -97,7 +113,7 @@ def workspace_of(
     Raises
     ------
     TurgorError
-        If a cavity is unknown or has no pressure, all runs fail, or the places lie on a line.
+        If a cavity or a key is unknown, a cavity has no pressure, all runs fail, or the places lie on a line.
 
     Examples
     --------
@@ -113,14 +129,14 @@ def workspace_of(
     >>> len(found.ended), round(found.reached.area / mm**2, 6)
     (9, 8.0)
     """
-    for name, values in pressures.items():
-        if not len(values) or not all(isfinite(value) for value in values):
-            raise TurgorError(f"pressures of '{name}' are {list(values)}; give one pressure in Pa or more.")
+    for name, given in pressures.items():
+        if not len(given) or not all(isfinite(value) for value in given):
+            raise TurgorError(f"pressures of '{name}' are {list(given)}; give one pressure in Pa or more.")
     if not pressures:
         raise TurgorError("pressures is empty; name the cavities and their pressures.")
     combinations = tuple(
-        {name: rounded(value) for name, value in zip(pressures, values, strict=True)}
-        for values in product(*pressures.values())
+        {name: rounded(value) for name, value in zip(pressures, each, strict=True)}
+        for each in product(*pressures.values())
     )
     if isinstance(model, Job):
         combinations = tuple(each for each in combinations if _is_loaded(model, each))
@@ -128,15 +144,18 @@ def workspace_of(
             raise TurgorError("nothing drives the job: all pressures are zero.")
     computed = evaluations or Evaluations()
     if not isinstance(model, Job):
-        ended = computed.of([Run(name=_told(each), function=model, values=each) for each in combinations])
+        more = dict(values or {})
+        ended = computed.of([Run(name=_told(each), function=model, values={**more, **each}) for each in combinations])
         return _gathered(combinations, ended)
     with TemporaryDirectory() as folder:
         file = (computed.folder or Path(folder)) / START
-        ended = computed.of(_job_runs(model, file, combinations))
+        ended = computed.of(_job_runs(model, file, combinations, values or {}))
     return _gathered(combinations, ended)
 
 
-def _job_runs(job: Job, file: Path, combinations: Sequence[Mapping[str, float]]) -> list[Run]:
+def _job_runs(
+    job: Job, file: Path, combinations: Sequence[Mapping[str, float]], values: Mapping[str, Value]
+) -> list[Run]:
     """Runs of a job; its pressures are keys of the whole job."""
     numbers = write_whole_job(job, file)
     keys = {key.split(".")[1]: key for key in numbers if key.startswith("loads.") and key.endswith(".pressure")}
@@ -145,11 +164,14 @@ def _job_runs(job: Job, file: Path, combinations: Sequence[Mapping[str, float]])
     for name in combinations[0]:
         if name not in keys:
             raise unknown("cavity with a pressure", name, keys)
+    for given, value in values.items():
+        for key in given.split(",") if not isinstance(value, str) else ():
+            any_number(numbers, key)
     same: dict[str, Any] = {"job": Place(file), "digest": digest_of(file), "measures": list(COLUMNS)}
     return [
         Run(
             name=_told(each), function=solved_job,
-            values={**same, "numbers": {keys[name]: value for name, value in each.items()}},
+            values={**same, "numbers": {**values, **{keys[name]: value for name, value in each.items()}}},
         )
         for each in combinations
     ]  # fmt: skip

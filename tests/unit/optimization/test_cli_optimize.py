@@ -119,6 +119,7 @@ def test_what_cannot_be_cast_is_not_computed(call, folder):
         ('value = "0.8 mm"', "", "[[targets]]: 'value' is missing"),
         ('value = "0.8 mm"', 'value = "0.8 furlongs"', "'0.8 furlongs' is no number with a known unit"),
         ('at = { pressure = "15 kPa" }', "at = 15", "[[targets]].at is 15; write one column and its value"),
+        ("at = { pressure", "at = { presure", "wrong.toml: at: unknown column 'presure'; did you mean 'pressure'?"),
         ("minimize", "minimise", "unknown key in wrong.toml: [[objectives]]: 'minimise'"),
         ('minimize = "solid_volume"', "scale = 1", "needs either minimize or maximize"),
         ("precision = 0.02", "precision = 2", "precision is 2; allowed is between 0 and 0.1"),

@@ -65,7 +65,7 @@ def test_a_study_of_a_job(call, folder):
     )
     assert lines[1].startswith("2,0.1,converged,,")
     assert Image.open(folder / "walls-study" / "tip_displacement_x.png").size[0] > 600
-    assert not any((folder / "walls-study" / "paths").iterdir())
+    assert not (folder / "walls-study" / "paths").exists()
     code, said, progress = call("walls.toml", "--json")  # everything is read
     result = json.loads(said)["result"]
     assert (result["designs"], result["kept"], result["failed"]) == (4, 4, 0)
@@ -107,6 +107,9 @@ def test_a_design_that_cannot_be_built_is_a_row(call, folder):
         ("tube.toml", "tub.toml", "did you mean 'tube'?"),
         ("at = {", "att = {", "study.toml:10: output.att: unknown key 'att'; did you mean 'at'?"),
         ('"10 kPa"', '"10 kilo"', "output.at: pressure: '10 kilo' is no number with a unit"),
+        ("pressure =", "presure =", "study.toml:10: output.at: unknown column 'presure'; did you mean 'pressure'?"),
+        ('pressure = "10', 'cavity_volume = "10', "output.at: 'cavity_volume' is not measured; add it to the measures"),
+        ('"10 kPa"', '"10 mm"', "output.at: '10 mm' is a length"),
         ('"tip_displacement_x"', '"tip_displacement_q"', "did you mean 'tip_displacement"),
         ("[output]", '[design]\nkind = "sobl"\n[output]', "study.toml:9: design.kind: unknown kind 'sobl'; did you"),
         ("[output]", '[design]\nkind = "sobol"\n[output]', "design.samples: 'samples' is missing"),

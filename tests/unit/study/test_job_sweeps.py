@@ -114,7 +114,7 @@ def test_a_path_that_was_killed_goes_on(tmp_path, monkeypatch):
     monkeypatch.setattr("turgor.study.job_runs.solve", None)  # it is not begun anew
     response = solved_job(**base.values, numbers=numbers)
     monkeypatch.undo()
-    assert not path.exists()
+    assert not path.parent.exists()
     whole = solved_job(**base.values, numbers=numbers)
     assert response["tip_displacement_x"] == pytest.approx(whole["tip_displacement_x"], rel=1e-8)
 
@@ -126,6 +126,30 @@ def test_a_path_that_was_hardly_begun_is_begun_anew(tmp_path):
     path.mkdir(parents=True)
     assert solved_job(**base.values, numbers={}).status == "converged"
     assert not path.exists()
+
+
+def test_paths_of_other_runs_stay_and_their_folder_may_vanish_at_any_time(tmp_path, monkeypatch):
+    (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
+    base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
+    paths = base.file.parent / PATHS
+    other = paths / "other"
+    other.mkdir(parents=True)
+    real, vanished = os.mkdir, []
+
+    def mkdir(path, *given):
+        real(path, *given)
+        if not vanished and str(path) == str(paths):  # a run that ends removes the empty folder
+            vanished.append(path)
+            os.rmdir(path)
+
+    solved_job(**base.values, numbers={})
+    assert list(paths.iterdir()) == [other]
+    other.rmdir()
+    paths.rmdir()
+    monkeypatch.setattr("os.mkdir", mkdir)
+    assert solved_job(**base.values, numbers={}).status == "converged"
+    assert vanished
+    assert not paths.exists()
 
 
 def test_a_study_that_was_moved_finds_its_runs_again(tmp_path):

@@ -71,6 +71,25 @@ def test_mistakes_are_answered():
         tg.studies.workspace_of(beam, {"cavity_1": [0, 10 * kPa], "cavity_2": [0]})
 
 
+def reach(per_pascal: float, cavity_1: float, cavity_2: float) -> Response:
+    """The same tip, as far for each pascal as a design says."""
+    ends = (0.0, cavity_1 * per_pascal, cavity_2 * per_pascal)
+    columns = [Column(name, "mm", np.array([0.0, end])) for name, end in zip(COLUMNS, ends, strict=True)]
+    return Response(columns=tuple(columns), source=Source(text="a beam"))
+
+
+def test_a_design_has_a_workspace_as_a_response():
+    asked = {"cavity_1": [0, 20 * kPa], "cavity_2": [0, 10 * kPa]}
+    near, far = (tg.studies.workspace_of(reach, asked, values={"per_pascal": each * 1e-7}) for each in (1, 3))
+    found = far.to_response()
+    assert found["workspace_area"] == pytest.approx([9 * near.reached.area])
+    assert found.find("workspace_area").in_unit == pytest.approx([18])
+    assert found["workspace_volume"] == [0.0]
+    assert found.message == ""
+    bursts = tg.studies.workspace_of(beam, {"cavity_1": [0, 30 * kPa], "cavity_2": [0, 30 * kPa]}).to_response()
+    assert "cavity_2 30 kPa failed: the beam bursts." in bursts.message
+
+
 JOB = """
 [actuator]
 type = "bidirectional_bender"
@@ -92,6 +111,25 @@ pressure = "20 kPa"
 def bender(tmp_path):
     (tmp_path / "bender.toml").write_text(JOB, encoding="utf-8")
     return tg.jobs.read_job(tmp_path / "bender.toml")
+
+
+def solved_like(job, digest, numbers, measures):
+    """Stand for a solve of the bender."""
+    assert measures == list(COLUMNS)
+    assert digest
+    pressures = [numbers[f"loads.cavity_{number}.pressure"] for number in (1, 2)]
+    return reach(1e-10 / numbers["actuator.outer_wall"], *pressures)
+
+
+def test_numbers_of_a_job_have_other_values(bender, monkeypatch):
+    monkeypatch.setattr("turgor.study.workspaces.solved_job", solved_like)
+    asked = {"cavity_1": [0, 20 * kPa], "cavity_2": [0, 20 * kPa]}
+    found = tg.studies.workspace_of(bender, asked, values={"actuator.outer_wall": 2 * mm})
+    assert found.reached.area == pytest.approx(1 * mm**2)
+    with pytest.raises(
+        TurgorError, match=r"unknown number of the job 'actuator\.outer_wal'; did you mean 'actuator\.outer_wall'"
+    ):
+        tg.studies.workspace_of(bender, asked, values={"actuator.outer_wal": 2 * mm})
 
 
 def test_a_cavity_that_the_job_lacks(bender):

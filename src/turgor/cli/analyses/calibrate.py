@@ -10,6 +10,7 @@ import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+from turgor.cli.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
     from turgor.response import Response
@@ -79,7 +80,7 @@ def _run(asked: _Options) -> None:
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.calibration.calibrate import calibrate
         from turgor.calibration.job_files import CALIBRATED, free_parameters, job_trial, left_as_they_are
         from turgor.calibration.write import write_calibration
@@ -97,14 +98,15 @@ def _run(asked: _Options) -> None:
         pairs = zip(measured, _spreads(asked, measured), strict=True)
         trials = [job_trial(base, each, y=asked.y, x=asked.x, spread=spread) for each, spread in pairs]
         count = len(asked.experiments)
-        found = calibrate(
-            trials[:count],
-            free,
-            rig=asked.rig or (),
-            hold_out=trials[count:],
-            most_solves=asked.most_solves,
-            evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run),
-        )
+        with kept_in_folder(folder):
+            found = calibrate(
+                trials[:count],
+                free,
+                rig=asked.rig or (),
+                hold_out=trials[count:],
+                most_solves=asked.most_solves,
+                evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run),
+            )
         files = [*write_calibration(found, folder), folder / CALIBRATED]
         base.write(found.values, files[-1], f"Calibrated:\n{found.summary()}")
         typer.echo(found.summary())

@@ -2,62 +2,99 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import typer
 
+from turgor.cli.signals import kept_in_folder
+
 if TYPE_CHECKING:
     from turgor.study.factor import Factor
+    from turgor.study.jobs.study_file import StudyFile
+    from turgor.study.running.executors import Executor
     from turgor.study.study import Study
 
 #: Ending of study files.
 TOML = ".toml"
 
 
-def given_study(path: Path, processes: int) -> "tuple[Study, Path, tuple[str, float] | None, Sequence[str]]":
+class HowComputed(Protocol):
+    """Options of commands that compute a study file."""
+
+    @property
+    def processes(self) -> int:
+        """Processes at once."""
+
+    @property
+    def scheduler(self) -> str | None:
+        """Address of a Dask scheduler."""
+
+    @property
+    def changes(self) -> list[str] | None:
+        """What ``--set`` states."""
+
+
+def given_study(path: Path, how: HowComputed) -> "tuple[Study, Path, tuple[str, float] | None, Sequence[str]]":
     """Read a study, or compute that of a study file.
 
     Parameters
     ----------
     path : Path
         Folder of ``turgor sweep``, table of a study, or study file.
-    processes : int
-        Processes at once.
+    how : HowComputed
+        For a study file.
 
     Returns
     -------
     (Study, Path, (str, float) or None, sequence of str)
         The study, the folder of its files, and where and what measures are read according to the study file.
     """
+    from turgor.cli.analyses.machines import executor_of
+    from turgor.errors import TurgorError
+    from turgor.job.text.changes import parse_changes
     from turgor.study.files.stored import load_study, write_study
+    from turgor.study.jobs.study_file import read_study_file
 
     if path.suffix.lower() != TOML:
+        if how.changes or how.scheduler is not None:
+            option = "--set" if how.changes else "--scheduler"
+            raise TurgorError(f"{option} goes with a study file, which is computed; '{path}' is read as it is.")
         study = load_study(path)
         return study, path if path.is_dir() else path.with_suffix(""), None, ()
-    from turgor.cli.analyses.progress import StudyProgress
-    from turgor.errors import TurgorError
-    from turgor.study.evaluations import Evaluations
-    from turgor.study.jobs.job_file import RUNS
-    from turgor.study.jobs.job_sweep import sweep_job
-    from turgor.study.jobs.study_file import read_study_file
-    from turgor.study.running.workers import Workers
-
-    given = read_study_file(path, {})
+    given = read_study_file(path, parse_changes(how.changes or ()))
     folder = Path(f"{given.name}-study")
-    try:
-        with (
-            StudyProgress(len(given.designs)) as progress,
-            Evaluations(folder=folder / RUNS, executor=Workers(processes=processes), progress=progress) as runs,
-        ):
-            study = sweep_job(given, folder, runs)
-    except KeyboardInterrupt:
-        raise TurgorError(
-            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
-        ) from None
+    study = computed_study(given, folder, executor_of(how.scheduler, gather=False, processes=how.processes))
     write_study(study, folder, given.measures or study.measures, given.at)
     for line in study.problems:
         typer.echo(line, err=True)
     return study, folder, given.at, given.measures
+
+
+def computed_study(given: "StudyFile", folder: Path, executor: "Executor") -> "Study":
+    """Compute a study file, with a display of its progress; its runs are kept in the folder.
+
+    Parameters
+    ----------
+    given : StudyFile
+    folder : Path
+    executor : Executor
+        Where runs are computed.
+
+    Returns
+    -------
+    Study
+    """
+    from turgor.cli.analyses.progress import StudyProgress
+    from turgor.study.evaluations import Evaluations
+    from turgor.study.jobs.job_file import RUNS
+    from turgor.study.jobs.job_sweep import sweep_job
+
+    with (
+        kept_in_folder(folder),
+        StudyProgress(len(given.designs)) as progress,
+        Evaluations(folder=folder / RUNS, executor=executor, progress=progress) as runs,
+    ):
+        return sweep_job(given, folder, runs)
 
 
 def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option: str) -> dict[str, float]:

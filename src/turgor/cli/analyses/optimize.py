@@ -9,7 +9,7 @@ import typer
 from turgor.cli.analyses.calibrate import told_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, asked_job, command_of
-from turgor.cli.signals import ends_at_once
+from turgor.cli.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
     from turgor.optimization.files.jobs import JobOptimization
@@ -61,17 +61,11 @@ def _run(asked: _Options) -> None:
 
 
 def _searched(wanted: "JobOptimization", folder: Path, processes: int) -> "Optimization":
-    from turgor.errors import TurgorError
     from turgor.study.evaluations import kept_in
     from turgor.study.jobs.job_file import RUNS
 
-    try:
-        with kept_in(folder / RUNS, processes=processes, progress=told_run) as runs:
-            return wanted.search(runs)
-    except KeyboardInterrupt:
-        raise TurgorError(
-            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
-        ) from None
+    with kept_in_folder(folder), kept_in(folder / RUNS, processes=processes, progress=told_run) as runs:
+        return wanted.search(runs)
 
 
 optimize_command = command_of(_Options, _run)

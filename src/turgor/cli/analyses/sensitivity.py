@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.analyses.calibrate import often
-from turgor.cli.analyses.surrogate import At, Measures, Output, Processes, StudyPath
+from turgor.cli.analyses.surrogate import At, Measures, Output, Processes, Scheduler, StudyPath
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Debug, Json, command_of
+from turgor.cli.options import Changes, Debug, Json, command_of
+from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -31,7 +32,9 @@ class _Options:
     hold: Annotated[list[str] | None, often("--hold", "NAME=VALUE", "A factor that does not vary, for sobol.")] = None
     samples: Annotated[int, typer.Option(help="Points of sobol, a power of two.")] = 1024
     processes: Processes = 1
+    scheduler: Scheduler = None
     output: Output = None
+    changes: Changes = None
     as_json: Json = False
     debug: Debug = False
 
@@ -41,7 +44,7 @@ def _run(asked: _Options) -> None:
 
     A full factorial gets an analysis of variance. Samples get Sobol indices of a surrogate, whose error is told.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import SensitivityResult
         from turgor.errors import unknown
@@ -50,7 +53,7 @@ def _run(asked: _Options) -> None:
 
         if asked.method not in METHODS:
             raise unknown("method", asked.method, METHODS)
-        study, place, at, measures = given_study(asked.study, asked.processes)
+        study, place, at, measures = given_study(asked.study, asked)
         at = read_at(asked.at, study) or at
         method = asked.method if asked.method != "auto" else "anova" if is_factorial(study) else "sobol"
         names = asked.measures or list(measures) or None

@@ -8,7 +8,8 @@ import typer
 
 from turgor.cli.analyses.calibrate import often
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Debug, Json, command_of
+from turgor.cli.options import Changes, Debug, Json, command_of
+from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.cli.exits import Answer
@@ -26,6 +27,12 @@ Measures = Annotated[
 ]
 At = Annotated[str, typer.Option("--at", metavar="NAME=VALUE", help="Where measures are read: pressure='40 kPa'.")]
 Processes = Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)]
+Scheduler = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ADDRESS", help="Compute on the workers of a Dask scheduler: tcp://host:8786.", show_default=False
+    ),
+]
 Output = Annotated[
     Path | None, typer.Option(help="Folder of results; by default that of the study.", show_default=False)
 ]
@@ -41,21 +48,23 @@ class _Options:
     ] = ""
     kind: Annotated[str, typer.Option(help="gaussian_process, network or auto.")] = "auto"
     processes: Processes = 1
+    scheduler: Scheduler = None
     output: Output = None
+    changes: Changes = None
     as_json: Json = False
     debug: Debug = False
 
 
 def _fit(asked: _Options) -> None:
     """Fit a fast function to a study: it predicts measures with their errors, and is inverted by 'turgor predict'."""
-    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import surrogate_result
         from turgor.results.plots.figures import write_figure
         from turgor.surrogates.figure import surrogate_figure
         from turgor.surrogates.fit import surrogate
 
-        study, place, at, measures = given_study(asked.study, asked.processes)
+        study, place, at, measures = given_study(asked.study, asked)
         at = None if asked.along else read_at(asked.at, study) or at
         found = surrogate(study, asked.measures or measures or None, kind=asked.kind, at=at, along=asked.along)
         folder = asked.output if asked.output is not None else place

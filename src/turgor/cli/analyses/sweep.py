@@ -15,7 +15,6 @@ from turgor.cli.signals import ends_at_once
 if TYPE_CHECKING:
     from turgor.study.designs import Designs
     from turgor.study.jobs.study_file import StudyFile
-    from turgor.study.running.executors import Executor
     from turgor.study.study import Study
 
 #: Rows of a table on a terminal; the file has all.
@@ -58,6 +57,7 @@ def _run(asked: _Options) -> None:
     Killed and called again, it goes on: nothing is computed twice.
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
+        from turgor.cli.analyses.given_study import computed_study
         from turgor.cli.analyses.machines import check_together, executor_of, share_of, write_script
         from turgor.cli.answers.sweeps import designs_result, sweep_result
         from turgor.job.text.changes import parse_changes
@@ -77,7 +77,7 @@ def _run(asked: _Options) -> None:
             raise typer.Exit(DONE)
         if asked.index is not None:
             given = share_of(given, asked.index, asked.of)
-        study = _computed(given, folder, executor_of(asked.scheduler, asked.gather, asked.processes))
+        study = computed_study(given, folder, executor_of(asked.scheduler, asked.gather, asked.processes))
         if asked.index is not None:
             failed = sum(row.response is None for row in study.rows)
             typer.echo(f"Task {asked.index}: {len(study)} designs, {failed} failed; kept in {folder}.")
@@ -96,25 +96,6 @@ def _run(asked: _Options) -> None:
 
 
 sweep_command = command_of(_Options, _run)
-
-
-def _computed(given: "StudyFile", folder: Path, executor: "Executor") -> "Study":
-    from turgor.cli.analyses.progress import StudyProgress
-    from turgor.study.evaluations import Evaluations
-    from turgor.study.jobs.job_file import RUNS
-    from turgor.study.jobs.job_sweep import sweep_job
-
-    try:
-        with (
-            StudyProgress(len(given.designs)) as progress,
-            Evaluations(folder=folder / RUNS, executor=executor, progress=progress) as runs,
-        ):
-            return sweep_job(given, folder, runs)
-    except KeyboardInterrupt:
-        typer.echo(
-            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there.", err=True
-        )
-        raise typer.Exit(NOT_CONVERGED) from None
 
 
 def _drawn(study: "Study", folder: Path, given: "StudyFile") -> tuple[list[Path], list[str]]:

@@ -9,6 +9,7 @@ import typer
 from turgor.cli.analyses.calibrate import often, told_run
 from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+from turgor.cli.signals import ends_at_once, kept_in_folder
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,7 +47,7 @@ def _run(asked: _Options) -> None:
 
     Killed and called again, it goes on: nothing is computed twice.
     """
-    with errors_as_sentences(asked.debug, asked.as_json) as answer:
+    with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.answers.studies import uncertainty_result
         from turgor.results.plots.figures import write_figure
         from turgor.study.evaluations import kept_in
@@ -64,10 +65,11 @@ def _run(asked: _Options) -> None:
         inputs = [*read_spreads(asked.spread or (), base), *read_sets(asked.sets or (), base)]
         inputs = read_records(asked.records or (), job, inputs, leave_out_doubtful=asked.leave_out_doubtful)
         at = read_number(asked.at, PRESSURE, "--at") if asked.at else None
-        found = propagate(
-            job_computation(base, mesh_error=asked.mesh_error), inputs, method=asked.method,
-            evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run),
-        )  # fmt: skip
+        with kept_in_folder(folder):
+            found = propagate(
+                job_computation(base, mesh_error=asked.mesh_error), inputs, method=asked.method,
+                evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run),
+            )  # fmt: skip
         sentences = [found.sentence(name, at) for name in found.bands]
         files = [folder / "uncertainty.csv", folder / "uncertainty.png", folder / "uncertainty.txt"]
         found.to_response().to_csv(files[0])

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from turgor.errors import unknown
+from turgor.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.job.read import read_job
 from turgor.model.loads import Pressure
@@ -25,6 +25,7 @@ from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Value
 from turgor.study.job_runs import any_number, forget_path, measured_job, solution_of_job
+from turgor.study.jobs.columns import unit_of_column
 from turgor.study.jobs.job_file import JobFile, job_file
 from turgor.study.runs import Computed
 
@@ -154,7 +155,14 @@ def _measures(job: Job, study: StudyFile) -> tuple[str, ...]:
             continue
         if not any(name.startswith(each) for each in MEASURES):  # parts of a measure, such as of each region
             raise unknown(f"measure in {study.file}:", name, [*MEASURES, *beside])
-    more = [name for name in asked if name in MEASURES and name not in job.output.measures]
+    places = [goal.at[0] for goal in study.goals if goal.at is not None]
+    for name in places:
+        if name not in MEASURES:
+            try:
+                unit_of_column(job, name)
+            except TurgorError as error:
+                raise TurgorError(f"{study.file}: at: {error}") from None
+    more = [name for name in (*asked, *places) if name in MEASURES and name not in job.output.measures]
     return (*job.output.measures, *dict.fromkeys(more))
 
 

@@ -5,6 +5,12 @@ import numpy as np
 from turgor.response import Column
 from turgor.solvers.solution import Solution
 
+#: Columns of the energies, and the fields that they show.
+ENERGIES = {
+    "kinetic_energy": "kinetic", "strain_energy": "strain", "dissipated_energy": "dissipated", "external_work": "work",
+    "missing_energy": "missing",
+}  # fmt: skip
+
 
 def time_column(solution: Solution) -> tuple[Column, ...]:
     """Return the column ``time``, where the procedure knows times.
@@ -38,11 +44,5 @@ def energy_columns(solution: Solution) -> tuple[Column, ...]:
     if len(energies) < len(solution.states):
         return ()
     whole = solution.model.mesh.symmetry_factor
-    values = {
-        "kinetic_energy": [each.kinetic for each in energies],
-        "strain_energy": [each.strain for each in energies],
-        "dissipated_energy": [each.dissipated for each in energies],
-        "external_work": [each.work for each in energies],
-        "missing_energy": [each.missing for each in energies],
-    }
+    values = {name: [getattr(each, field) for each in energies] for name, field in ENERGIES.items()}
     return tuple(Column(name, "mJ", whole * np.array(numbers)) for name, numbers in values.items())

@@ -1,7 +1,7 @@
 """Study files: TOML that names a job, what varies in it, and what is measured."""
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -20,8 +20,9 @@ from turgor.study.designs import Designs, factorial, latin_hypercube, sobol
 from turgor.study.factor import Factor
 from turgor.study.files.designs_csv import read_designs
 from turgor.study.job_runs import numbers_of, unit_value
+from turgor.study.jobs.columns import unit_of_column
 from turgor.study.jobs.job_factors import RANGE, check_choices, job_factor
-from turgor.units import split_quantity
+from turgor.units import UNITS, parse_quantity, split_quantity
 
 #: Keys of a study file.
 SECTIONS = ("name", "job", "factors", "design", "output")
@@ -183,7 +184,10 @@ def _read(content: Mapping[str, Any], path: Path, base: JobBase, problems: Probl
     measures = [problems.attempt(("output", "measures"), partial(_measure, each))
                 for each in output.measures or ()]  # fmt: skip
     given = output.at
-    at = problems.attempt(("output", "at"), partial(_at, given)) if given is not None else None
+    at = None
+    if given is not None and not problems.found:
+        named = tuple(each for each in measures if each is not None)
+        at = problems.attempt(("output", "at"), partial(_at, given, job, named))
     if designs is None or problems.found:
         return None
     return StudyFile(
@@ -247,13 +251,15 @@ def _measure(name: str) -> str:
     return find_measure(name).name
 
 
-def _at(given: Mapping[str, Any]) -> tuple[str, float]:
+def _at(given: Mapping[str, Any], job: Job, measures: Sequence[str]) -> tuple[str, float]:
     if len(given) != 1:
         raise TurgorError('give one column and its value, such as { pressure = "50 kPa" }.')
     ((name, value),) = given.items()
+    unit = unit_of_column(job, name, measures)
     if isinstance(value, int | float) and not isinstance(value, bool):
         return name, float(value)
     read = split_quantity(value) if isinstance(value, str) else None
     if read is None:
         raise TurgorError(f"{name}: {value!r} is no number with a unit, such as '50 kPa'.")
-    return name, read[0] * unit_value(read[1])
+    dimension = next((each for each, units in UNITS.items() if unit in units), "")
+    return name, parse_quantity(str(value), dimension) if dimension else read[0] * unit_value(read[1])
