@@ -139,7 +139,7 @@ class _Question:
                 self.job, keys, self.measures, solution=self.solution, state=row, options=options
             )  # fmt: skip
         except TurgorError as error:
-            return None, str(error)
+            return None, str(error).removeprefix("the gradient is not computed: ")
         return (found, "") if found.left < ACCURATE else (None, f"their error is about {found.left:.1%}.")
 
 
