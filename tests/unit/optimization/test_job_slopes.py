@@ -5,7 +5,7 @@ import pytest
 
 import turgor as tg
 from calibration_cases import JOB
-from turgor.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes
+from turgor.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes, refused_at_once
 from turgor.optimization.files.jobs import job_optimization, solved_design
 from turgor.optimization.files.study_files import read_study_file
 from turgor.optimization.slopes import slopes_of
@@ -178,6 +178,16 @@ def test_what_no_derivative_can_be_taken_of_is_not_asked_for():
     assert len(asked_slopes([path], {})) == 4
     assert asked_slopes([path, studies.TipPath([(0.0, 0.0), (1.0, 2.0)])], {}) == []
     assert asked_slopes([path, studies.Minimize(len)], {}) == []
+
+
+def test_what_is_known_to_have_no_derivative_is_not_tried():
+    shape = tg.actuators.ExtendingCylinder(length=20 * mm).build()
+    numbers = {"actuator.wall": 2e-3, "actuator.folds": 2, "materials.a.C10,materials.b.C10": 1e5}
+    numbers |= {"materials.a.C20,actuator.cap": 1.0}
+    refused = refused_at_once(tg.mesh(shape, size=8 * mm, cells="tetrahedra"), numbers)
+    assert list(refused) == ["actuator.wall", "actuator.folds", "materials.a.C20,actuator.cap"]
+    assert "hexahedra stay" in refused["actuator.wall"] and "whole numbers" in refused["actuator.folds"]
+    assert list(refused_at_once(tg.mesh(shape, size=8 * mm, cells="hexahedra"), numbers)) == ["actuator.folds"]
 
 
 def tube(wall, stiffness):
