@@ -148,6 +148,19 @@ def test_slopes_are_those_of_what_the_goals_read(base):
 
 
 @pytest.mark.usefixtures("drawn_nothing")
+def test_the_end_of_a_path_that_ended_early_has_no_slopes(base):
+    numbers = {"actuator.wall": 1 * mm, "loads.pressure": 90 * kPa}
+    asked = [["tip_displacement_x", None, 0.0], ["cavity_volume", "pressure", 10 * kPa]]
+    row = run_of(base, numbers, slopes=asked)
+    assert "limit point" in row.problem
+    assert np.isnan(slopes_of(row, "tip_displacement_x", None, list(numbers))).all()
+    before = slopes_of(row, "cavity_volume", ("pressure", 10 * kPa), list(numbers))
+    assert np.isfinite(before).all() and before[0] < 0
+    alone = run_of(base, numbers, slopes=asked[:1])
+    assert np.isnan(slopes_of(alone, "tip_displacement_x", None, list(numbers))).all()
+
+
+@pytest.mark.usefixtures("drawn_nothing")
 def test_what_has_no_slopes_is_said_once_and_left_to_the_surfaces(tmp_path):
     runs = studies.kept_in(tmp_path / "runs")
     found = searched(tmp_path, FINGER, BEND, runs)

@@ -93,7 +93,10 @@ def with_job_slopes(
         The response as it was where nothing can be differentiated, and sentences for a reader.
     """
     of_states = [(drive, value) for name, drive, value in asked if name != SOLID_VOLUME]
-    rows = sorted({row for each in of_states or [(None, 0.0)] for row in _rows(response, *each)})
+    read = of_states or [(None, 0.0)]
+    if not solution.complete:  # the load at which it ended changes with the numbers as well
+        read = [each for each in read if each[0] is not None]
+    rows = sorted({row for each in read for row in _rows(response, *each)})
     names = dict.fromkeys(name for each, drive, _ in asked for name in (each, drive) if name is not None)
     question = _Question(job, solution, tuple(_measure(each) for each in names))
     slopes: dict[str, dict[str, Array]] = {name: {} for name in names}
