@@ -56,6 +56,8 @@ class Search:
     def __post_init__(self) -> None:
         if self.method not in METHODS:
             raise unknown("method", self.method, METHODS)
+        if not isinstance(self.slopes, bool):
+            raise TurgorError(f"slopes is {self.slopes!r}; allowed is true or false.")
         if self.most_solves < 2:
             raise TurgorError(f"most_solves is {self.most_solves}; allowed is 2 or more.")
         if not 0 < self.precision < 0.1:

@@ -5,7 +5,7 @@ import pytest
 
 import turgor as tg
 from calibration_cases import JOB
-from turgor.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes
+from turgor.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes, refused_at_once
 from turgor.optimization.files.jobs import job_optimization, solved_design
 from turgor.optimization.files.study_files import read_study_file
 from turgor.optimization.slopes import slopes_of
@@ -119,8 +119,7 @@ def base(tmp_path_factory):
 VALUES = {"actuator.wall": 1.8 * mm, "materials.body.C10": 0.12 * MPa, "loads.pressure": 20 * kPa}
 READ = [
     ("tip_displacement_x", ("pressure", 13 * kPa)),
-    ("pressure", ("tip_displacement_x", 0.3 * mm)),
-    ("cavity_volume", ("pressure", 10 * kPa)),
+    ("cavity_volume", ("tip_displacement_x", 0.3 * mm)),
     ("tip_displacement_x", None),
     (SOLID_VOLUME, None),
 ]
@@ -146,6 +145,19 @@ def test_slopes_are_those_of_what_the_goals_read(base):
         size = np.abs([goal.read(row)[0] for goal in goals]) / value
         apart = np.abs(found[:, place] - differences)
         assert np.all(apart <= 5e-3 * np.abs(differences) + 1e-4 * size), (key, found[:, place], differences)
+
+
+@pytest.mark.usefixtures("drawn_nothing")
+def test_the_end_of_a_path_that_ended_early_has_no_slopes(base):
+    numbers = {"actuator.wall": 1 * mm, "loads.pressure": 90 * kPa}
+    asked = [["tip_displacement_x", None, 0.0], ["cavity_volume", "pressure", 10 * kPa]]
+    row = run_of(base, numbers, slopes=asked)
+    assert "limit point" in row.problem
+    assert np.isnan(slopes_of(row, "tip_displacement_x", None, list(numbers))).all()
+    before = slopes_of(row, "cavity_volume", ("pressure", 10 * kPa), list(numbers))
+    assert np.isfinite(before).all() and before[0] < 0
+    alone = run_of(base, numbers, slopes=asked[:1])
+    assert np.isnan(slopes_of(alone, "tip_displacement_x", None, list(numbers))).all()
 
 
 @pytest.mark.usefixtures("drawn_nothing")
@@ -179,6 +191,16 @@ def test_what_no_derivative_can_be_taken_of_is_not_asked_for():
     assert len(asked_slopes([path], {})) == 4
     assert asked_slopes([path, studies.TipPath([(0.0, 0.0), (1.0, 2.0)])], {}) == []
     assert asked_slopes([path, studies.Minimize(len)], {}) == []
+
+
+def test_what_is_known_to_have_no_derivative_is_not_tried():
+    shape = tg.actuators.ExtendingCylinder(length=20 * mm).build()
+    numbers = {"actuator.wall": 2e-3, "actuator.folds": 2, "materials.a.C10,materials.b.C10": 1e5}
+    numbers |= {"materials.a.C20,actuator.cap": 1.0}
+    refused = refused_at_once(tg.mesh(shape, size=8 * mm, cells="tetrahedra"), numbers)
+    assert list(refused) == ["actuator.wall", "actuator.folds", "materials.a.C20,actuator.cap"]
+    assert "hexahedra stay" in refused["actuator.wall"] and "whole numbers" in refused["actuator.folds"]
+    assert list(refused_at_once(tg.mesh(shape, size=8 * mm, cells="hexahedra"), numbers)) == ["actuator.folds"]
 
 
 def tube(wall, stiffness):

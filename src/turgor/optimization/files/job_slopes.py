@@ -1,6 +1,6 @@
 """Slopes of jobs: derivatives of what the goals read by the numbers of a job, where they are exact."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +18,7 @@ from turgor.optimization.slopes import with_slopes
 from turgor.response import Response
 from turgor.results.measures.reading import Measure
 from turgor.solvers.solution import Solution
+from turgor.study.factor import Value
 from turgor.study.job_gradients import gradient_of_job
 from turgor.study.study import place_on
 
@@ -28,6 +29,9 @@ SOLID_VOLUME = "solid_volume"
 
 #: Beginning of the sentence that says what is left to the surfaces.
 LEFT = "There are no slopes"
+
+#: Nodes of a tetrahedron, and the beginning of the keys of dimensions.
+TETRAHEDRON, SHAPE = 10, "actuator."
 
 #: Slopes count as exact up to this estimate of their relative error.
 ACCURATE = 0.01
@@ -66,7 +70,7 @@ def asked_slopes(goals: Sequence[Goal], factors: Collection[str]) -> list[list[A
 
 
 def with_job_slopes(
-    job: Job, solution: Solution, response: Response, keys: Sequence[str], asked: Sequence[Sequence[Any]]
+    job: Job, solution: Solution, response: Response, numbers: Mapping[str, Value], asked: Sequence[Sequence[Any]]
 ) -> tuple[Response, tuple[str, ...]]:
     """Add the derivatives of what goals read by the numbers of a job, and say which are left out.
 
@@ -78,8 +82,8 @@ def with_job_slopes(
     solution : Solution
     response : Response
         A row for each state.
-    keys : sequence of str
-        Numbers of the job.
+    numbers : mapping of str to number
+        Numbers of the job by key.
     asked : sequence of (str, str or None, float)
         As `asked_slopes` gives them.
 
@@ -89,12 +93,15 @@ def with_job_slopes(
         The response as it was where nothing can be differentiated, and sentences for a reader.
     """
     of_states = [(drive, value) for name, drive, value in asked if name != SOLID_VOLUME]
-    rows = sorted({row for each in of_states or [(None, 0.0)] for row in _rows(response, *each)})
+    read = of_states or [(None, 0.0)]
+    if not solution.complete:  # the load at which it ended changes with the numbers as well
+        read = [each for each in read if each[0] is not None]
+    rows = sorted({row for each in read for row in _rows(response, *each)})
     names = dict.fromkeys(name for each, drive, _ in asked for name in (each, drive) if name is not None)
     question = _Question(job, solution, tuple(_measure(each) for each in names))
     slopes: dict[str, dict[str, Array]] = {name: {} for name in names}
-    notes: dict[str, str] = {}
-    left = tuple(keys)
+    notes = refused_at_once(solution.model.mesh, numbers)
+    left = tuple(key for key in numbers if key not in notes)
     for row in rows:
         found, refused = question.at(row, left)
         notes |= refused
@@ -103,7 +110,28 @@ def with_job_slopes(
             for key in left:
                 column = slopes[name].setdefault(key, np.full(len(response), np.nan))
                 column[slice(None) if name == SOLID_VOLUME else row] = found[name, key]  # type: ignore[index]
-    return with_slopes(response, slopes), _told(keys, notes)
+    return with_slopes(response, slopes), _told(tuple(numbers), notes)
+
+
+def refused_at_once(mesh: Mesh, numbers: Mapping[str, Value]) -> dict[str, str]:
+    """Return why numbers have no derivative, where that is known without trying, which takes meshes and factors.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    numbers : mapping of str to number
+
+    Returns
+    -------
+    dict of str to str
+    """
+    found = {}
+    for keys, value in numbers.items():
+        if not isinstance(value, float):
+            found[keys] = "whole numbers and choices do not change by little."
+        elif mesh.cells.shape[1] == TETRAHEDRON and any(key.startswith(SHAPE) for key in keys.split(",")):
+            found[keys] = 'tetrahedra become others where a dimension changes; hexahedra stay (cells = "hexahedra").'
+    return found
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -139,7 +167,7 @@ class _Question:
                 self.job, keys, self.measures, solution=self.solution, state=row, options=options
             )  # fmt: skip
         except TurgorError as error:
-            return None, str(error)
+            return None, str(error).removeprefix("the gradient is not computed: ")
         return (found, "") if found.left < ACCURATE else (None, f"their error is about {found.left:.1%}.")
 
 

@@ -140,7 +140,7 @@ def solved_design(
     response = replace(response, columns=(*response.columns, column))
     notes: tuple[str, ...] = ()
     if slopes and solution.states:
-        response, notes = with_job_slopes(asked, solution, response, tuple(numbers), slopes)
+        response, notes = with_job_slopes(asked, solution, response, numbers, slopes)
     drawn = picture(solution, width=PICTURE_WIDTH).png if solution.states else b""
     forget_path(job, digest, numbers)
     return Computed(response=response, picture=drawn, notes=notes)

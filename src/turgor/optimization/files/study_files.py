@@ -253,11 +253,15 @@ def _unit(given: Any) -> str:
     return "" if read is None else read[1]
 
 
+#: Settings that are no numbers.
+_WORDS = ("method", "slopes")
+
+
 def _made(kind: type[Made], table: Table, where: str) -> Made:
     """Make settings from a table: texts with units are quantities, but words stay words."""
     _check_keys(table, [each.name for each in fields(kind)], where)  # type: ignore[arg-type]
     given = {
-        key: value if isinstance(value, bool | int) or key == "method" else _number(value, f"{where}.{key}")
+        key: value if isinstance(value, bool | int) or key in _WORDS else _number(value, f"{where}.{key}")
         for key, value in table.items()
     }
     return kind(**given)
