@@ -9,6 +9,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+import numpy as np
+
 from turgor.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.model.loads import Pressure
@@ -61,8 +63,8 @@ class WorkspaceRuns:
     def to_response(self) -> Response:
         """Return area and volume as a response of one state, as a sweep or an optimization of designs reads them."""
         columns = (
-            Column("workspace_area", "mm2", [self.reached.area]),
-            Column("workspace_volume", "mL", [self.reached.volume]),
+            Column("workspace_area", "mm2", np.array([self.reached.area])),
+            Column("workspace_volume", "mL", np.array([self.reached.volume])),
         )
         source = Source(text="a workspace", detail=f"{len(self.ended)} runs")
         return Response(columns=columns, source=source, message=" ".join(self.problems))
