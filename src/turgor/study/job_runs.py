@@ -19,7 +19,7 @@ from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.response import Response
-from turgor.solvers.solution import Solution
+from turgor.solvers.solution import Solution, Status
 from turgor.solvers.solve import resume, solve
 from turgor.store.whole import whole
 from turgor.study.rounding import rounded
@@ -279,7 +279,10 @@ def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tupl
         )
     content = tomllib.loads(Path(job).read_text(encoding="utf-8"))
     asked = read_job(job, job_changes(content, numbers))
-    return asked, _followed(asked, EngineOptions(threads=1), _path_of(job, digest, numbers))
+    solution = _followed(asked, EngineOptions(threads=1), _path_of(job, digest, numbers))
+    if solution.status is Status.INTERRUPTED:
+        raise KeyboardInterrupt  # Ctrl-C ends the study; the run has not ended, and goes on when it is called again
+    return asked, solution
 
 
 def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:

@@ -119,6 +119,32 @@ def test_a_path_that_was_killed_goes_on(tmp_path, monkeypatch):
     assert response["tip_displacement_x"] == pytest.approx(whole["tip_displacement_x"], rel=1e-8)
 
 
+def test_ctrl_c_in_the_middle_of_a_run_ends_the_study_and_not_the_run(tmp_path, monkeypatch):
+    (tmp_path / "tube.toml").write_text(JOB + '\n[procedure]\ntype = "static"\nmax_step = 0.1\n', encoding="utf-8")
+    base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
+    states = []
+
+    def interrupting(*given, **named):
+        def progress(iteration, state):
+            states.extend([] if state is None else [state])
+            if len(states) == 3:
+                raise KeyboardInterrupt
+
+        return tg.solve(*given, progress=progress, **named)
+
+    monkeypatch.setattr("turgor.study.job_runs.solve", interrupting)
+    run = base.computation(mesh_error=False).run({"materials.body.C10": 1.1e5})
+    kept = tmp_path / "study" / "runs"
+    with pytest.raises(KeyboardInterrupt):
+        tg.studies.kept_in(kept).of([run])
+    assert len(states) == 3
+    assert not kept.exists() or not list(kept.iterdir())
+    monkeypatch.setattr("turgor.study.job_runs.solve", None)  # the path goes on
+    (ended,) = tg.studies.kept_in(kept).of([run])
+    assert ended.found.response.status == "converged"
+    assert ended.found.response["load_factor"][-1] == 1.0
+
+
 def test_a_path_that_was_hardly_begun_is_begun_anew(tmp_path):
     (tmp_path / "tube.toml").write_text(JOB, encoding="utf-8")
     base = job_file(tg.jobs.read_job(tmp_path / "tube.toml"), tmp_path / "study")
