@@ -23,7 +23,7 @@ from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between, unknowns_between
-from turgor.solvers.continuation.thresholds import GOOD_PREDICTION, HISTORY, SHORTENINGS, WRINKLING_HISTORY
+from turgor.solvers.continuation.thresholds import FAR, GOOD_PREDICTION, HISTORY, SHORTENINGS, WRINKLING_HISTORY
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
@@ -92,7 +92,8 @@ def predicted(
         history = history[-WRINKLING_HISTORY:]
     best, smallest = Start(last.unknowns, last.stresses, last.scalars), np.inf
     for count in range(len(history), 0, -1):
-        stays = how.stay and not (len(history) < HISTORY and _moves_on(system, tangent, best.evaluation))
+        young = len(history) < HISTORY and _is_near(history, parameter)
+        stays = how.stay and not (young and _moves_on(system, tangent, best.evaluation))
         if count == 1 and not stays and np.isfinite(smallest):
             break
         trial = _between(system, history[-count:], parameter)
@@ -134,6 +135,14 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
     here = system.contacts(last.unknowns, last.parameter)
     ahead = _ahead(last, parameter) if _knows_touch(here, history) else unknowns_between(history, parameter)
     return system.contact.shortening(here, system.contacts(ahead, parameter))
+
+
+def _is_near(history: Sequence[Point], parameter: float) -> bool:
+    """Whether a step is not much longer than the last one: after a sudden load the path takes another direction."""
+    if len(history) < 2:
+        return True
+    before, last = history[-2].parameter, history[-1].parameter
+    return parameter - last <= FAR * (last - before)
 
 
 def _moves_on(system: System, tangent: Tangent, at: Evaluation | None) -> bool:
