@@ -156,6 +156,7 @@ def equilibrium_of(state: State, procedure: OneProcedure, options: EngineOptions
     """
     system = System(state.model, controlled_cavities(state, procedure))
     tangent = Tangent(system, options.linear_solver, options.threads)
+    tangent.use_double()  # a solution in single precision takes two or three refinements, and every answer five of them
     constraint = constraint_of(system, state, procedure)
     scalars = np.array([state.pressures[name] for name in system.controlled]) / system.stress_scale
     start = Start(unknowns_of(system, state), None, scalars)

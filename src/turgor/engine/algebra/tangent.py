@@ -162,12 +162,19 @@ class Tangent:
         """Analyze the present pattern, if it is another one than before."""
         pattern = self._system.pattern
         if self._general is None and self._analyzed is not pattern:  # walls touch that did not before
+            double = self._symmetric is not None and self._symmetric.double
             self._symmetric, self._analyzed = None, pattern
             self._symmetric = self._made(pattern)
+            self._symmetric.double = self._symmetric.double or double
 
     def _made(self, pattern: Pattern) -> LinearSolver:
         make = partial(linear_solver, self._solver, threads=self._threads)
         return solver_of(make, pattern, self._system.held)
+
+    def use_double(self) -> None:
+        """Factor in double precision from now on: many accurate solutions with one tangent need no refinement then."""
+        if self._symmetric is not None:
+            self._symmetric.double = True
 
     def factored(self, again: bool) -> Factored:
         """What the next step may need: the matrix too, if it uses the factors ``again``."""
