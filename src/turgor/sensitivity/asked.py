@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from importlib import import_module
 from typing import Any, Protocol
 
 import numpy as np
@@ -190,27 +189,3 @@ def problem_of(asked: Asked, held: Mapping[str, float] | None) -> Problem:
     if len(varied) < 2:
         raise TurgorError(f"{len(varied)} factors vary; sensitivities compare two or more.")
     return Problem(asked=asked, varied=varied, held=dict(held or {}))
-
-
-def sampling(module: str) -> Any:
-    """Import a module of SALib.
-
-    Parameters
-    ----------
-    module : str
-
-    Returns
-    -------
-    module
-
-    Raises
-    ------
-    TurgorError
-        If it is not installed.
-    """
-    try:
-        return import_module(module)
-    except ImportError:
-        raise TurgorError(
-            'sensitivities need SALib, which is not installed; install it with: pip install "turgor[studies]"'
-        ) from None

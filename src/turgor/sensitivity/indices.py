@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
 from turgor.response import Column
-from turgor.sensitivity.asked import Asked, Problem, problem_of, sampling
+from turgor.sensitivity.asked import Asked, Problem, problem_of
+from turgor.study.optional import needed
 
 Array = NDArray[np.float64]
 
@@ -175,9 +176,11 @@ def sobol_indices(
     if samples < 2 or samples & (samples - 1):
         raise TurgorError(f"samples is {samples}; allowed are powers of two, such as 1024.")
     problem, names = problem_of(asked, held), _names(asked, measures)
-    sample = sampling("SALib.sample.sobol").sample(problem.salib, samples, calc_second_order=False, seed=seed)
+    sample = needed("SALib.sample.sobol", "a sensitivity").sample(
+        problem.salib, samples, calc_second_order=False, seed=seed
+    )
     values, units = problem.values(sample), asked.units
-    analyzed: Any = sampling("SALib.analyze.sobol")
+    analyzed: Any = needed("SALib.analyze.sobol", "a sensitivity")
     found = []
     for name in names:
         column = values[:, asked.measures.index(name)]
@@ -232,9 +235,9 @@ def screening(
     if trajectories < 2:
         raise TurgorError(f"trajectories is {trajectories}; allowed is 2 or more.")
     problem, names = problem_of(asked, held), _names(asked, measures)
-    sample = sampling("SALib.sample.morris").sample(problem.salib, trajectories, num_levels=4, seed=seed)
+    sample = needed("SALib.sample.morris", "a sensitivity").sample(problem.salib, trajectories, num_levels=4, seed=seed)
     values, units = problem.values(sample), asked.units
-    analyzed: Any = sampling("SALib.analyze.morris")
+    analyzed: Any = needed("SALib.analyze.morris", "a sensitivity")
     found = []
     for name in names:
         column = values[:, asked.measures.index(name)]

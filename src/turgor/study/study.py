@@ -13,7 +13,8 @@ from turgor.response import COLUMN_UNITS, MESH_ERROR, Response
 from turgor.source import Source
 from turgor.study.designs import design_table
 from turgor.study.factor import Factor, Value, inputs_of
-from turgor.study.files.tables import Cells, header, needed, write_csv, write_parquet
+from turgor.study.files.tables import Cells, header, write_csv, write_parquet
+from turgor.study.optional import needed
 from turgor.study.running.ended import Ended
 
 Array = NDArray[np.float64]

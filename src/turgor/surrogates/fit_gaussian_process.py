@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.study.optional import needed
 from turgor.surrogates.gaussian_process import GaussianProcess, conditioned, scaling
-from turgor.surrogates.trained import learning
 
 Array = NDArray[np.float64]
 
@@ -82,8 +82,8 @@ def _best(kernels: list[_Kernel]) -> _Kernel:
 
 
 def _searched(start: _Kernel, inputs: Array, targets: Array, noise: Array, *, starts: int) -> _Kernel:
-    process: Any = learning("sklearn.gaussian_process")
-    kernels: Any = learning("sklearn.gaussian_process.kernels")
+    process: Any = needed("sklearn.gaussian_process", "training a surrogate")
+    kernels: Any = needed("sklearn.gaussian_process.kernels", "training a surrogate")
     lengths = np.clip(start.lengths, *LENGTHS)
     shape = kernels.RBF(lengths, LENGTHS) if start.smooth else kernels.Matern(lengths, LENGTHS, nu=2.5)
     low, high = AMPLITUDE

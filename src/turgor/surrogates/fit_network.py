@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.study.optional import needed
 from turgor.surrogates.gaussian_process import scaling
 from turgor.surrogates.network import Network
-from turgor.surrogates.trained import learning
 
 Array = NDArray[np.float64]
 
@@ -65,7 +65,7 @@ class NetworkTrainer:
         return self
 
     def _member(self, inputs: Array, targets: Array, seed: int) -> tuple[list[Array], list[Array]]:
-        networks: Any = learning("sklearn.neural_network")
+        networks: Any = needed("sklearn.neural_network", "training a surrogate")
         regressor = networks.MLPRegressor(
             hidden_layer_sizes=HIDDEN,
             activation="tanh",

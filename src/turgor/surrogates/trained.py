@@ -1,12 +1,9 @@
 """Trained models: what a surrogate asks of them, and of what trains them."""
 
-from importlib import import_module
-from typing import Any, Protocol, Self, TypeVar
+from typing import Protocol, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-
-from turgor.errors import TurgorError
 
 Array = NDArray[np.float64]
 
@@ -49,28 +46,3 @@ class Trainer(Protocol[Fitted]):
     def from_there(self, fitted: Fitted) -> Self:
         """Return the trainer that starts from a fit, for parts of the same points."""
         ...
-
-
-def learning(module: str) -> Any:
-    """Import a module of scikit-learn, which only training needs.
-
-    Parameters
-    ----------
-    module : str
-
-    Returns
-    -------
-    module
-
-    Raises
-    ------
-    TurgorError
-        If it is not installed.
-    """
-    try:
-        return import_module(module)
-    except ImportError:
-        raise TurgorError(
-            "training a surrogate needs scikit-learn, which is not installed; install it with: "
-            'pip install "turgor[studies]"'
-        ) from None

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
-from turgor.errors import TurgorError
 from turgor.optimization.problem import Candidate, Problem
 from turgor.optimization.search import Ending, Search
 from turgor.optimization.searches.surfaces import surfaces_through
+from turgor.study.optional import needed
 
 Array = NDArray[np.float64]
 
@@ -134,23 +134,14 @@ def _nondominated(
     problem: Problem, readings: Callable[[Array], Array], effort: tuple[int, int], seed: int
 ) -> list[Array]:
     """Run NSGA-II on what gives readings of designs, and return the front."""
-    nsga2, minimize = _pymoo()
+    nsga2 = needed("pymoo.algorithms.moo.nsga2", "a search for several objectives").NSGA2
+    minimize = needed("pymoo.optimize", "a search for several objectives").minimize
     size, generations = effort
     ended = minimize(
         _asked(problem, readings), nsga2(pop_size=size, eliminate_duplicates=True), ("n_gen", generations),
         seed=seed + 1, verbose=False,
     )  # fmt: skip
     return [] if ended.X is None else [problem.snapped(point) for point in np.atleast_2d(ended.X)]
-
-
-def _pymoo() -> tuple[Any, Any]:
-    try:
-        nsga2 = import_module("pymoo.algorithms.moo.nsga2").NSGA2
-        return nsga2, import_module("pymoo.optimize").minimize
-    except ImportError:
-        raise TurgorError(
-            'several objectives need pymoo, which is not installed; run: pip install "turgor[studies]"'
-        ) from None
 
 
 def _asked(problem: Problem, readings: Callable[[Array], Array]) -> Any:

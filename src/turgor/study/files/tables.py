@@ -2,12 +2,10 @@
 
 import csv
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
-from turgor.errors import TurgorError
 from turgor.store.whole import whole
+from turgor.study.optional import needed
 
 #: A column of a table: numbers or texts; NaN is an empty cell of a file.
 Cells = Sequence[float | int | str]
@@ -48,29 +46,6 @@ def write_parquet(columns: Mapping[str, Cells], path: str | Path) -> None:
     pyarrow, parquet = needed("pyarrow", "to_parquet"), needed("pyarrow.parquet", "to_parquet")
     with whole(Path(path)) as part:
         parquet.write_table(pyarrow.table({name: list(cells) for name, cells in columns.items()}), part)
-
-
-def needed(module: str, asked: str) -> Any:
-    """Import an optional package.
-
-    Parameters
-    ----------
-    module : str
-    asked : str
-        What needs it, for the message.
-
-    Raises
-    ------
-    TurgorError
-        If it is not installed.
-    """
-    try:
-        return import_module(module)
-    except ImportError:
-        name = module.split(".")[0]
-        raise TurgorError(
-            f'{asked} needs {name}, which is not installed; install it with: pip install "turgor[studies]"'
-        ) from None
 
 
 def header(name: str, unit: str) -> str:

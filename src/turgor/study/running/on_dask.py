@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from turgor.errors import TurgorError
+from turgor.study.optional import needed
 from turgor.study.running.ended import Ended, compute
 from turgor.study.runs import Run, keep
 
@@ -39,7 +40,7 @@ class OnDask:
 
     def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
         """Compute runs, and give each as it ends; where the caller stops, those that have begun are cancelled."""
-        dask = _distributed()
+        dask = needed("distributed", "a study on Dask")
         client = self._client(dask)
         try:
             _check(client, self.scheduler)
@@ -62,13 +63,6 @@ class OnDask:
                 f"the Dask scheduler at '{self.scheduler}' does not answer ({type(error).__name__}); "
                 "start one with 'dask scheduler', and give the address that it prints."
             ) from None
-
-
-def _distributed() -> Any:
-    try:
-        return import_module("distributed")
-    except ImportError:
-        raise TurgorError('Dask is not installed; install it with: pip install "turgor[studies]"') from None
 
 
 def _check(client: Any, scheduler: str) -> None:
