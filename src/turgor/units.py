@@ -52,6 +52,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "angle": MappingProxyType({"rad": rad, "deg": deg, "°": deg}),
         "pressure": MappingProxyType({"Pa": Pa, "kPa": kPa, "MPa": MPa, "GPa": GPa, "bar": bar, "psi": psi}),
         "time": MappingProxyType({"s": s, "ms": ms, "min": 60.0, "h": 3600.0}),
+        "area": MappingProxyType({"m²": 1.0, "m2": 1.0, "cm²": cm**2, "cm2": cm**2, "mm²": mm**2, "mm2": mm**2}),
         "volume": MappingProxyType(
             {"m³": 1.0, "m3": 1.0, "L": L, "mL": mL, "cm³": mL, "cm3": mL, "mm³": mm**3, "mm3": mm**3}
         ),
@@ -82,6 +83,7 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "acceleration": "9.81 m/s²",
         "force": "0.5 N",
         "mass": "50 g",
+        "area": "80 mm²",
         "volume": "12 mL",
         "density": "1130 kg/m³",
         "spring stiffness": "50 N/m",

@@ -19,13 +19,16 @@ from turgor.results.measures.shape.workspaces import COLUMNS, Workspace, workspa
 from turgor.source import Source
 from turgor.store.whole import whole
 from turgor.study.evaluations import Evaluations
-from turgor.study.job_runs import Value, any_number, digest_of, solved_job, write_whole_job
+from turgor.study.job_runs import JobNumber, Value, any_number, digest_of, solved_job, write_whole_job
 from turgor.study.rounding import rounded
 from turgor.study.running.ended import Ended
 from turgor.study.runs import Computed, Place, Run
 from turgor.units import kPa, mm
 
 Function = Callable[..., Response | Computed]
+
+#: Columns of `WorkspaceRuns.to_response`.
+REACHED = ("workspace_area", "workspace_volume")
 
 #: The job with every value, beside its runs.
 START = "start.toml"
@@ -63,8 +66,8 @@ class WorkspaceRuns:
     def to_response(self) -> Response:
         """Return area and volume as a response of one state, as a sweep or an optimization of designs reads them."""
         columns = (
-            Column("workspace_area", "mm2", np.array([self.reached.area])),
-            Column("workspace_volume", "mL", np.array([self.reached.volume])),
+            Column(REACHED[0], "mm2", np.array([self.reached.area])),
+            Column(REACHED[1], "mL", np.array([self.reached.volume])),
         )
         source = Source(text="a workspace", detail=f"{len(self.ended)} runs")
         return Response(columns=columns, source=source, message=" ".join(self.problems))
@@ -155,14 +158,28 @@ def workspace_of(
     return _gathered(combinations, ended)
 
 
+def pressure_keys(numbers: Mapping[str, JobNumber]) -> dict[str, str]:
+    """Return the keys of the pressures of a job by cavity.
+
+    Parameters
+    ----------
+    numbers : mapping of str to JobNumber
+        Of `write_whole_job`.
+
+    Returns
+    -------
+    dict of str to str
+    """
+    keys = {key.split(".")[1]: key for key in numbers if key.startswith("loads.") and key.endswith(".pressure")}
+    return keys | ({"cavity": "loads.pressure"} if "loads.pressure" in numbers else {})
+
+
 def _job_runs(
     job: Job, file: Path, combinations: Sequence[Mapping[str, float]], values: Mapping[str, Value]
 ) -> list[Run]:
     """Runs of a job; its pressures are keys of the whole job."""
     numbers = write_whole_job(job, file)
-    keys = {key.split(".")[1]: key for key in numbers if key.startswith("loads.") and key.endswith(".pressure")}
-    if "loads.pressure" in numbers:
-        keys["cavity"] = "loads.pressure"
+    keys = pressure_keys(numbers)
     for name in combinations[0]:
         if name not in keys:
             raise unknown("cavity with a pressure", name, keys)

@@ -21,6 +21,7 @@ from turgor.solvers.solution import Solution
 from turgor.study.factor import Value
 from turgor.study.job_gradients import gradient_of_job
 from turgor.study.study import place_on
+from turgor.study.workspaces import REACHED
 
 Array = NDArray[np.float64]
 
@@ -54,7 +55,8 @@ def asked_slopes(goals: Sequence[Goal], factors: Collection[str]) -> list[list[A
     Returns
     -------
     list of [str, str or None, float]
-        Empty where a goal reads what has none: a function, or a path that is compared at shares of its length.
+        Empty where a goal reads what has none: a function, a path that is compared at shares of its length, or a
+        workspace.
     """
     found: list[list[Any]] = []
     for goal in goals:
@@ -62,7 +64,7 @@ def asked_slopes(goals: Sequence[Goal], factors: Collection[str]) -> list[list[A
             if goal.at is None:
                 return []
             found += [[each, goal.at[0], float(value)] for value in goal.at[1] for each in goal.measures]
-        elif not isinstance(goal.measure, str):
+        elif not isinstance(goal.measure, str) or goal.measure in REACHED:
             return []
         elif goal.measure not in factors:
             found.append([goal.measure, *(goal.at or (None, 0.0))])

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from turgor.job.read import read_job
 from turgor.model.loads import Pressure
 from turgor.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes, solid_volume_of, with_job_slopes
 from turgor.optimization.files.study_files import StudyFile, read_factors
+from turgor.optimization.files.workspaces import check_workspace, with_workspace
 from turgor.optimization.goals import Goal, Minimize, TipPath
 from turgor.optimization.manufacture import casting_rules
 from turgor.optimization.optimize import optimize
@@ -28,6 +30,7 @@ from turgor.study.job_runs import any_number, forget_path, measured_job, solutio
 from turgor.study.jobs.columns import unit_of_column
 from turgor.study.jobs.job_file import JobFile, job_file
 from turgor.study.runs import Computed
+from turgor.study.workspaces import REACHED
 
 #: Width of the pictures of designs in pixels.
 PICTURE_WIDTH = 700
@@ -54,6 +57,8 @@ class JobOptimization:
     def computation(self) -> Computation:
         """The job as a function of its numbers."""
         asked = {**self.base.values, "slopes": self._slopes}
+        if self.study.workspace:
+            asked["workspace"] = {name: list(values) for name, values in self.study.workspace.items()}
         nominal = {"mesh_error": True, "slopes": []} if self.mesh_error else {}
         return Computation(function=solved_design, values=asked, nominal=nominal, gather="numbers")
 
@@ -110,6 +115,7 @@ def job_optimization(study: StudyFile, job: Job, folder: Path, *, mesh_error: bo
     for key in study.factors:
         for each in key.split(","):
             any_number(base.numbers, each.strip())
+    check_workspace(study.workspace, study.goals, base.numbers, study.file)
     return JobOptimization(base=base, study=study, mesh_error=mesh_error)
 
 
@@ -119,6 +125,7 @@ def solved_design(
     numbers: Mapping[str, Value],
     mesh_error: bool = False,
     slopes: Sequence[Sequence[Any]] = (),
+    workspace: Mapping[str, Sequence[float]] = MappingProxyType({}),
 ) -> Computed:
     """Solve a job with other numbers; its response has the volume of rubber, and there is a picture of the last state.
 
@@ -128,6 +135,8 @@ def solved_design(
         As those of `turgor.study.job_runs.solved_job`.
     slopes : sequence of (str, str or None, float)
         Measures that are differentiated by the numbers, where that is exact: at a value of a column, or at the end.
+    workspace : mapping of str to sequence of float [Pa]
+        Pressures of each cavity, at all combinations of which the design is solved as well; by default none.
 
     Returns
     -------
@@ -141,6 +150,8 @@ def solved_design(
     notes: tuple[str, ...] = ()
     if slopes and solution.states:
         response, notes = with_job_slopes(asked, solution, response, numbers, slopes)
+    if workspace:
+        response = with_workspace(response, Path(job), numbers, workspace)
     drawn = picture(solution, width=PICTURE_WIDTH).png if solution.states else b""
     forget_path(job, digest, numbers)
     return Computed(response=response, picture=drawn, notes=notes)
@@ -149,7 +160,7 @@ def solved_design(
 def _measures(job: Job, study: StudyFile) -> tuple[str, ...]:
     """Return what the job measures, and what the goals read besides, after a check of their names."""
     asked = [each for goal in study.goals for each in _names(goal)]
-    beside = {*study.factors, SOLID_VOLUME, "pressure", "load_factor", "time"}
+    beside = {*study.factors, SOLID_VOLUME, *REACHED, "pressure", "load_factor", "time"}
     for name in asked:
         if name in MEASURES or name in beside or any(name.startswith(each) for each in job.output.markers):
             continue

@@ -6,7 +6,9 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
-from turgor.errors import TurgorError, unknown
+from turgor.errors import TurgorError
+from turgor.optimization.files.numbers import Table, check_keys, number_in, numbers_in, unit_in
+from turgor.optimization.files.workspaces import read_workspace
 from turgor.optimization.goals import (
     LIMIT_TOLERANCE,
     PATH_TOLERANCE,
@@ -22,16 +24,13 @@ from turgor.optimization.manufacture import Casting
 from turgor.optimization.reading import At
 from turgor.optimization.search import Search
 from turgor.study.factor import Factor, Value
-from turgor.study.job_runs import unit_value
 from turgor.study.jobs.job_factors import job_factor
 from turgor.study.jobs.job_file import JobFile
-from turgor.units import split_quantity
 
-Table = Mapping[str, Any]
 Made = TypeVar("Made")
 
 #: Tables of a study file; lists of tables are written with two brackets.
-KEYS = ("job", "factors", "targets", "paths", "limits", "objectives", "casting", "search")
+KEYS = ("job", "factors", "targets", "paths", "limits", "objectives", "workspace", "casting", "search")
 GOALS = ("targets", "paths", "limits", "objectives")
 
 #: Keys of each goal.
@@ -55,6 +54,8 @@ class StudyFile:
     factors : mapping of str to mapping
         ``low``, ``high`` and ``start`` by the keys of the job, as they stand there.
     goals : tuple of Goal
+    workspace : mapping of str to tuple of float [Pa]
+        Pressures of each cavity; empty where no goal reads the workspace.
     casting : Casting or None
         None where nothing is to be cast.
     search : Search
@@ -64,6 +65,7 @@ class StudyFile:
     job: Path
     factors: Mapping[str, Table]
     goals: tuple[Goal, ...]
+    workspace: Mapping[str, tuple[float, ...]]
     casting: Casting | None
     search: Search
 
@@ -91,7 +93,7 @@ def read_study_file(path: str | Path) -> StudyFile:
         raise TurgorError(f"'{path}' cannot be read: {error}.") from None
     except tomllib.TOMLDecodeError as error:
         raise TurgorError(f"'{path}' is no TOML: {error}.") from None
-    _check_keys(content, KEYS, str(path))
+    check_keys(content, KEYS, str(path))
     for key in ("job", "factors"):
         if not content.get(key):
             raise TurgorError(f"{path}: '{key}' is missing; {_MISSING[key]}")
@@ -103,6 +105,7 @@ def read_study_file(path: str | Path) -> StudyFile:
         job=path.parent / str(content["job"]),
         factors={key: _factor_table(key, each, path) for key, each in _table(content, "factors", path).items()},
         goals=tuple(goals),
+        workspace=read_workspace(_table(content, "workspace", path), f"{path}: [workspace]"),
         casting=casting if "casting" in content else None,
         search=_made(Search, _table(content, "search", path), f"{path}: [search]"),
     )
@@ -154,7 +157,7 @@ def _factor_table(key: str, given: Any, path: Path) -> Table:
     where = f"{path}: [factors] {key}"
     if not isinstance(given, Mapping):
         raise TurgorError(f'{where} is {given!r}; write {{ low = "1 mm", high = "2 mm" }}.')
-    _check_keys(given, ("low", "high", "start"), where)
+    check_keys(given, ("low", "high", "start"), where)
     for end in ("low", "high"):
         if end not in given:
             raise TurgorError(f"{where}: '{end}' is missing.")
@@ -163,11 +166,11 @@ def _factor_table(key: str, given: Any, path: Path) -> Table:
 
 def _goal(kind: str, table: Table, where: str) -> Goal:
     """Read one goal."""
-    _check_keys(table, GOAL_KEYS[kind], where)
+    check_keys(table, GOAL_KEYS[kind], where)
     if kind == "paths":
         return _path(table, where)
     at = _at(table.get("at"), where)
-    numbers = {key: _number(table[key], f"{where}.{key}") for key in table if key in _NUMBERS}
+    numbers = {key: number_in(table[key], f"{where}.{key}") for key in table if key in _NUMBERS}
     if kind == "objectives":
         given = [key for key in ("minimize", "maximize") if key in table]
         if len(given) != 1:
@@ -179,22 +182,28 @@ def _goal(kind: str, table: Table, where: str) -> Goal:
     name, scale = str(table["measure"]), numbers.get("scale")
     if kind == "limits":
         tolerance = numbers.get("tolerance", LIMIT_TOLERANCE)
-        unit = _unit(table.get("most", table.get("least")))
+        unit = unit_in(table.get("most", table.get("least")))
         ends = numbers.get("most"), numbers.get("least")
         return Limit(name, most=ends[0], least=ends[1], at=at, scale=scale, tolerance=tolerance, unit=unit)
     if "value" not in numbers:
         raise TurgorError(f"{where}: 'value' is missing; write the wanted one with its unit, such as \"60 deg\".")
     tolerance = numbers.get("tolerance", TARGET_TOLERANCE)
-    return Target(name, numbers["value"], at=at, scale=scale, tolerance=tolerance, unit=_unit(table["value"]))
+    return Target(name, numbers["value"], at=at, scale=scale, tolerance=tolerance, unit=unit_in(table["value"]))
 
 
 #: Keys of goals that hold numbers.
 _NUMBERS = ("value", "most", "least", "scale", "tolerance")
 
 
+#: What the lists of a path measure, with an example.
+_LISTS = dict.fromkeys(("x", "z"), ("length", "0, -2, -8 mm")) | {"pressure": ("pressure", "0, 10, 20 kPa")}
+
+
 def _path(table: Table, where: str) -> TipPath:
     """Read a path: lists of numbers with a unit, such as ``x = "0, -2, -8 mm"``."""
-    lists = {key: _numbers(table[key], f"{where}.{key}") for key in table if key != "tolerance"}
+    lists = {
+        key: numbers_in(table[key], f"{where}.{key}", *_LISTS[key]) for key in table if key != "tolerance"
+    }  # fmt: skip
     for key in ("x", "z"):
         if key not in lists:
             raise TurgorError(f"{where}: '{key}' is missing; write numbers and their unit, such as \"0, -2, -8 mm\".")
@@ -202,7 +211,7 @@ def _path(table: Table, where: str) -> TipPath:
         raise TurgorError(f"{where}: x has {len(lists['x'])} numbers and z {len(lists['z'])}; give as many of both.")
     points = list(zip(lists["x"], lists["z"], strict=True))
     at = ("pressure", lists["pressure"]) if "pressure" in lists else None
-    tolerance = _number(table["tolerance"], f"{where}.tolerance") if "tolerance" in table else PATH_TOLERANCE
+    tolerance = number_in(table["tolerance"], f"{where}.tolerance") if "tolerance" in table else PATH_TOLERANCE
     return TipPath(points, at=at, tolerance=tolerance)
 
 
@@ -215,42 +224,7 @@ def _at(given: Any, where: str) -> At:
             f'{where}.at is {given!r}; write one column and its value, such as {{ pressure = "30 kPa" }}.'
         )
     ((name, value),) = given.items()
-    return name, _number(value, f"{where}.at.{name}")
-
-
-def _number(given: Any, where: str) -> float:
-    """Read a number, with its unit where it is a quantity [SI]."""
-    if isinstance(given, bool) or not isinstance(given, int | float | str):
-        raise TurgorError(f'{where} is {given!r}; a number, or a text with its unit such as "30 kPa" is needed.')
-    if not isinstance(given, str):
-        return float(given)
-    if given.strip().endswith("%"):
-        given = given.strip().removesuffix("%").strip()
-        return _number(float(given) if _is_number(given) else given, where) / 100
-    read = split_quantity(given)
-    if read is None:
-        raise TurgorError(f"{where}: '{given}' is no number with a known unit, such as \"30 kPa\".")
-    return read[0] * unit_value(read[1])
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
-def _numbers(given: Any, where: str) -> list[float]:
-    parts, _, unit = str(given).strip().rpartition(" ")
-    if not isinstance(given, str) or not parts:
-        raise TurgorError(f'{where} is {given!r}; write numbers and their unit, such as "0, -2, -8 mm".')
-    return [_number(f"{part.strip()} {unit}", where) for part in parts.split(",")]
-
-
-def _unit(given: Any) -> str:
-    read = split_quantity(given) if isinstance(given, str) else None
-    return "" if read is None else read[1]
+    return name, number_in(value, f"{where}.at.{name}")
 
 
 #: Settings that are no numbers.
@@ -259,9 +233,9 @@ _WORDS = ("method", "slopes")
 
 def _made(kind: type[Made], table: Table, where: str) -> Made:
     """Make settings from a table: texts with units are quantities, but words stay words."""
-    _check_keys(table, [each.name for each in fields(kind)], where)  # type: ignore[arg-type]
+    check_keys(table, [each.name for each in fields(kind)], where)  # type: ignore[arg-type]
     given = {
-        key: value if isinstance(value, bool | int) or key in _WORDS else _number(value, f"{where}.{key}")
+        key: value if isinstance(value, bool | int) or key in _WORDS else number_in(value, f"{where}.{key}")
         for key, value in table.items()
     }
     return kind(**given)
@@ -279,9 +253,3 @@ def _list(content: Table, key: str, path: Path) -> Sequence[Table]:
     if not isinstance(given, list) or not all(isinstance(each, Mapping) for each in given):
         raise TurgorError(f"{path}: '{key}' is {given!r}; it is a list of tables, [[{key}]].")
     return given
-
-
-def _check_keys(table: Table, known: Sequence[str], where: str) -> None:
-    for key in table:
-        if key not in known:
-            raise unknown(f"key in {where}:", key, known)
