@@ -8,6 +8,10 @@ class TurgorError(ValueError):
     """Any mistake in what turgor was given; its text is meant to be read by the user."""
 
 
+class NotHere(TurgorError):
+    """Something that this machine lacks, such as a package or a file: elsewhere or later the same call may work."""
+
+
 def near_match(word: str, known: Iterable[str]) -> str:
     """Return ``"; did you mean 'x'?"`` for the nearest known word, or an empty string.
 

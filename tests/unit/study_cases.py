@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.errors import TurgorError
+from turgor.errors import NotHere, TurgorError
 from turgor.response import Column, Response
 from turgor.source import Source
 from turgor.study.runs import Computed
@@ -60,6 +60,31 @@ def slow(number: int, log: str, seconds: float = 0.5) -> Response:
     with Path(log).open("a", encoding="utf-8") as file:
         file.write(f"ended {number} {os.getpid()}\n")
     return Response(columns=(Column("pressure", "kPa", [0.0, float(number)]),), source=Source(text="a clock"))
+
+
+def waits(number: int, log: str, gate: str) -> Response:
+    """Says in a file when it began; the first one waits until a file is there."""
+    with Path(log).open("a", encoding="utf-8") as file:
+        file.write(f"begun {number} {os.getpid()}\n")
+    while number == 0 and not Path(gate).exists():
+        time.sleep(0.02)
+    return Response(columns=(Column("pressure", "kPa", [0.0, float(number)]),), source=Source(text="a gate"))
+
+
+def fails(log: str, how: str) -> Response:
+    """Says in a file that it began, and ends in some way."""
+    with Path(log).open("a", encoding="utf-8") as file:
+        file.write(f"{how}\n")
+    if how == "refused":
+        raise TurgorError("wall is -1 mm; allowed is above 0 mm.")
+    if how == "lacks":
+        raise NotHere("a file is missing on this machine.")
+    if how == "broken":
+        raise ZeroDivisionError("of the study")
+    if how == "killed":
+        os.kill(os.getpid(), signal.SIGKILL)
+    message = "the path ended at 3 kPa." if how == "early" else ""
+    return Response(columns=(Column("a", "", [1.0]),), source=Source(text="an end"), message=message)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -21,6 +21,7 @@ Changes = Annotated[
         show_default=False,
     ),
 ]
+Retry = Annotated[bool, typer.Option("--retry", help="Compute runs that failed or ended early before again.")]
 #: The option for one JSON document.
 JSON = "--json"
 

@@ -8,7 +8,7 @@ from turgor.errors import TurgorError
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict, overall
 from turgor.study.run_all import run_all
 from turgor.study.running.ended import Ended
-from turgor.study.runs import kept
+from turgor.study.runs import kept, kept_problem
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -59,6 +59,7 @@ def run_guidelines(
     *,
     processes: int = 1,
     progress: Callable[[Ended], None] | None = None,
+    retry: bool = False,
 ) -> tuple[Judged, ...]:
     """Run the studies of guidelines and judge them; what has ended before is read from the folder.
 
@@ -73,13 +74,15 @@ def run_guidelines(
         Processes at once.
     progress : callable or None
         Called with every run that has ended.
+    retry : bool
+        Whether runs that failed or ended early before are computed again.
 
     Returns
     -------
     tuple of Judged
     """
     runs = [run for guideline in asked for study in guideline.studies for run in study.runs(setting)]
-    ended = run_all(runs, folder, processes=processes, progress=progress)
+    ended = run_all(runs, folder, processes=processes, progress=progress, retry=retry)
     problems = {key: each.problem for key, each in ended.items()}
     return tuple(judged(guideline, folder, setting, problems) for guideline in asked)
 
@@ -113,7 +116,8 @@ def _judged_study(study: GuidelineTest, folder: Path, setting: Setting, problems
     for run in study.runs(setting):
         computed = kept(run, folder)
         if computed is None:
-            missing.append(f"{run.name}: {problems.get(run.key) or 'not run yet'}")
+            why = problems.get(run.key) or kept_problem(run, folder) or "not run yet"
+            missing.append(f"{run.name}: {why}")
         else:
             found[run.name] = computed
     if missing:

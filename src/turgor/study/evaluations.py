@@ -5,10 +5,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Self
 
-from turgor.study.running.ended import Ended
+from turgor.study.running.ended import Ended, ended_before
 from turgor.study.running.executors import Executor, Here
 from turgor.study.running.workers import Workers
-from turgor.study.runs import Run, kept
+from turgor.study.runs import Run, forget
 
 Progress = Callable[[Ended], None]
 
@@ -27,6 +27,9 @@ class Evaluations:
         Where they are computed: by default in this process.
     progress : callable or None
         Called with every run that has ended, those read from disk first.
+    retry : bool
+        Whether runs that failed or ended early before are computed again; by default they are read, as all others.
+        What was killed or broke has not ended, and is computed in any case.
     ended : dict of str to Ended
         All runs so far by their keys, in the order in which they were asked for.
     """
@@ -34,6 +37,7 @@ class Evaluations:
     folder: Path | None = None
     executor: Executor = field(default_factory=Here)
     progress: Progress | None = None
+    retry: bool = False
     ended: dict[str, Ended] = field(default_factory=dict)
 
     def of(self, runs: Sequence[Run]) -> list[Ended]:
@@ -58,10 +62,13 @@ class Evaluations:
 
     def _read(self, run: Run) -> bool:
         """Read a run that was kept before; return whether it was."""
-        before = kept(run, self.folder) if self.folder is not None else None
-        if before is None:
+        before = ended_before(run, self.folder) if self.folder is not None else None
+        if before is None or self.folder is None:
             return False
-        self._take(Ended(run=run, found=before, again=True))
+        if self.retry and (before.problem or before.early):
+            forget(run, self.folder)
+            return False
+        self._take(before)
         return True
 
     def _take(self, ended: Ended) -> None:
@@ -70,7 +77,9 @@ class Evaluations:
             self.progress(ended)
 
 
-def kept_in(folder: str | Path, *, processes: int = 1, progress: Progress | None = None) -> Evaluations:
+def kept_in(
+    folder: str | Path, *, processes: int = 1, progress: Progress | None = None, retry: bool = False
+) -> Evaluations:
     """Return where runs are computed, each kept on disk as it ends.
 
     Parameters
@@ -81,6 +90,8 @@ def kept_in(folder: str | Path, *, processes: int = 1, progress: Progress | None
         Processes at once, each with one thread, which stay until all batches are computed. One is this process itself.
     progress : callable, optional
         Called with every run that has ended.
+    retry : bool
+        Whether runs that failed or ended early before are computed again.
 
     Returns
     -------
@@ -93,4 +104,4 @@ def kept_in(folder: str | Path, *, processes: int = 1, progress: Progress | None
         If ``processes`` is below 1.
     """
     executor = Here() if processes == 1 else Workers(processes=processes)
-    return Evaluations(folder=Path(folder), executor=executor, progress=progress)
+    return Evaluations(folder=Path(folder), executor=executor, progress=progress, retry=retry)

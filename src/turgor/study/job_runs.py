@@ -13,7 +13,7 @@ from typing import Any
 
 from turgor.adaptivity.measure import measure
 from turgor.engine.runtime import EngineOptions
-from turgor.errors import TurgorError, unknown
+from turgor.errors import NotHere, TurgorError, unknown
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
@@ -273,7 +273,7 @@ def solution_of_job(job: str, digest: str, numbers: Mapping[str, Value]) -> tupl
         The job with these numbers.
     """
     if not Path(job).is_file():
-        raise TurgorError(
+        raise NotHere(
             f"the job of the study, '{job}', is not seen on the machine '{gethostname()}'; "
             "studies of jobs need a folder that all machines share."
         )

@@ -3,7 +3,7 @@
 from importlib import import_module
 from typing import Any
 
-from turgor.errors import TurgorError
+from turgor.errors import NotHere
 
 #: Packages that are installed by another name than they are imported by.
 _NAMES = {"sklearn": "scikit-learn"}
@@ -32,6 +32,6 @@ def needed(module: str, asked: str) -> Any:
     except ImportError:
         package = module.split(".")[0]
         name = _NAMES.get(package, package)
-        raise TurgorError(
+        raise NotHere(
             f'{asked} needs {name}, which is not installed; install it with: pip install "turgor[studies]"'
         ) from None

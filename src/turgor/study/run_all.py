@@ -15,11 +15,12 @@ def run_all(
     *,
     processes: int = 1,
     progress: Callable[[Ended], None] | None = None,
+    retry: bool = False,
 ) -> dict[str, Ended]:
     """Compute runs that have not ended before, each in a process with one thread, and keep them as they end.
 
     Killed at any moment, nothing that has ended is lost: the next call reads it. A run that fails is no hole: it has
-    the sentence that says why, and the next call tries it again.
+    the sentence that says why.
 
     Parameters
     ----------
@@ -31,6 +32,8 @@ def run_all(
         Processes at once, at least 1.
     progress : callable or None
         Called with every run that has ended, those read from disk first.
+    retry : bool
+        Whether runs that failed or ended early before are computed again.
 
     Returns
     -------
@@ -42,6 +45,7 @@ def run_all(
     TurgorError
         If ``processes`` is below 1.
     """
-    with Evaluations(folder=folder, executor=Workers(processes=processes), progress=progress) as evaluations:
+    executor = Workers(processes=processes)
+    with Evaluations(folder=folder, executor=executor, progress=progress, retry=retry) as evaluations:
         evaluations.of(runs)
         return evaluations.ended

@@ -19,6 +19,9 @@ from turgor.study.running.code import code_digest
 #: Letters of the hash in a file's name.
 KEY_LETTERS = 10
 
+#: Key of the notes of a run that failed.
+PROBLEM = "problem"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Computed:
@@ -197,6 +200,8 @@ def kept_as(key: str, folder: Path) -> Computed | None:
     if not (notes.is_file() and table.is_file()):
         return None
     told = json.loads(notes.read_text(encoding="utf-8"))
+    if PROBLEM in told:
+        return None
     read = read_response(table)
     source, status = Source(text=told["source"]), told.get("status", "")
     response = Response(columns=read.columns, source=source, status=status, message=told["message"])
@@ -225,16 +230,70 @@ def keep(run: Run, found: Computed, folder: Path) -> None:
         with whole(picture) as part:
             part.write_bytes(found.picture)
     told = {
-        "name": run.name,
-        "function": f"{run.function.__module__}.{run.function.__qualname__}",
-        "values": dict(run.values),
-        **({} if run.design is None else {"design": run.written_design}),
+        **_asked(run),
         "source": str(found.response.source),
         "status": found.response.status,
         "message": found.response.message,
         "cpu_seconds": round(found.seconds, 3),
         **({"notes": list(found.notes)} if found.notes else {}),
     }
+    _write(notes, told)
+
+
+def keep_problem(run: Run, problem: str, folder: Path) -> None:
+    """Write why a run failed.
+
+    Parameters
+    ----------
+    run : Run
+    problem : str
+    folder : Path
+        Made if there is none.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    _write(_files(run.key, folder)[0], {**_asked(run), PROBLEM: problem})
+
+
+def kept_problem(run: Run, folder: Path) -> str:
+    """Read why a run failed before.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path
+        Where `keep_problem` wrote it.
+
+    Returns
+    -------
+    str
+        Empty where it has not failed.
+    """
+    notes, _, _ = _files(run.key, folder)
+    return str(json.loads(notes.read_text(encoding="utf-8")).get(PROBLEM, "")) if notes.is_file() else ""
+
+
+def forget(run: Run, folder: Path) -> None:
+    """Remove what was kept of a run, its notes first, so that it is computed again.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path
+    """
+    for file in _files(run.key, folder):
+        file.unlink(missing_ok=True)
+
+
+def _asked(run: Run) -> dict[str, Any]:
+    return {
+        "name": run.name,
+        "function": f"{run.function.__module__}.{run.function.__qualname__}",
+        "values": dict(run.values),
+        **({} if run.design is None else {"design": run.written_design}),
+    }
+
+
+def _write(notes: Path, told: Mapping[str, Any]) -> None:
     with whole(notes) as part:
         part.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
 

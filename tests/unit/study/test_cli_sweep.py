@@ -89,6 +89,12 @@ def test_a_design_that_cannot_be_built_is_a_row(call, folder):
     assert code == NOT_CONVERGED
     assert "The run with actuator.wall -2 mm failed: " in said
     assert "2 designs, 1 failed." in said
+    for options, read in (((), 2), (("--retry",), 1)):
+        _, said, _ = call("bad.toml", "--set", "mesh.size=4 mm", "--json", *options)
+        assert json.loads(said)["result"]["kept"] == read
+    code, _, told = call("bad.toml", "--retry", "--gather")
+    assert code == BAD_INPUT
+    assert "--retry computes failed runs again, and --gather computes nothing" in told
 
 
 @pytest.mark.parametrize(

@@ -80,7 +80,8 @@ def test_a_run_that_fails_is_told_and_the_others_go_on(tmp_path):
     assert refused.found is None
     assert "ZeroDivisionError: of the study" in broken.problem
     assert good.found is not None
-    assert not run_all(runs[:1], tmp_path)[runs[0].key].again
+    assert run_all(runs[:1], tmp_path)[runs[0].key].again
+    assert not run_all(runs[:1], tmp_path, retry=True)[runs[0].key].again
 
 
 def test_a_worker_that_dies_is_told(tmp_path):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of
 from turgor.cli.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
@@ -70,6 +70,7 @@ class _Options:
     output: Annotated[
         Path | None, typer.Option(help="Folder of results; by default NAME-calibration.", show_default=False)
     ] = None
+    retry: Retry = False
     changes: Changes = None
     as_json: Json = False
     debug: Debug = False
@@ -105,7 +106,7 @@ def _run(asked: _Options) -> None:
                 rig=asked.rig or (),
                 hold_out=trials[count:],
                 most_solves=asked.most_solves,
-                evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run),
+                evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry),
             )
         files = [*write_calibration(found, folder), folder / CALIBRATED]
         base.write(found.values, files[-1], f"Calibrated:\n{found.summary()}")

@@ -30,6 +30,10 @@ class HowComputed(Protocol):
         """Address of a Dask scheduler."""
 
     @property
+    def retry(self) -> bool:
+        """Whether failed runs are computed again."""
+
+    @property
     def changes(self) -> list[str] | None:
         """What ``--set`` states."""
 
@@ -56,21 +60,23 @@ def given_study(path: Path, how: HowComputed) -> "tuple[Study, Path, tuple[str, 
     from turgor.study.jobs.study_file import read_study_file
 
     if path.suffix.lower() != TOML:
-        if how.changes or how.scheduler is not None:
-            option = "--set" if how.changes else "--scheduler"
+        given_options = {"--set": how.changes, "--scheduler": how.scheduler, "--retry": how.retry}
+        option = next((name for name, value in given_options.items() if value), None)
+        if option is not None:
             raise TurgorError(f"{option} goes with a study file, which is computed; '{path}' is read as it is.")
         study = load_study(path)
         return study, path if path.is_dir() else path.with_suffix(""), None, ()
     given = read_study_file(path, parse_changes(how.changes or ()))
     folder = Path(f"{given.name}-study")
-    study = computed_study(given, folder, executor_of(how.scheduler, gather=False, processes=how.processes))
+    executor = executor_of(how.scheduler, gather=False, processes=how.processes)
+    study = computed_study(given, folder, executor, retry=how.retry)
     write_study(study, folder, given.measures or study.measures, given.at)
     for line in study.problems:
         typer.echo(line, err=True)
     return study, folder, given.at, given.measures
 
 
-def computed_study(given: "StudyFile", folder: Path, executor: "Executor") -> "Study":
+def computed_study(given: "StudyFile", folder: Path, executor: "Executor", *, retry: bool = False) -> "Study":
     """Compute a study file, with a display of its progress; its runs are kept in the folder.
 
     Parameters
@@ -79,6 +85,8 @@ def computed_study(given: "StudyFile", folder: Path, executor: "Executor") -> "S
     folder : Path
     executor : Executor
         Where runs are computed.
+    retry : bool
+        Whether runs that failed or ended early before are computed again.
 
     Returns
     -------
@@ -92,7 +100,7 @@ def computed_study(given: "StudyFile", folder: Path, executor: "Executor") -> "S
     with (
         kept_in_folder(folder),
         StudyProgress(len(given.designs)) as progress,
-        Evaluations(folder=folder / RUNS, executor=executor, progress=progress) as runs,
+        Evaluations(folder=folder / RUNS, executor=executor, progress=progress, retry=retry) as runs,
     ):
         return sweep_job(given, folder, runs)
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Debug, Json
+from turgor.cli.options import Debug, Json, Retry
 
 if TYPE_CHECKING:
     from turgor.guidelines.guideline import Guideline, Setting
@@ -51,6 +51,7 @@ def _run(
     output: Folder = Path("guidelines"),
     full: Full = False,
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1,
+    retry: Retry = False,
     as_json: Json = False,
     debug: Debug = False,
 ) -> None:
@@ -61,7 +62,9 @@ def _run(
         from turgor.guidelines.page import write_page
 
         asked, setting = _chosen(keys), _setting(full)
-        judged = run_guidelines(asked, output / "runs", setting, processes=processes, progress=_progress)
+        judged = run_guidelines(
+            asked, output / "runs", setting, processes=processes, progress=_progress, retry=retry
+        )  # fmt: skip
         _tell(judged)
         page = write_page(judged, output)
         typer.echo(f"Page with figures: {page}.")

@@ -37,6 +37,13 @@ def check_together(scheduler: str | None, index: int | None, of: int | None, gat
         raise TurgorError("--of is the number of tasks for --index or --sbatch; give one of these, too.")
 
 
+def check_retry(retry: bool, gather: bool, sbatch: Path | None) -> None:
+    """Raise an error if failed runs are to be computed again by a call that computes nothing."""
+    other = "--gather" if gather else "--sbatch" if sbatch is not None else ""
+    if retry and other:
+        raise TurgorError(f"--retry computes failed runs again, and {other} computes nothing; give it where runs are.")
+
+
 def executor_of(scheduler: str | None, gather: bool, processes: int) -> Executor:
     """Return where runs are computed."""
     if gather:

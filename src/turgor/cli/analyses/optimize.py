@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import told_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, asked_job, command_of
+from turgor.cli.options import Changes, Debug, Json, Retry, asked_job, command_of
 from turgor.cli.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
@@ -30,6 +30,7 @@ class _Options:
     output: Annotated[
         Path | None, typer.Option(help="Folder of results; by default STUDY-optimization.", show_default=False)
     ] = None
+    retry: Retry = False
     changes: Changes = None
     as_json: Json = False
     debug: Debug = False
@@ -52,7 +53,7 @@ def _run(asked: _Options) -> None:
         job = asked_job(study.job, asked.changes)
         folder = asked.output if asked.output is not None else Path(f"{asked.study.stem}-optimization")
         wanted = job_optimization(study, job, folder, mesh_error=asked.mesh_error)
-        found = _searched(wanted, folder, asked.processes)
+        found = _searched(wanted, folder, asked)
         files = write_optimization(found, folder, wanted.base)
         typer.echo(found.summary())
         typer.echo(f"Written in {folder}: {', '.join(file.name for file in files)}.")
@@ -60,11 +61,12 @@ def _run(asked: _Options) -> None:
         raise typer.Exit(DONE if found.converged else NOT_CONVERGED)
 
 
-def _searched(wanted: "JobOptimization", folder: Path, processes: int) -> "Optimization":
+def _searched(wanted: "JobOptimization", folder: Path, asked: _Options) -> "Optimization":
     from turgor.study.evaluations import kept_in
     from turgor.study.jobs.job_file import RUNS
 
-    with kept_in_folder(folder), kept_in(folder / RUNS, processes=processes, progress=told_run) as runs:
+    runs = kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry)
+    with kept_in_folder(folder), runs:
         return wanted.search(runs)
 
 

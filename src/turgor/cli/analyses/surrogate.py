@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import often
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, command_of
+from turgor.cli.options import Changes, Debug, Json, Retry, command_of
 from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
@@ -50,6 +50,7 @@ class _Options:
     processes: Processes = 1
     scheduler: Scheduler = None
     output: Output = None
+    retry: Retry = False
     changes: Changes = None
     as_json: Json = False
     debug: Debug = False

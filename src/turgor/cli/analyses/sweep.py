@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, command_of
+from turgor.cli.options import Changes, Debug, Json, Retry, command_of
 from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
@@ -46,6 +46,7 @@ class _Options:
                                   show_default=False)
     ] = None  # fmt: skip
     dry_run: Annotated[bool, typer.Option("--dry-run", help="List the designs and compute nothing.")] = False
+    retry: Retry = False
     changes: Changes = None
     as_json: Json = False
     debug: Debug = False
@@ -58,7 +59,7 @@ def _run(asked: _Options) -> None:
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import computed_study
-        from turgor.cli.analyses.machines import check_together, executor_of, share_of, write_script
+        from turgor.cli.analyses.machines import check_retry, check_together, executor_of, share_of, write_script
         from turgor.cli.answers.sweeps import designs_result, sweep_result
         from turgor.job.text.changes import parse_changes
         from turgor.study.files.stored import write_study
@@ -71,13 +72,15 @@ def _run(asked: _Options) -> None:
             raise typer.Exit(DONE)
         folder = asked.output if asked.output is not None else Path(f"{given.name}-study")
         check_together(asked.scheduler, asked.index, asked.of, asked.gather, asked.sbatch)
+        check_retry(asked.retry, asked.gather, asked.sbatch)
         if asked.sbatch is not None:
             typer.echo(write_script(given, asked.study, folder, asked.sbatch, asked.of))
             answer.give(partial(designs_result, given.designs))
             raise typer.Exit(DONE)
         if asked.index is not None:
             given = share_of(given, asked.index, asked.of)
-        study = computed_study(given, folder, executor_of(asked.scheduler, asked.gather, asked.processes))
+        executor = executor_of(asked.scheduler, asked.gather, asked.processes)
+        study = computed_study(given, folder, executor, retry=asked.retry)
         if asked.index is not None:
             failed = sum(row.response is None for row in study.rows)
             typer.echo(f"Task {asked.index}: {len(study)} designs, {failed} failed; kept in {folder}.")

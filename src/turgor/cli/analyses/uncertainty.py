@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import often, told_run
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of
 from turgor.cli.signals import ends_at_once, kept_in_folder
 
 
@@ -37,6 +37,7 @@ class _Options:
     output: Annotated[
         Path | None, typer.Option(help="Folder of results; by default NAME-uncertainty.", show_default=False)
     ] = None
+    retry: Retry = False
     changes: Changes = None
     as_json: Json = False
     debug: Debug = False
@@ -68,7 +69,7 @@ def _run(asked: _Options) -> None:
         with kept_in_folder(folder):
             found = propagate(
                 job_computation(base, mesh_error=asked.mesh_error), inputs, method=asked.method,
-                evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run),
+                evaluations=kept_in(folder / RUNS, processes=asked.processes, progress=told_run, retry=asked.retry),
             )  # fmt: skip
         sentences = [found.sentence(name, at) for name in found.bands]
         files = [folder / "uncertainty.csv", folder / "uncertainty.png", folder / "uncertainty.txt"]

@@ -91,7 +91,8 @@ def job_file(job: Job, folder: Path) -> JobFile:
     """
     if folder.exists() and not folder.is_dir():
         raise TurgorError(f"--output is '{folder}', which is a file; name a folder.")
-    if folder.is_dir() and any(folder.iterdir()) and not (folder / START).is_file():
+    others = [each for each in folder.iterdir() if not each.name.startswith(START)] if folder.is_dir() else []
+    if others and not (folder / START).is_file():  # parts of it are written by another call at this moment
         raise TurgorError(f"--output is '{folder}', which holds files of something else; name another folder.")
     return JobFile(file=folder / START, numbers=write_whole_job(job, folder / START))
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from time import process_time
 
-from turgor.errors import TurgorError
+from turgor.errors import NotHere, TurgorError
 from turgor.response import Response
-from turgor.study.runs import Computed, Run, keep
+from turgor.study.runs import Computed, Run, keep, keep_problem, kept, kept_problem
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,12 +23,21 @@ class Ended:
         Why it failed; empty where it did not.
     again : bool
         Whether it was read from disk.
+    final : bool
+        Whether it failed by a sentence of turgor that the same call would give again. Such a failure is kept; where a
+        worker was killed, a function broke or this machine lacks something, the next call tries again.
     """
 
     run: Run
     found: Computed | None
     problem: str = ""
     again: bool = False
+    final: bool = False
+
+    @property
+    def early(self) -> bool:
+        """Whether its path ended early."""
+        return self.found is not None and bool(self.found.response.message)
 
 
 def compute(run: Run, folder: Path | None = None) -> Ended:
@@ -49,11 +58,49 @@ def compute(run: Run, folder: Path | None = None) -> Ended:
     try:
         found = run.call()
     except TurgorError as error:
-        return Ended(run=run, found=None, problem=str(error))
+        ended = Ended(run=run, found=None, problem=str(error), final=not isinstance(error, NotHere))
+        keep_ended(ended, folder)
+        return ended
     except Exception:  # what a study's own function does is not known here; the others go on
         return Ended(run=run, found=None, problem=traceback.format_exc().strip())
     computed = Computed(response=found) if isinstance(found, Response) else found
     computed = replace(computed, seconds=computed.seconds or process_time() - begun)
-    if folder is not None:
-        keep(run, computed, folder)
-    return Ended(run=run, found=computed)
+    ended = Ended(run=run, found=computed)
+    keep_ended(ended, folder)
+    return ended
+
+
+def keep_ended(ended: Ended, folder: Path | None) -> None:
+    """Keep what a run found, or why it failed where that is final.
+
+    Parameters
+    ----------
+    ended : Ended
+    folder : Path or None
+        None keeps nothing.
+    """
+    if folder is not None and ended.found is not None:
+        keep(ended.run, ended.found, folder)
+    elif folder is not None and ended.final:
+        keep_problem(ended.run, ended.problem, folder)
+
+
+def ended_before(run: Run, folder: Path) -> Ended | None:
+    """Read how a run ended before.
+
+    Parameters
+    ----------
+    run : Run
+    folder : Path
+        Where it was kept.
+
+    Returns
+    -------
+    Ended or None
+        None where it has not ended.
+    """
+    found = kept(run, folder)
+    if found is not None:
+        return Ended(run=run, found=found, again=True)
+    problem = kept_problem(run, folder)
+    return Ended(run=run, found=None, problem=problem, again=True, final=True) if problem else None

@@ -5,8 +5,10 @@
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from time import sleep
 from typing import Protocol
 
+from turgor.study.running.claims import POLL, Claims
 from turgor.study.running.ended import Ended, compute
 from turgor.study.runs import Run
 
@@ -18,8 +20,10 @@ class Executor(Protocol):
         """Compute runs, and give each as it ends, in any order.
 
         Nothing of them is kept yet, and no two have one key. With a folder, a run is kept there by whatever computes
-        it before it is given, so that the study may be killed at any moment. A run that fails is given with its
-        problem, and the others go on. If the caller stops before the last one, what is still running is ended.
+        it before it is given, so that the study may be killed at any moment, and is locked as it is computed (`Claims`),
+        so that other processes may compute the same study: how a run ended there is given like any other. A run that
+        fails is given with its problem, and the others go on. If the caller stops before the last one, what is still
+        running is ended.
         """
 
     def close(self) -> None:
@@ -31,8 +35,17 @@ class Here:
 
     def compute(self, runs: Sequence[Run], folder: Path | None) -> Iterator[Ended]:
         """Compute runs, and give each as it ends."""
-        for run in runs:
-            yield compute(run, folder)
+        with Claims(runs, folder) as claims:
+            while claims:
+                taken = claims.take()
+                if isinstance(taken, Run):
+                    ended = compute(taken, folder)
+                    claims.release(taken)
+                    yield ended
+                elif taken is not None:
+                    yield taken
+                else:
+                    sleep(POLL)
 
     def close(self) -> None:
         """Do nothing: nothing waits."""

@@ -2,18 +2,23 @@
 
 from collections.abc import Iterator, Sequence
 from contextlib import chdir, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
+from time import sleep
 from typing import Any
 
 from turgor.errors import TurgorError
 from turgor.study.optional import needed
-from turgor.study.running.ended import Ended, compute
-from turgor.study.runs import Run, keep
+from turgor.study.running.claims import POLL, Claims
+from turgor.study.running.ended import Ended, compute, keep_ended
+from turgor.study.runs import Run
 
 #: Time [s] in which the scheduler must answer.
 PATIENCE = 10.0
+
+#: Runs that the scheduler has at once: this process holds a lock of each, and may open about a thousand files.
+MOST = 500
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,11 +49,8 @@ class OnDask:
         client = self._client(dask)
         try:
             _check(client, self.scheduler)
-            # pure=False: what a run computes is known by its key, and a failed one may be tried again
-            waiting = {client.submit(_computed, run, str(Path.cwd()), pure=False): run for run in runs}
-            for future in dask.as_completed(list(waiting), loop=client.loop):
-                yield _kept(waiting.pop(future), future, folder)
-                future.release()
+            with Claims(runs, folder) as claims:
+                yield from _ended(client, dask.as_completed([], loop=client.loop), claims, folder)
         finally:
             client.close()
 
@@ -63,6 +65,29 @@ class OnDask:
                 f"the Dask scheduler at '{self.scheduler}' does not answer ({type(error).__name__}); "
                 "start one with 'dask scheduler', and give the address that it prints."
             ) from None
+
+
+def _ended(client: Any, ending: Any, claims: Claims, folder: Path | None) -> Iterator[Ended]:
+    """Hand runs to the scheduler, and give each as it ends."""
+    waiting: dict[Any, Run] = {}
+    while claims or waiting:
+        taken = claims.take() if len(waiting) < MOST else None
+        if isinstance(taken, Run):
+            # pure=False: what a run computes is known by its key, and a failed one may be tried again
+            future = client.submit(_computed, taken, str(Path.cwd()), pure=False)
+            waiting[future] = taken
+            ending.add(future)
+        elif taken is not None:
+            yield taken
+        elif not waiting:
+            sleep(POLL)
+        else:
+            future = next(ending)
+            run = waiting.pop(future)
+            ended = _kept(run, future, folder)
+            claims.release(run)
+            future.release()
+            yield ended
 
 
 def _check(client: Any, scheduler: str) -> None:
@@ -102,6 +127,6 @@ def _kept(run: Run, future: Any, folder: Path | None) -> Ended:
         told = f"{type(error).__name__}: {error}".strip(": ")
         return Ended(run=run, found=None, problem=f"the Dask worker could not compute it: {told}")
     ended: Ended = future.result()
-    if folder is not None and ended.found is not None:
-        keep(run, ended.found, folder)
-    return Ended(run=run, found=ended.found, problem=ended.problem)
+    ended = replace(ended, run=run)
+    keep_ended(ended, folder)
+    return ended

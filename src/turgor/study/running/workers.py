@@ -2,20 +2,21 @@
 
 import os
 import signal
-from collections import deque
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from pathlib import Path
+from time import sleep
 from typing import cast
 
 from turgor.errors import TurgorError
-from turgor.study.running.ended import Ended
+from turgor.study.running.claims import POLL, Claims
+from turgor.study.running.ended import Ended, ended_before
 from turgor.study.running.serve import READY, serve
-from turgor.study.runs import Run, kept
+from turgor.study.runs import Run
 
 #: Variables that give each worker one thread: of the kernels, the linear solver and the libraries below NumPy.
 ONE_THREAD = ("NUMBA_NUM_THREADS", "RAYON_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
@@ -72,32 +73,45 @@ class Workers:
         TurgorError
             If the processes do not start.
         """
-        waiting = deque(runs)
         busy: dict[Connection, tuple[_Worker, Run]] = {}
-        try:
-            while waiting or busy:
-                while waiting and len(busy) < self.processes:
-                    run = waiting.popleft()
-                    worker = self._given(run, folder)
-                    busy[worker.connection] = worker, run
-                for connection in cast("list[Connection]", wait(list(busy))):
-                    worker, run = busy[connection]
-                    answer = _answer(worker)
-                    if answer == READY:
-                        worker.ready = True
+        with Claims(runs, folder) as claims:
+            try:
+                while claims or busy:
+                    taken = claims.take() if len(busy) < self.processes else None
+                    if isinstance(taken, Run):
+                        worker = self._given(taken, folder)
+                        busy[worker.connection] = worker, taken
                         continue
-                    del busy[connection]
-                    if worker.ready and worker.process.is_alive():
-                        self._idle.append(worker)
-                    yield _ended(run, answer, folder)
-        finally:
-            for worker, _ in busy.values():
-                worker.end()
+                    if taken is not None:
+                        yield taken
+                        continue
+                    for run, answer in self._answers(busy, bool(claims) and len(busy) < self.processes):
+                        claims.release(run)
+                        yield _ended(run, answer, folder)
+            finally:
+                for worker, _ in busy.values():
+                    worker.end()
 
     def close(self) -> None:
         """End all processes."""
         while self._idle:
             self._idle.pop().end()
+
+    def _answers(self, busy: dict[Connection, tuple[_Worker, Run]], elsewhere: bool) -> Iterator[tuple[Run, object]]:
+        """Wait until runs have ended; where others are computed elsewhere, for a short time only."""
+        if not busy:
+            sleep(POLL)
+            return
+        for connection in cast("list[Connection]", wait(list(busy), POLL if elsewhere else None)):
+            worker, run = busy[connection]
+            answer = _answer(worker)
+            if answer == READY:
+                worker.ready = True
+                continue
+            del busy[connection]
+            if worker.ready and worker.process.is_alive():
+                self._idle.append(worker)
+            yield run, answer
 
     def _given(self, run: Run, folder: Path | None) -> _Worker:
         """Give a run to a process that waits, or to a new one."""
@@ -157,9 +171,8 @@ def _answer(worker: _Worker) -> object:
 
 
 def _ended(run: Run, answer: object, folder: Path | None) -> Ended:
-    """Make how a run ended from the answer: the problem as text, which is empty where the run was kept."""
+    """Make how a run ended from the answer: the problem as text, beside what was kept, if anything."""
     if isinstance(answer, Ended):
         return answer
-    problem = str(answer)
-    found = None if problem or folder is None else kept(run, folder)
-    return Ended(run=run, found=found, problem=problem)
+    before = None if folder is None else ended_before(run, folder)
+    return Ended(run=run, found=None, problem=str(answer)) if before is None else replace(before, again=False)
