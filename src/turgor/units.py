@@ -100,6 +100,25 @@ _SAME_SIGN = str.maketrans({"\N{GREEK SMALL LETTER MU}": "µ", "\N{MINUS SIGN}":
 _NUMBER_AND_UNIT = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
 
 
+def unit_value(unit: str) -> float:
+    """Return the value of a unit in SI; 1 for a pure number.
+
+    Parameters
+    ----------
+    unit : str
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> unit_value("kPa"), unit_value("")
+    (1000.0, 1.0)
+    """
+    return next((units[unit] for units in UNITS.values() if unit in units), 1.0)
+
+
 def parse_quantity(text: object, dimension: str) -> float:
     """Read a number with its unit, such as ``"1.5 mm"``, and return it in SI units.
 

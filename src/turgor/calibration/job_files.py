@@ -7,8 +7,9 @@ from turgor.calibration.parameter import Parameter
 from turgor.calibration.trial import Trial
 from turgor.errors import TurgorError, unknown
 from turgor.response import Response
-from turgor.study.job_runs import JobNumber, find_number, read_number, solved_job
+from turgor.study.job_runs import solved_job
 from turgor.study.jobs.job_file import JobFile, keys_of
+from turgor.study.jobs.job_numbers import JobNumber, find_number, read_number
 
 #: The job with the values that were found.
 CALIBRATED = "calibrated.toml"

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
-from turgor.study.job_runs import unit_value
 from turgor.study.rounding import rounded
+from turgor.units import unit_value
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,7 @@ from turgor.calibration.parameter import Parameter
 from turgor.calibration.result import Calibration, Fitted
 from turgor.results.plots.figures import write_figure
 from turgor.store.whole import whole
-from turgor.study.job_runs import unit_value
+from turgor.units import unit_value
 
 
 def write_calibration(found: Calibration, folder: str | Path) -> tuple[Path, ...]:

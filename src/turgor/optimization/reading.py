@@ -9,8 +9,8 @@ from turgor.errors import TurgorError, unknown
 from turgor.response import COLUMN_UNITS, MESH_ERROR, Response, unit_text
 from turgor.source import Source
 from turgor.study.factor import Factor
-from turgor.study.job_runs import unit_value
 from turgor.study.study import Row, Study
+from turgor.units import unit_value
 
 Measure: TypeAlias = str | Callable[[Response], float]
 At: TypeAlias = tuple[str, float] | None

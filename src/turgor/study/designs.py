@@ -12,8 +12,8 @@ import numpy as np
 from turgor.errors import TurgorError
 from turgor.study.factor import Array, Factor, Value, inputs_of
 from turgor.study.files.tables import Cells, header
-from turgor.study.job_runs import unit_value
 from turgor.study.rounding import rounded
+from turgor.units import unit_value
 
 #: Most designs of a full factorial: beyond this a number of levels is a typing error, or another rule is meant.
 MOST_DESIGNS = 100_000

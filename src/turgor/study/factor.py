@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
-from turgor.study.job_runs import unit_value
+from turgor.units import unit_value
 
 Array = NDArray[np.float64]
 Value = float | int | str

@@ -24,7 +24,9 @@ from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.solution import Solution
 from turgor.solvers.solve import solve
 from turgor.solvers.stage_sequence import questions
-from turgor.study.job_runs import JobNumber, changes_of, find_number, write_whole_job
+from turgor.study.job_runs import write_whole_job
+from turgor.study.jobs.job_changes import changes_of
+from turgor.study.jobs.job_numbers import JobNumber, find_number
 
 #: Sections whose numbers are settings of a computation, not quantities of the actuator.
 _SETTINGS = ("mesh", "output", "engine")

@@ -1,19 +1,18 @@
-"""Job files as functions of their values: the keys that hold numbers, and a job solved with other numbers."""
+"""Job files as functions of their values: a job with every value as a file, solved with other numbers."""
 
 import json
 import tomllib
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 from shutil import rmtree
 from socket import gethostname
-from typing import Any
 
 from turgor.adaptivity.measure import measure
 from turgor.engine.runtime import EngineOptions
-from turgor.errors import NotHere, TurgorError, unknown
+from turgor.errors import NotHere, TurgorError
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
@@ -22,82 +21,15 @@ from turgor.response import Response
 from turgor.solvers.solution import Solution, Status
 from turgor.solvers.solve import resume, solve
 from turgor.store.whole import whole
-from turgor.study.rounding import rounded
-from turgor.units import UNITS, parse_quantity, split_quantity
-
-Value = float | int | str
-
-#: Sections of a job whose numbers are no quantities of the actuator.
-_LEFT_OUT = ("written_by", "output", "engine", "name")
+from turgor.study.factor import Value
+from turgor.study.jobs.job_changes import job_changes
+from turgor.study.jobs.job_numbers import JobNumber, numbers_of
 
 #: Folder beside the job for paths that are being followed: each goes when its run has ended, the folder with the last.
 PATHS = "paths"
 
 #: How often the folder of a path is made: other runs may remove the one above it while it is empty.
 ATTEMPTS = 10
-
-#: Keys of a material that stay when it gets another record.
-_OF_THE_JOB = ("density", "viscoelasticity", "stress_softening", "thickness", "form", "compression")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class JobNumber:
-    """A number in a job file.
-
-    Parameters
-    ----------
-    key : str
-        Dotted key, such as ``"materials.body.C10"``; the place in a list is its last part, from 1.
-    value : float
-        In SI units.
-    unit : str
-        Unit in which the file states it; empty for a pure number.
-    whole : bool
-        Whether it is a whole number, such as a number of chambers.
-    """
-
-    key: str
-    value: float
-    unit: str
-    whole: bool = False
-
-    @property
-    def factor(self) -> float:
-        """Value of the unit in SI."""
-        return unit_value(self.unit)
-
-    @property
-    def dimension(self) -> str:
-        """What the number measures, such as ``"length"``; ``"number"`` for a pure one."""
-        return next((name for name, units in UNITS.items() if self.unit in units), "number")
-
-    def text(self, value: float, exact: bool = False) -> float | int | str:
-        """Return an SI value in the form of a job file; with all its digits if ``exact``."""
-        if self.whole:
-            if value != round(value):
-                raise TurgorError(f"'{self.key}' is a whole number; {value:g} is none.")
-            return round(value)
-        number = value / self.factor if exact else rounded(value / self.factor)
-        return f"{number!r} {self.unit}" if self.unit else number
-
-
-def unit_value(unit: str) -> float:
-    """Return the value of a unit in SI; 1 for a pure number.
-
-    Parameters
-    ----------
-    unit : str
-
-    Returns
-    -------
-    float
-
-    Examples
-    --------
-    >>> unit_value("kPa"), unit_value("")
-    (1000.0, 1.0)
-    """
-    return next((units[unit] for units in UNITS.values() if unit in units), 1.0)
 
 
 def write_whole_job(job: Job, file: Path) -> dict[str, JobNumber]:
@@ -119,104 +51,6 @@ def write_whole_job(job: Job, file: Path) -> dict[str, JobNumber]:
         with whole(file) as part:  # tasks on several machines may write it at once
             part.write_text(text, encoding="utf-8")
     return numbers_of(tomllib.loads(text))
-
-
-def numbers_of(content: Mapping[str, Any]) -> dict[str, JobNumber]:
-    """Find the numbers in the content of a job file, with and without unit.
-
-    Parameters
-    ----------
-    content : mapping
-
-    Returns
-    -------
-    dict of str to JobNumber
-
-    Examples
-    --------
-    >>> found = numbers_of({"materials": {"body": {"law": "ogden", "mu": ["1 kPa", "2 kPa"], "alpha": [2.0, 4.0]}}})
-    >>> found["materials.body.mu.2"]
-    JobNumber(key='materials.body.mu.2', value=2000.0, unit='kPa', whole=False)
-    """
-    found: dict[str, JobNumber] = {}
-    for name in content:
-        if name not in _LEFT_OUT:
-            _gather(name, content[name], found)
-    return found
-
-
-def find_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
-    """Return the number at a key.
-
-    Parameters
-    ----------
-    numbers : mapping of str to JobNumber
-    key : str
-
-    Returns
-    -------
-    JobNumber
-
-    Raises
-    ------
-    TurgorError
-        If the job has no number there, with the near match, or a whole one, which cannot vary by little.
-    """
-    number = any_number(numbers, key)
-    if number.whole:
-        raise TurgorError(f"'{key}' is a whole number, {number.value:g}, which cannot vary by little.")
-    return number
-
-
-def any_number(numbers: Mapping[str, JobNumber], key: str) -> JobNumber:
-    """Return the number at a key, which may be a whole one.
-
-    Parameters
-    ----------
-    numbers : mapping of str to JobNumber
-    key : str
-
-    Returns
-    -------
-    JobNumber
-
-    Raises
-    ------
-    TurgorError
-        If the job has no number there, with the near match.
-    """
-    if key not in numbers:
-        same = [each for each in numbers if each.split(".")[0] == key.split(".")[0]]
-        raise unknown("number of the job", key, same or numbers)
-    return numbers[key]
-
-
-def read_number(text: str, number: JobNumber, where: str) -> float:
-    """Read another value of a number, with its unit.
-
-    Parameters
-    ----------
-    text : str
-    number : JobNumber
-    where : str
-        Beginning of messages.
-
-    Returns
-    -------
-    float
-        In SI units.
-
-    Raises
-    ------
-    TurgorError
-        If the unit is missing or measures something else.
-    """
-    try:
-        return parse_quantity(text.strip(), number.dimension) if number.unit else float(text)
-    except TurgorError as error:
-        raise TurgorError(f"{where}: {error}") from None
-    except ValueError:
-        raise TurgorError(f"{where}: '{text.strip()}' is not a number.") from None
 
 
 def solved_job(
@@ -361,135 +195,3 @@ def digest_of(file: Path) -> str:
     str
     """
     return sha256(file.read_bytes()).hexdigest()[:16]
-
-
-def job_changes(content: Mapping[str, Any], values: Mapping[str, Value]) -> dict[str, Any]:
-    """Return changes for `read_job` from numbers, records of materials and other choices.
-
-    Parameters
-    ----------
-    content : mapping
-        Of the job file.
-    values : mapping of str to float, int or str
-        By key, or by several keys with commas between them; numbers in SI units.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    TurgorError
-        If the job has no number there, or a whole number gets another one.
-
-    Examples
-    --------
-    >>> job = {"actuator": {"chambers": 4, "wall": "1 mm"}, "mesh": {"cells": "tetrahedra"}}
-    >>> job_changes(job, {"actuator.chambers": 6, "mesh.cells": "hexahedra"})
-    {'actuator.chambers': 6, 'mesh.cells': 'hexahedra'}
-    """
-    numbers = {keys: float(value) for keys, value in values.items() if not isinstance(value, str)}
-    texts = {key: value for keys, value in values.items() if isinstance(value, str) for key in keys.split(",")}
-    records = {key: value for key, value in texts.items() if is_material(content, key)}
-    choices = {key: value for key, value in texts.items() if key not in records}
-    return changes_of(content, numbers) | record_changes(content, records) | choices
-
-
-def is_material(content: Mapping[str, Any], key: str) -> bool:
-    """Whether a key of a job is that of a material, which has records as its values."""
-    first, _, name = key.partition(".")
-    return first == "materials" and name in content.get("materials", {})
-
-
-def changes_of(content: Mapping[str, Any], numbers: Mapping[str, float], exact: bool = False) -> dict[str, Any]:
-    """Return changes for `read_job` from numbers; a number in a list changes the list.
-
-    Parameters
-    ----------
-    content : mapping
-        Of the job file.
-    numbers : mapping of str to float
-        In SI units, by key, or by several keys with commas between them.
-    exact : bool
-        Whether all digits are written, as differences need them.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    TurgorError
-        If the job has no number there.
-
-    Examples
-    --------
-    >>> changes_of({"materials": {"body": {"mu": ["1 kPa", "2 kPa"]}}}, {"materials.body.mu.2": 3e3})
-    {'materials.body.mu': ['1 kPa', '3.0 kPa']}
-    """
-    known = numbers_of(content)
-    changes: dict[str, Any] = {}
-    single = {key: number for keys, number in numbers.items() for key in keys.split(",")}
-    for key, number in single.items():
-        value = any_number(known, key).text(number, exact)
-        above, _, last = key.rpartition(".")
-        there = _at(content, above.split("."))
-        if isinstance(there, list) and not isinstance(there[0], dict):
-            changes.setdefault(above, list(there))[int(last) - 1] = value
-        else:
-            changes[key] = value
-    return changes
-
-
-def record_changes(content: Mapping[str, Any], records: Mapping[str, str]) -> dict[str, Any]:
-    """Return changes for `read_job` that give materials other records of the library.
-
-    Density, behavior in time and thickness stay those of the job.
-
-    Parameters
-    ----------
-    content : mapping
-        Of the job file.
-    records : mapping of str to str
-        Rubber and record with a slash between them, by the keys of the materials.
-
-    Returns
-    -------
-    dict
-
-    Examples
-    --------
-    >>> job = {"materials": {"body": {"law": "neo_hooke", "C10": "1 kPa", "density": "1070 kg/m³"}}}
-    >>> record_changes(job, {"materials.body": "ecoflex-00-30/yeoh-steck-2019"})["materials.body"]["density"]
-    '1070 kg/m³'
-    """
-    changes: dict[str, Any] = {}
-    for keys, value in records.items():
-        library, _, record = value.rpartition("/")
-        for key in keys.split(","):
-            table = _at(content, key.split("."))
-            kept = {name: table[name] for name in _OF_THE_JOB if name in table}
-            changes[key] = {"library": library, "record": record, **kept}
-    return changes
-
-
-def _at(content: Any, parts: Sequence[str]) -> Any:
-    for part in parts:
-        content = content[int(part) - 1] if isinstance(content, list) else content[part]
-    return content
-
-
-def _gather(key: str, value: Any, found: dict[str, JobNumber]) -> None:
-    if isinstance(value, Mapping):
-        for name, each in value.items():
-            if name != "source":
-                _gather(f"{key}.{name}", each, found)
-    elif isinstance(value, list):
-        for number, each in enumerate(value, start=1):
-            _gather(f"{key}.{number}", each, found)
-    elif isinstance(value, int | float) and not isinstance(value, bool):
-        found[key] = JobNumber(key=key, value=float(value), unit="", whole=isinstance(value, int))
-    elif isinstance(value, str):
-        read = split_quantity(value)
-        if read is not None:
-            found[key] = JobNumber(key=key, value=read[0] * unit_value(read[1]), unit=read[1])

@@ -16,8 +16,8 @@ from turgor.results.plots.studies.heat_map import plot_heat_map
 from turgor.results.plots.studies.parallel import Coordinate, plot_parallel
 from turgor.results.plots.styling import INK
 from turgor.study.factor import Array, Factor, Value
-from turgor.study.job_runs import unit_value
 from turgor.study.study import Study
+from turgor.units import unit_value
 
 At = tuple[str, float] | None
 

@@ -19,7 +19,9 @@ from turgor.results.measures.shape.workspaces import COLUMNS, Workspace, workspa
 from turgor.source import Source
 from turgor.store.whole import whole
 from turgor.study.evaluations import Evaluations
-from turgor.study.job_runs import JobNumber, Value, any_number, digest_of, solved_job, write_whole_job
+from turgor.study.factor import Value
+from turgor.study.job_runs import digest_of, solved_job, write_whole_job
+from turgor.study.jobs.job_numbers import JobNumber, any_number
 from turgor.study.rounding import rounded
 from turgor.study.running.ended import Ended
 from turgor.study.runs import Computed, Place, Run

@@ -8,8 +8,9 @@ from pathlib import Path
 from turgor.calibration.job_files import mean_and_deviation
 from turgor.errors import TurgorError
 from turgor.study.computation import Computation
-from turgor.study.job_runs import JobNumber, find_number, read_number, solved_job
+from turgor.study.job_runs import solved_job
 from turgor.study.jobs.job_file import JobFile, keys_of
+from turgor.study.jobs.job_numbers import JobNumber, find_number, read_number
 from turgor.uncertainty.spread import Alternatives, Input, Spread
 from turgor.units import UNITS
 

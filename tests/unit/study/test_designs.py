@@ -6,7 +6,7 @@ import pytest
 import turgor as tg
 from turgor.errors import TurgorError
 from turgor.studies import Factor, factorial, latin_hypercube, read_designs, sobol
-from turgor.study.job_runs import numbers_of
+from turgor.study.jobs.job_numbers import numbers_of
 from turgor.units import mm
 
 WALL = Factor(name="wall", low=1 * mm, high=3 * mm, unit="mm")

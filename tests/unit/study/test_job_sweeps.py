@@ -12,9 +12,11 @@ import turgor as tg
 from calibration_cases import JOB
 from turgor.errors import TurgorError
 from turgor.job.read import read_job
-from turgor.study.job_runs import PATHS, job_changes, numbers_of, path_name, solved_job
+from turgor.study.job_runs import PATHS, path_name, solved_job
+from turgor.study.jobs.job_changes import job_changes
 from turgor.study.jobs.job_factors import job_factor
 from turgor.study.jobs.job_file import job_file
+from turgor.study.jobs.job_numbers import numbers_of
 from turgor.units import mm
 
 CONTENT = {

@@ -121,7 +121,7 @@ def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option:
     dict of str to float [SI]
     """
     from turgor.errors import TurgorError, unknown
-    from turgor.study.job_runs import JobNumber, read_number
+    from turgor.study.jobs.job_numbers import JobNumber, read_number
 
     found = {}
     for text in texts or ():

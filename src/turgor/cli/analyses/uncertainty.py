@@ -52,8 +52,8 @@ def _run(asked: _Options) -> None:
         from turgor.cli.answers.studies import uncertainty_result
         from turgor.results.plots.figures import write_figure
         from turgor.study.evaluations import kept_in
-        from turgor.study.job_runs import read_number
         from turgor.study.jobs.job_file import RUNS, job_file
+        from turgor.study.jobs.job_numbers import read_number
         from turgor.uncertainty.cases import write_cases
         from turgor.uncertainty.figure import uncertainty_figure
         from turgor.uncertainty.job_files import PRESSURE, job_computation, read_sets, read_spreads

@@ -26,9 +26,10 @@ from turgor.solvers.procedures.static import Static
 from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Value
-from turgor.study.job_runs import any_number, forget_path, measured_job, solution_of_job
+from turgor.study.job_runs import forget_path, measured_job, solution_of_job
 from turgor.study.jobs.columns import unit_of_column
 from turgor.study.jobs.job_file import JobFile, job_file
+from turgor.study.jobs.job_numbers import any_number
 from turgor.study.runs import Computed
 from turgor.study.workspaces import REACHED
 

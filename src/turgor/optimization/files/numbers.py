@@ -4,8 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from turgor.errors import TurgorError, unknown
-from turgor.study.job_runs import unit_value
-from turgor.units import parse_quantity, split_quantity
+from turgor.units import parse_quantity, split_quantity, unit_value
 
 Table = Mapping[str, Any]
 

@@ -14,7 +14,7 @@ from turgor.optimization.goals import Goal, TipPath
 from turgor.response import Column, Response
 from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Value
-from turgor.study.job_runs import JobNumber
+from turgor.study.jobs.job_numbers import JobNumber
 from turgor.study.workspaces import REACHED, pressure_keys, workspace_of
 
 Pressures = Mapping[str, Sequence[float]]

@@ -9,8 +9,8 @@ from turgor.optimization.result import Optimization
 from turgor.response import COLUMN_UNITS
 from turgor.results.plots.figures import write_figure
 from turgor.store.whole import whole
-from turgor.study.job_runs import unit_value
 from turgor.study.jobs.job_file import JobFile
+from turgor.units import unit_value
 
 #: Files of the results.
 TABLE, BEST, FIGURE, TEXT = "optimization.csv", "best.toml", "optimization.png", "optimization.txt"

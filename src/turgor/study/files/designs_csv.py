@@ -8,9 +8,9 @@ from pathlib import Path
 from turgor.errors import TurgorError, unknown
 from turgor.study.designs import Designs
 from turgor.study.factor import Factor, Value
-from turgor.study.job_runs import JobNumber, unit_value
+from turgor.study.jobs.job_numbers import JobNumber
 from turgor.study.rounding import rounded
-from turgor.units import UNITS
+from turgor.units import UNITS, unit_value
 
 _HEAD = re.compile(r"\s*([^()\[\]]+?)\s*(?:[(\[](.+)[)\]])?\s*")
 

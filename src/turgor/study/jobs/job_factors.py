@@ -9,7 +9,8 @@ from turgor.job.read import read_job
 from turgor.job.text.changes import OPTION
 from turgor.job.text.problems import JobError
 from turgor.study.factor import Factor, Value
-from turgor.study.job_runs import JobNumber, any_number, is_material, job_changes, read_number
+from turgor.study.jobs.job_changes import is_material, job_changes
+from turgor.study.jobs.job_numbers import JobNumber, any_number, read_number
 from turgor.study.rounding import rounded
 
 #: Keys of a range.

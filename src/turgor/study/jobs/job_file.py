@@ -12,15 +12,10 @@ from turgor.errors import TurgorError
 from turgor.job.job import Job
 from turgor.job.text.changes import changed
 from turgor.study.computation import Computation
-from turgor.study.job_runs import (
-    JobNumber,
-    Value,
-    digest_of,
-    find_number,
-    job_changes,
-    solved_job,
-    write_whole_job,
-)
+from turgor.study.factor import Value
+from turgor.study.job_runs import digest_of, solved_job, write_whole_job
+from turgor.study.jobs.job_changes import job_changes
+from turgor.study.jobs.job_numbers import JobNumber, find_number
 from turgor.study.runs import Place
 
 #: The job at the start with every value.

@@ -19,10 +19,10 @@ from turgor.results.measures.measures import find_measure
 from turgor.study.designs import Designs, factorial, latin_hypercube, sobol
 from turgor.study.factor import Factor
 from turgor.study.files.designs_csv import read_designs
-from turgor.study.job_runs import numbers_of, unit_value
 from turgor.study.jobs.columns import unit_of_column
 from turgor.study.jobs.job_factors import RANGE, check_choices, job_factor
-from turgor.units import UNITS, parse_quantity, split_quantity
+from turgor.study.jobs.job_numbers import numbers_of
+from turgor.units import UNITS, parse_quantity, split_quantity, unit_value
 
 #: Keys of a study file.
 SECTIONS = ("name", "job", "factors", "design", "output")

@@ -20,7 +20,7 @@ class Executor(Protocol):
         """Compute runs, and give each as it ends, in any order.
 
         Nothing of them is kept yet, and no two have one key. With a folder, a run is kept there by whatever computes
-        it before it is given, so that the study may be killed at any moment, and is locked as it is computed (`Claims`),
+        it before it is given, so that the study may be killed at any moment. It is locked as it is computed (`Claims`),
         so that other processes may compute the same study: how a run ended there is given like any other. A run that
         fails is given with its problem, and the others go on. If the caller stops before the last one, what is still
         running is ended.
