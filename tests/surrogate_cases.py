@@ -35,6 +35,16 @@ def finger(wall: float, C10: float, top: float = 50 * kPa) -> Response:
     return Response(columns=columns, source=Source(text="an arc"), status="converged")
 
 
+#: Rubbers by name, of which one is chosen.
+RUBBERS = {"soft": 50 * kPa, "firm": 75 * kPa, "stiff": 120 * kPa}
+RUBBER = Factor(name="rubber", levels=tuple(RUBBERS))
+
+
+def finger_of(wall: float, rubber: str) -> Response:
+    """The finger of one of the rubbers."""
+    return finger(wall, RUBBERS[rubber])
+
+
 def two_chambers(first: float, second: float, third: float = 0.0) -> Response:
     """Tip of an arc that two pressures (and a third, which helps the first) bend in two planes."""
     across, up = 2e-5 * (first + 0.5 * third), 2e-5 * (second - 0.1 * third)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import isfinite
 from typing import Any, Protocol
 
 import numpy as np
@@ -12,9 +13,10 @@ from turgor.response import Response
 from turgor.source import Source
 from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
-from turgor.study.factor import Factor
+from turgor.study.factor import Factor, Value
 from turgor.study.runs import Computed
 from turgor.study.study import Row, Study
+from turgor.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
 
@@ -126,12 +128,15 @@ class Problem:
     ----------
     asked : Asked
     varied : tuple of Factor
-    held : mapping of str to float [SI]
+    held : mapping of str to float or str [SI]
+    spreads : tuple of Spread
+        Factors that are normal within their ranges; the others are uniform.
     """
 
     asked: Asked
     varied: tuple[Factor, ...]
-    held: Mapping[str, float]
+    held: Mapping[str, Value]
+    spreads: tuple[Spread, ...] = ()
 
     @property
     def names(self) -> list[str]:
@@ -141,10 +146,12 @@ class Problem:
     @property
     def salib(self) -> dict[str, Any]:
         """The problem in the words of SALib."""
+        normal = {each.name: each.standard for each in self.spreads}
         return {
             "num_vars": len(self.varied),
             "names": self.names,
-            "bounds": [list(each.bounds) for each in self.varied],
+            "bounds": [[*each.bounds, *normal.get(each.name, ())] for each in self.varied],
+            "dists": ["truncnorm" if each.name in normal else "unif" for each in self.varied],
         }
 
     def values(self, sample: Array) -> Array:
@@ -152,20 +159,22 @@ class Problem:
         points = np.empty((len(sample), len(self.asked.factors)))
         for n, each in enumerate(self.asked.factors):
             held = each.name in self.held
-            points[:, n] = self.held[each.name] if held else sample[:, self.names.index(each.name)]
+            points[:, n] = each.number(self.held[each.name]) if held else sample[:, self.names.index(each.name)]
             if each.whole and not held:
                 points[:, n] = np.round(points[:, n])
         return self.asked.means(points)
 
 
-def problem_of(asked: Asked, held: Mapping[str, float] | None) -> Problem:
+def problem_of(asked: Asked, held: Mapping[str, Value] | None, spreads: Sequence[Spread] = ()) -> Problem:
     """Return what is sampled, after a check of the factors.
 
     Parameters
     ----------
     asked : Asked
-    held : mapping of str to float, optional [SI]
+    held : mapping of str to float or str, optional [SI]
         Factors that do not vary, with their values.
+    spreads : sequence of Spread
+        Factors that are normal within their ranges.
 
     Returns
     -------
@@ -174,7 +183,7 @@ def problem_of(asked: Asked, held: Mapping[str, float] | None) -> Problem:
     Raises
     ------
     TurgorError
-        If a name is unknown, a factor is a choice, or fewer than two vary.
+        If a name is unknown, a factor is a choice, fewer than two vary, or a spread does not fit its factor.
     """
     known = [each.name for each in asked.factors]
     for name in held or {}:
@@ -184,8 +193,31 @@ def problem_of(asked: Asked, held: Mapping[str, float] | None) -> Problem:
     for each in varied:
         if each.is_choice:
             raise TurgorError(
-                f"the factor '{each.name}' is a choice; samples take numbers only. `anova` takes choices."
+                f"the factor '{each.name}' is a choice; samples take numbers only. Hold it at one, or take `anova`."
             )
     if len(varied) < 2:
         raise TurgorError(f"{len(varied)} factors vary; sensitivities compare two or more.")
-    return Problem(asked=asked, varied=varied, held=dict(held or {}))
+    for spread in spreads:
+        _check_spread(spread, varied)
+    twice = next((each.name for n, each in enumerate(spreads) if each.name in [one.name for one in spreads[:n]]), "")
+    if twice:
+        raise TurgorError(f"'{twice}' has two spreads; give it one.")
+    return Problem(asked=asked, varied=varied, held=dict(held or {}), spreads=tuple(spreads))
+
+
+def _check_spread(spread: Spread, varied: Sequence[Factor]) -> None:
+    """Raise an error if a spread is not that of a factor that varies, or its mean lies beyond the range."""
+    factors = {each.name: each for each in varied}
+    if spread.name not in factors:
+        raise unknown("factor with a spread that varies", spread.name, factors)
+    factor, (mean, _) = factors[spread.name], spread.standard
+    if factor.whole:
+        raise TurgorError(f"'{factor.name}' is a whole number, which has no spread.")
+    if not isfinite(mean):
+        raise TurgorError(f"spread '{spread.name}' has no mean; give it one.")
+    low, high = factor.bounds
+    if not low <= mean <= high:
+        raise TurgorError(
+            f"the mean of '{spread.name}' is {factor.shown(mean)}; allowed is {factor.shown(low)} to "
+            f"{factor.shown(high)}, its range."
+        )

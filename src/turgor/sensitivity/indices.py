@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, unknown
 from turgor.response import Column
 from turgor.sensitivity.asked import Asked, Problem, problem_of
+from turgor.study.factor import Value
 from turgor.study.optional import needed
+from turgor.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
 
@@ -26,7 +28,7 @@ class Indices:
     ----------
     measure, unit : str
     factors : tuple of str
-        Factors that vary, uniformly over their ranges.
+        Factors that vary.
     first, total : (k,) array
         Share that a factor brings alone, and together with others.
     first_error, total_error : (k,) array
@@ -35,10 +37,12 @@ class Indices:
         Standard deviation of the measure over the ranges.
     unexplained : float
         Share of the variance that a surrogate leaves unexplained in held-out rows, 1 − R²; 0 where runs were asked.
-    held : mapping of str to float [SI]
+    held : mapping of str to float or str [SI]
         Factors that were held, with their values.
     count : int
         Number of points.
+    normal : tuple of str
+        Factors that are normal within their ranges; the others are uniform.
     """
 
     measure: str
@@ -50,8 +54,9 @@ class Indices:
     total_error: Array
     deviation: float
     unexplained: float
-    held: Mapping[str, float]
+    held: Mapping[str, Value]
     count: int
+    normal: tuple[str, ...] = ()
 
     def interval(self, which: str) -> tuple[Array, Array]:
         """Return the ends of the 95 % intervals, (k,) each, with what a surrogate leaves unexplained.
@@ -86,7 +91,8 @@ class Indices:
         deviation = f"{column.in_unit[0]:.3g} {self.unit}".rstrip()
         left = f"; the surrogate leaves {100 * self.unexplained:.2g} % unexplained" if self.unexplained else ""
         alone = 100 * float(self.first.sum())
-        return f"{column.words} varies by {deviation}: {', '.join(told)}; factors alone bring {alone:.2g} %{left}."
+        how = f" with {', '.join(self.normal)} normal" if self.normal else ""
+        return f"{column.words} varies by {deviation}{how}: {', '.join(told)}; factors alone bring {alone:.2g} %{left}."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -125,11 +131,14 @@ def sobol_indices(
     asked: Asked,
     measures: Sequence[str] | None = None,
     *,
-    held: Mapping[str, float] | None = None,
+    spreads: Sequence[Spread] = (),
+    held: Mapping[str, Value] | None = None,
     samples: int = 1024,
     seed: int = 0,
 ) -> tuple[Indices, ...]:
-    """Divide the variance of measures among factors that vary uniformly over their ranges (Sobol indices).
+    """Divide the variance of measures among independent factors (Sobol indices).
+
+    Factors are uniform over their ranges, and those with a spread normal, cut off at the ends of their ranges.
 
     The first index of a factor is the share that it brings alone, the total index that with all its interactions
     (Sobol 2001, Math. Comput. Simul. 55, 271; estimators and sample of Saltelli et al. 2010, Comput. Phys. Commun.
@@ -141,7 +150,9 @@ def sobol_indices(
         A `Surrogate`, or `Direct` for a function that is quick itself.
     measures : sequence of str, optional
         By default all of them.
-    held : mapping of str to float, optional [SI]
+    spreads : sequence of Spread
+        Factors that are normal, as `turgor.studies.propagate` takes them: mean and standard deviation.
+    held : mapping of str to float or str, optional [SI]
         Factors that do not vary, such as ``{"pressure": 40e3}``.
     samples : int
         A power of two. The function is asked samples·(factors + 2) times.
@@ -156,7 +167,8 @@ def sobol_indices(
     Raises
     ------
     TurgorError
-        If samples is no power of two, a name is unknown, a factor is a choice, or a run fails.
+        If samples is no power of two, a name is unknown, a factor is a choice, a mean lies beyond the range, or a run
+        fails.
 
     Examples
     --------
@@ -175,35 +187,33 @@ def sobol_indices(
     """
     if samples < 2 or samples & (samples - 1):
         raise TurgorError(f"samples is {samples}; allowed are powers of two, such as 1024.")
-    problem, names = problem_of(asked, held), _names(asked, measures)
-    sample = needed("SALib.sample.sobol", "a sensitivity").sample(
-        problem.salib, samples, calc_second_order=False, seed=seed
-    )
-    values, units = problem.values(sample), asked.units
+    problem, names = problem_of(asked, held, spreads), _names(asked, measures)
+    drawn: Any = needed("SALib.sample.sobol", "a sensitivity")
+    values = problem.values(drawn.sample(problem.salib, samples, calc_second_order=False, seed=seed))
+    return tuple(_indices(problem, name, values[:, asked.measures.index(name)], seed) for name in names)
+
+
+def _indices(problem: Problem, name: str, values: Array, seed: int) -> Indices:
+    """Divide the variance of a measure at the points of a sample."""
+    _check_varies(name, values)
     analyzed: Any = needed("SALib.analyze.sobol", "a sensitivity")
-    found = []
-    for name in names:
-        column = values[:, asked.measures.index(name)]
-        _check_varies(name, column)
-        told = analyzed.analyze(
-            problem.salib, column, calc_second_order=False, num_resamples=RESAMPLES, conf_level=LEVEL, seed=seed
-        )
-        found.append(
-            Indices(
-                measure=name, unit=units[name], factors=tuple(problem.names), first=np.asarray(told["S1"]),
-                total=np.asarray(told["ST"]), first_error=np.asarray(told["S1_conf"]),
-                total_error=np.asarray(told["ST_conf"]), deviation=float(column.std()),
-                unexplained=_unexplained(problem, name), held=problem.held, count=len(sample),
-            )
-        )  # fmt: skip
-    return tuple(found)
+    told = analyzed.analyze(
+        problem.salib, values, calc_second_order=False, num_resamples=RESAMPLES, conf_level=LEVEL, seed=seed
+    )
+    return Indices(
+        measure=name, unit=problem.asked.units[name], factors=tuple(problem.names), first=np.asarray(told["S1"]),
+        total=np.asarray(told["ST"]), first_error=np.asarray(told["S1_conf"]),
+        total_error=np.asarray(told["ST_conf"]), deviation=float(values.std()),
+        unexplained=_unexplained(problem, name), held=problem.held, count=len(values),
+        normal=tuple(each.name for each in problem.spreads),
+    )  # fmt: skip
 
 
 def screening(
     asked: Asked,
     measures: Sequence[str] | None = None,
     *,
-    held: Mapping[str, float] | None = None,
+    held: Mapping[str, Value] | None = None,
     trajectories: int = 10,
     seed: int = 0,
 ) -> tuple[Screening, ...]:
@@ -215,7 +225,7 @@ def screening(
         `Direct` for runs, or a `Surrogate`.
     measures : sequence of str, optional
         By default all of them.
-    held : mapping of str to float, optional [SI]
+    held : mapping of str to float or str, optional [SI]
         Factors that do not vary.
     trajectories : int
         The function is asked trajectories·(factors + 1) times, on four levels of each factor.

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.errors import TurgorError
+from turgor.errors import TurgorError, unknown
 from turgor.units import unit_value
 
 Array = NDArray[np.float64]
@@ -93,6 +93,28 @@ class Factor:
         """Return which share of the range a number has; 0.5 where the range is a point."""
         low, high = self.bounds
         return (float(value) - low) / (high - low) if high > low else 0.5
+
+    def number(self, value: Value) -> float:
+        """Return the value of a number, or the place of a choice among its levels, from 0; others are refused."""
+        if not self.is_choice:
+            if isinstance(value, str):
+                raise TurgorError(f"'{self.name}' is '{value}'; a number is needed.")
+            return float(value)
+        if value not in self.levels:
+            raise unknown(f"choice of '{self.name}'", str(value), map(str, self.levels))
+        return float(self.levels.index(value))
+
+    def value(self, number: float) -> Value:
+        """Return the value of a number as it is, or the level of a choice at a place."""
+        return self.levels[int(number)] if self.is_choice else float(number)
+
+    @property
+    def range_told(self) -> str:
+        """Its range or its choices in words."""
+        if self.is_choice:
+            return " or ".join(map(str, self.levels))
+        low, high = self.bounds
+        return f"{self.shown(low)} to {self.shown(high)}"
 
     def spaced(self, count: int | None = None) -> tuple[Value, ...]:
         """Return its levels, or so many equally spaced values of its range."""

@@ -44,7 +44,7 @@ def surrogate(
     Parameters
     ----------
     study : Study
-        Its factors are numbers; those that do not vary are left out.
+        Its factors are numbers, or choices of up to ten; those that do not vary are left out.
     measures : sequence of str, optional
         By default all but the drive.
     kind : str
@@ -61,7 +61,7 @@ def surrogate(
     Raises
     ------
     TurgorError
-        If a factor is a choice, a name is unknown, or fewer than five rows can be used.
+        If a choice has more than ten levels, a name is unknown, or fewer than five rows can be used.
 
     Examples
     --------

@@ -1,7 +1,9 @@
 """invert: find inputs that give wanted outputs, by a surrogate."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product
+from math import prod
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +12,7 @@ from scipy.stats import qmc
 
 from turgor.errors import TurgorError, unknown
 from turgor.response import Column
+from turgor.study.factor import Value
 from turgor.study.study import told
 from turgor.surrogates.surrogate import Prediction, Surrogate
 
@@ -21,6 +24,9 @@ TRIED, STARTS = 512, 6
 #: Distance below which wanted outputs count as reached, as a share of the range of each.
 REACHED = 1e-4
 
+#: Combinations of choices that are searched one by one.
+MOST_COMBINATIONS = 100
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Inverse:
@@ -28,10 +34,10 @@ class Inverse:
 
     Parameters
     ----------
-    values : mapping of str to float [SI]
+    values : mapping of str to float or str [SI]
         Every factor, those that were held too.
     deviations : mapping of str to float [SI]
-        Standard deviation of the factors that were sought, from that of the surrogate; infinite where the outputs do
+        Standard deviation of the numbers that were sought, from that of the surrogate; infinite where the outputs do
         not depend on one.
     wanted : mapping of str to float [SI]
     prediction : Prediction
@@ -44,12 +50,12 @@ class Inverse:
         The inputs as text with their units.
     """
 
-    values: Mapping[str, float]
+    values: Mapping[str, Value]
     deviations: Mapping[str, float]
     wanted: Mapping[str, float]
     prediction: Prediction
     reached: bool
-    others: tuple[Mapping[str, float], ...]
+    others: tuple[Mapping[str, Value], ...]
     shown: str
 
     def sentence(self) -> str:
@@ -78,24 +84,25 @@ def invert(
     surrogate: Surrogate,
     wanted: Mapping[str, float],
     *,
-    held: Mapping[str, float] | None = None,
-    prefer: Mapping[str, float] | None = None,
+    held: Mapping[str, Value] | None = None,
+    prefer: Mapping[str, Value] | None = None,
 ) -> Inverse:
     """Find inputs within the range that give wanted outputs: from shape to pressures.
 
     The distance of all outputs, each over its range, is minimized from several starts (bounded least squares with the
     exact slopes of the surrogate). Where more inputs are sought than outputs are wanted, many inputs give the same;
-    then those nearest to the preferred ones are returned, each difference over the range of its factor.
+    then those nearest to the preferred ones are returned, each difference over the range of its factor. Of choices, all
+    combinations are searched; another choice than the preferred one counts as far as a whole range.
 
     Parameters
     ----------
     surrogate : Surrogate
     wanted : mapping of str to float [SI]
         By the name of the measure.
-    held : mapping of str to float, optional [SI]
+    held : mapping of str to float or str, optional [SI]
         Factors that are given, such as the dimensions of the actuator at hand.
-    prefer : mapping of str to float, optional [SI]
-        Factors with their preferred values; by default the middle of each range.
+    prefer : mapping of str to float or str, optional [SI]
+        Factors with their preferred values; by default the middle of each range, and no choice.
 
     Returns
     -------
@@ -107,20 +114,13 @@ def invert(
     TurgorError
         If a name is unknown, a held or preferred value lies beyond the range, or nothing is left to seek.
     """
-    search = _search(surrogate, wanted, held or {}, prefer or {})
-    ends = search.ends()
-    best = min(search.distance(end) for end in ends)
-    good = [end for end in ends if search.distance(end) <= max(REACHED, best * (1 + 1e-3))]
-    nearest = [search.nearest(end) for end in good]
-    nearest.sort(key=search.from_preferred)
-    share = nearest[0]
+    ends = [(each, end) for each in _searches(surrogate, wanted, held or {}, prefer or {}) for end in each.ends()]
+    best = min(search.distance(end) for search, end in ends)
+    good = [(each, end) for each, end in ends if each.distance(end) <= max(REACHED, best * (1 + 1e-3))]
+    nearest = [(search, search.nearest(end)) for search, end in good]
+    nearest.sort(key=lambda each: each[0].from_preferred(each[1]))
+    search, share = nearest[0]
     reached = search.distance(share) <= REACHED
-    # with fewer outputs than inputs, solutions are a continuum and not counted
-    apart = nearest[1:] if reached and len(wanted) >= len(search.free) else []
-    others: list[Array] = []
-    for each in apart:
-        if all(float(np.abs(each - one).max()) > 0.02 for one in (share, *others)):
-            others.append(each)
     values = search.values(share)
     return Inverse(
         values=values,
@@ -128,14 +128,28 @@ def invert(
         wanted=dict(wanted),
         prediction=surrogate.predict(values),
         reached=reached,
-        others=tuple(search.values(each) for each in others),
+        others=tuple(each.values(other) for each, other in _others(nearest)) if reached else (),
         shown=told(surrogate.factors, values),
     )
 
 
+def _others(nearest: "Sequence[tuple[_Search, Array]]") -> "list[tuple[_Search, Array]]":
+    """Return what lies far from the first solution and from each other.
+
+    With fewer outputs than numbers, the solutions of one combination of choices are a continuum, of which one counts.
+    """
+    found = [nearest[0]]
+    for search, share in nearest[1:]:
+        same = [other for each, other in found if each is search]
+        isolated = len(search.outputs) >= len(search.free)
+        if not same or (isolated and all(float(np.abs(share - other).max(initial=0.0)) > 0.02 for other in same)):
+            found.append((search, share))
+    return found[1:]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class _Search:
-    """A search over the shares of the free factors.
+    """A search over the shares of the free numbers; choices are held.
 
     Parameters
     ----------
@@ -144,12 +158,14 @@ class _Search:
         Places of the wanted measures.
     wanted, scale : (w,) array [SI]
         Values, and the range of each.
-    point : (k,) array
-        Shares of all factors; those of free ones are replaced.
+    point : (w,) array
+        Inputs of the model; those of free numbers are replaced.
     free : list of int
-        Places of the factors that are sought.
+        Places of the numbers that are sought, among the factors.
     preferred : (f,) array
         Shares.
+    apart : int
+        Number of choices that are not the preferred ones.
     """
 
     surrogate: Surrogate
@@ -159,6 +175,12 @@ class _Search:
     point: Array
     free: list[int]
     preferred: Array
+    apart: int
+
+    @property
+    def columns(self) -> list[int]:
+        """Places of the free numbers among the inputs."""
+        return [self.surrogate.coding.columns(n).start for n in self.free]
 
     def off(self, share: Array) -> Array:
         """Return the differences from what is wanted, over the ranges."""
@@ -169,7 +191,7 @@ class _Search:
     def slope(self, share: Array) -> Array:
         """Return the derivatives of `off`, (w, f)."""
         table = self.surrogate.model.slope(self._whole(share))
-        return np.asarray(table[np.ix_(self.outputs, self.free)] / self.scale[:, None])
+        return np.asarray(table[np.ix_(self.outputs, self.columns)] / self.scale[:, None])
 
     def distance(self, share: Array) -> float:
         """Return the largest difference over its range."""
@@ -177,13 +199,15 @@ class _Search:
 
     def from_preferred(self, share: Array) -> float:
         """Return the distance from the preferred inputs."""
-        return float(np.sum((share - self.preferred) ** 2))
+        return float(np.sum((share - self.preferred) ** 2)) + self.apart
 
     def ends(self) -> list[Array]:
         """Return where searches from the best points of the range end."""
+        if not self.free:
+            return [np.zeros(0)]
         tried = qmc.Sobol(len(self.free), seed=0).random(TRIED)
         points = np.tile(self.point, (TRIED, 1))
-        points[:, self.free] = tried
+        points[:, self.columns] = tried
         off = (self.surrogate.model.mean(points)[:, self.outputs] - self.wanted) / self.scale
         starts = [self.preferred, *_far_apart(tried, (off**2).sum(axis=1), STARTS)]
         found = []
@@ -211,14 +235,13 @@ class _Search:
         at = np.clip(ended.x, 0.0, 1.0)
         return at if float(np.abs(self.off(at) - same).max()) < REACHED / 2 else share
 
-    def values(self, share: Array) -> dict[str, float]:
+    def values(self, share: Array) -> dict[str, Value]:
         """Return the factors [SI] at shares of the free ones."""
-        names = [each.name for each in self.surrogate.factors]
-        return dict(zip(names, self.surrogate.at_shares(self._whole(share)).tolist(), strict=True))
+        return self.surrogate.values_at(self._whole(share))
 
     def deviations(self, share: Array) -> dict[str, float]:
         """Return the standard deviations of the free factors: those of the outputs through the inverse slopes."""
-        _, deviation = self.surrogate.spreads(self.surrogate.at_shares(self._whole(share))[None])
+        _, deviation = self.surrogate.spreads(self.surrogate.coding.points(self._whole(share))[None])
         slope = self.slope(share)
         spread = deviation[0][self.outputs] / self.scale
         back = np.linalg.pinv(slope, rcond=1e-9) * spread
@@ -232,36 +255,60 @@ class _Search:
 
     def _whole(self, share: Array) -> Array:
         point = self.point.copy()
-        point[self.free] = share
+        point[self.columns] = share
         return point
 
 
-def _search(
-    surrogate: Surrogate, wanted: Mapping[str, float], held: Mapping[str, float], prefer: Mapping[str, float]
-) -> _Search:
+def _searches(
+    surrogate: Surrogate, wanted: Mapping[str, float], held: Mapping[str, Value], prefer: Mapping[str, Value]
+) -> list[_Search]:
+    """Return a search for each combination of the choices that are not held."""
+    _check(surrogate, wanted, (*held, *prefer))
+    choices = [each for each in surrogate.factors if each.is_choice and each.name not in held]
+    count = prod(len(each.levels) for each in choices)
+    if count > MOST_COMBINATIONS:
+        raise TurgorError(
+            f"{count} combinations of choices are too many; up to {MOST_COMBINATIONS} are searched. Hold some."
+        )
+    free = [n for n, each in enumerate(surrogate.factors) if not each.is_choice and each.name not in held]
+    if not free and not choices:
+        raise TurgorError("all factors are held; there is nothing to seek.")
+    wished = {each.name: each.levels[int(each.number(prefer[each.name]))] for each in choices if each.name in prefer}
+    found = []
+    for levels in product(*(each.levels for each in choices)):
+        chosen = {each.name: level for each, level in zip(choices, levels, strict=True)}
+        apart = sum(chosen[name] != level for name, level in wished.items())
+        found.append(_search(surrogate, wanted, {**prefer, **held, **chosen}, free, apart))
+    return found
+
+
+def _check(surrogate: Surrogate, wanted: Mapping[str, float], given: Sequence[str]) -> None:
+    """Raise an error for names that are unknown, and wanted values that are none."""
     names = [each.name for each in surrogate.factors]
     for name in wanted:
         if name not in surrogate.measures:
             raise unknown("measure of the surrogate", name, surrogate.measures)
         if not np.isfinite(wanted[name]):
             raise TurgorError(f"'{name}' is {wanted[name]}; a finite number is needed.")
-    for name in (*held, *prefer):
+    for name in given:
         if name not in names:
             raise unknown("factor of the surrogate", name, names)
     if not wanted:
         raise TurgorError("nothing is wanted; name a measure and its value.")
-    free = [n for n, name in enumerate(names) if name not in held]
-    if not free:
-        raise TurgorError("all factors are held; there is nothing to seek.")
-    middle = surrogate.at_shares(np.full(len(names), 0.5))
-    point = np.array([{**prefer, **held}.get(name, value) for name, value in zip(names, middle, strict=True)])
+
+
+def _search(
+    surrogate: Surrogate, wanted: Mapping[str, float], known: Mapping[str, Value], free: list[int], apart: int
+) -> _Search:
+    middle = {each.name: sum(each.bounds) / 2 for each in surrogate.factors if not each.is_choice}
+    point = surrogate.point({**middle, **known})
     surrogate.means(point[None])  # refuses what lies beyond the ranges
     shares = surrogate.shares(point)
     outputs = [surrogate.measures.index(name) for name in wanted]
     scale = np.array([surrogate.held_out[n].range or 1.0 for n in outputs])
     return _Search(
         surrogate=surrogate, outputs=outputs, wanted=np.array(list(wanted.values()), dtype=np.float64), scale=scale,
-        point=shares, free=free, preferred=shares[free],
+        point=shares, free=free, preferred=shares[[surrogate.coding.columns(n).start for n in free]], apart=apart,
     )  # fmt: skip
 
 

@@ -13,6 +13,7 @@ from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Factor
 from turgor.study.runs import Computed
 from turgor.study.study import Row, Study
+from turgor.surrogates.coding import Coding, check_levels
 from turgor.surrogates.fit import surrogate
 from turgor.surrogates.next_design import next_design
 from turgor.surrogates.surrogate import Surrogate
@@ -99,9 +100,9 @@ def learn(
 ) -> Learned:
     """Fit a surrogate to few runs, each chosen where the surrogate knows least.
 
-    The first runs are 2k + 2 Sobol points of k factors. Then a surrogate is fitted, asked for the next designs
-    (`next_design`), and fitted again. The designs depend on the runs alone, so that a call that was killed goes on
-    where it was, if ``evaluations`` keep their runs in a folder.
+    The first runs are 2k + 2 Sobol points of k factors, each level of a choice counted as one. Then a surrogate is
+    fitted, asked for the next designs (`next_design`), and fitted again. The designs depend on the runs alone, so that
+    a call that was killed goes on where it was, if ``evaluations`` keep their runs in a folder.
 
     Parameters
     ----------
@@ -121,14 +122,12 @@ def learn(
     Raises
     ------
     TurgorError
-        If a factor is a choice, or too few of the first runs end.
+        If a choice has more than ten levels, or too few of the first runs end.
     """
     asked = function if isinstance(function, Computation) else Computation(function=function)
     where = evaluations or Evaluations()
-    for each in factors:
-        if each.is_choice:
-            raise TurgorError(f"the factor '{each.name}' is a choice; a surrogate takes numbers only.")
-    count = min(max(2 * len(factors) + 2, FEWEST), goal.runs)
+    check_levels(factors)
+    count = min(max(2 * Coding(factors=tuple(factors)).width + 2, FEWEST), goal.runs)
     points = qmc.Sobol(len(factors), seed=0).random(1 << (count - 1).bit_length())[:count]
     designs: list[Design] = [
         {each.name: each.at(float(u)) for each, u in zip(factors, point, strict=True)} for point in points

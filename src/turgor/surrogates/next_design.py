@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from turgor.errors import TurgorError, unknown
+from turgor.study.factor import Factor, Value
+from turgor.surrogates.coding import Coding
 from turgor.surrogates.surrogate import Surrogate
 
 Array = NDArray[np.float64]
@@ -26,7 +28,7 @@ def next_design(
     target: Mapping[str, float] | None = None,
     avoid: Sequence[Mapping[str, float | int | str]] = (),
     seed: int = 0,
-) -> tuple[dict[str, float], ...]:
+) -> tuple[dict[str, Value], ...]:
     """Choose the designs that are worth computing next.
 
     Without a target, each is the one with the largest variance that is left once those before are computed: for a
@@ -48,7 +50,7 @@ def next_design(
 
     Returns
     -------
-    tuple of dict of str to float [SI]
+    tuple of dict of str to float or str [SI]
         Values of the factors; without the drive, because a run goes along it.
 
     Raises
@@ -66,11 +68,10 @@ def next_design(
     varied = [each for each in surrogate.factors if each.name != surrogate.along]
     found = []
     for number in chosen:
-        values = surrogate.at_shares(candidates.points[number * candidates.each])
-        design = {each.name: float(value) for each, value in zip(surrogate.factors, values, strict=True)}
+        design = surrogate.values_at(candidates.points[number * candidates.each])
         for each in varied:
             if each.whole:
-                design[each.name] = round(design[each.name])
+                design[each.name] = round(float(design[each.name]))
         found.append({each.name: design[each.name] for each in varied})
     return tuple(found)
 
@@ -82,12 +83,12 @@ class _Candidates:
     Parameters
     ----------
     surrogate : Surrogate
-    points : (c·each, k) array
-        As shares; the points of one design stand behind each other.
+    points : (c·each, w) array
+        As inputs of the model; the points of one design stand behind each other.
     each : int
         Points of one design: values of the drive.
-    avoided : (a, k) array
-        Designs of which none near is chosen, as shares.
+    avoided : (a, w) array
+        Designs of which none near is chosen, as inputs without the drive.
     """
 
     surrogate: Surrogate
@@ -124,7 +125,7 @@ class _Candidates:
         scale = np.array([self.surrogate.held_out[n].range or 1.0 for n in places])
         computed = np.stack([self.surrogate.held_out[n].computed for n in places], axis=1)
         best = float((((computed - wanted) / scale) ** 2).sum(axis=1).min())
-        mean, deviation = self.surrogate.spreads(self.surrogate.at_shares(self.points))
+        mean, deviation = self.surrogate.spreads(self.surrogate.coding.points(self.points))
         draws = np.random.default_rng(0).standard_normal((DRAWS, 1, len(places)))
         off = (mean[:, places] + draws * deviation[:, places] - wanted) / scale
         distance = (off**2).sum(axis=2).reshape(DRAWS, self.count, self.each).min(axis=2)
@@ -155,16 +156,27 @@ class _Candidates:
         return factor
 
 
+def _at(factor: Factor, share: float) -> float:
+    """Return what a point has at a share of the range, or of the levels of a choice."""
+    if factor.is_choice:
+        return factor.number(factor.at(share))
+    low, high = factor.bounds
+    return low + share * (high - low)
+
+
 def _candidates(surrogate: Surrogate, avoid: Sequence[Mapping[str, float | int | str]], seed: int) -> _Candidates:
     k = len(surrogate.factors) - bool(surrogate.along)
-    failed = [[each.share_of(design[each.name]) for each in surrogate.factors[:k]] for design in avoid]
-    avoided = np.array(failed, dtype=np.float64).reshape(-1, k)
+    coding = Coding(factors=surrogate.factors[:k])
+    failed = [[each.number(design[each.name]) for each in coding.factors] for design in avoid]
+    avoided = coding.inputs(np.array(failed, dtype=np.float64).reshape(-1, k))
     designs = qmc.Sobol(k, seed=seed).random(CANDIDATES)
     # the variance is often largest at the corners, which no sample has
     corners = np.array(np.meshgrid(*[(0.0, 1.0)] * k)).reshape(k, -1).T if k <= 6 else np.zeros((0, k))
-    designs = np.concatenate([corners, designs])
+    drawn = np.concatenate([corners, designs]).tolist()
+    points = [[_at(each, share) for each, share in zip(coding.factors, row, strict=True)] for row in drawn]
+    designs = coding.inputs(np.array(points))
     if not surrogate.along:
         return _Candidates(surrogate=surrogate, points=designs, each=1, avoided=avoided)
     drives = np.tile(np.linspace(0.25, 1.0, DRIVES), len(designs))
-    points = np.column_stack([np.repeat(designs, DRIVES, axis=0), drives])
-    return _Candidates(surrogate=surrogate, points=points, each=DRIVES, avoided=avoided)
+    along = np.column_stack([np.repeat(designs, DRIVES, axis=0), drives])
+    return _Candidates(surrogate=surrogate, points=along, each=DRIVES, avoided=avoided)

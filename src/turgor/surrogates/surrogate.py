@@ -11,7 +11,8 @@ from turgor.finding import Finding, Severity
 from turgor.response import Column, Response
 from turgor.source import Source
 from turgor.store.saved import Saved
-from turgor.study.factor import Factor
+from turgor.study.factor import Factor, Value
+from turgor.surrogates.coding import Coding
 from turgor.surrogates.held_out import HeldOut
 from turgor.surrogates.trained import Model
 
@@ -66,7 +67,7 @@ class Surrogate(Saved):
     held_out : tuple of HeldOut
         Each measure with its error in rows that were held out.
     model : Model
-        Trained model: inputs as shares of their ranges, outputs in SI units.
+        Trained model: inputs as `Coding` makes them, outputs in SI units.
     kind : str
         ``"gaussian_process"`` or ``"network"``.
     along : str
@@ -89,7 +90,7 @@ class Surrogate(Saved):
     source: Source
 
     def __repr__(self) -> str:
-        asked = ", ".join(f"{each.name} {each.shown(each.bounds[0])} to {_high(each)}" for each in self.factors)
+        asked = ", ".join(f"{each.name} {each.range_told}" for each in self.factors)
         told = ", ".join(f"{each.name} ± {100 * each.share:.2g} %" for each in self.held_out)
         return f"Surrogate({self.kind} of {self.rows} rows: {asked}; {told} of the range)"
 
@@ -114,13 +115,13 @@ class Surrogate(Saved):
         """Return what it was fitted to, and its errors, in sentences."""
         return "\n".join([repr(self), *(each.sentence for each in self.held_out), *self.notes])
 
-    def predict(self, values: Mapping[str, float], *, extrapolate: bool = False) -> Prediction:
+    def predict(self, values: Mapping[str, Value], *, extrapolate: bool = False) -> Prediction:
         """Return the measures of one design.
 
         Parameters
         ----------
-        values : mapping of str to float [SI]
-            Value of each factor.
+        values : mapping of str to float or str [SI]
+            Value of each factor, the name of a choice.
         extrapolate : bool
             Whether values beyond the ranges are taken, with a finding that says so.
 
@@ -131,7 +132,7 @@ class Surrogate(Saved):
         Raises
         ------
         TurgorError
-            If a factor is missing or unknown, or a value lies beyond its range.
+            If a factor is missing or unknown, a value lies beyond its range, or a choice is none of its study.
         """
         point = self.point(values)
         findings = self._beyond(point[None], extrapolate)
@@ -150,7 +151,7 @@ class Surrogate(Saved):
         Parameters
         ----------
         points : (q, k) array [SI]
-            Values of the factors in their order.
+            Values of the factors in their order; of a choice the place among its levels, from 0.
         extrapolate : bool
             Whether values beyond the ranges are taken.
 
@@ -173,23 +174,26 @@ class Surrogate(Saved):
         mean, deviation = self.model.spread(self.shares(given))
         return mean, deviation * self._factors()
 
-    def slopes(self, values: Mapping[str, float]) -> dict[str, dict[str, float]]:
-        """Return the derivative of each measure with respect to each factor [SI], exact for the surrogate."""
+    def slopes(self, values: Mapping[str, Value]) -> dict[str, dict[str, float]]:
+        """Return the derivative of each measure with respect to each number [SI], exact for the surrogate."""
         point = self.point(values)
         self._beyond(point[None], False)
-        low, high = self._bounds()
-        table = self.model.slope(self.shares(point)) / (high - low)
-        names = [each.name for each in self.factors]
-        return {
-            name: dict(zip(names, row.tolist(), strict=True)) for name, row in zip(self.measures, table, strict=True)
-        }
+        table = self.model.slope(self.shares(point))
+        found: dict[str, dict[str, float]] = {name: {} for name in self.measures}
+        for n, each in enumerate(self.factors):
+            if not each.is_choice:
+                low, high = each.bounds
+                slopes = table[:, self.coding.columns(n)][:, 0] / (high - low)
+                for name, slope in zip(self.measures, slopes.tolist(), strict=True):
+                    found[name][each.name] = slope
+        return found
 
-    def response(self, values: Mapping[str, float], *, points: int = 21, extrapolate: bool = False) -> Response:
+    def response(self, values: Mapping[str, Value], *, points: int = 21, extrapolate: bool = False) -> Response:
         """Return the path of one design: its measures against the drive, as a run gives them.
 
         Parameters
         ----------
-        values : mapping of str to float [SI]
+        values : mapping of str to float or str [SI]
             Value of each factor but the drive. Without a drive among the inputs the response has one row.
         points : int
             Number of states.
@@ -218,8 +222,8 @@ class Surrogate(Saved):
         source = Source(text="a surrogate", detail=f"{self.kind} of {self.rows} rows; {self.source}")
         return Response(columns=tuple(columns), source=source, status="converged", findings=findings)
 
-    def point(self, values: Mapping[str, float], names: list[str] | None = None) -> Array:
-        """Return values of the factors in their order, (k,) [SI]; a missing or unknown name is refused."""
+    def point(self, values: Mapping[str, Value], names: list[str] | None = None) -> Array:
+        """Return values of the factors in their order, (k,) [SI], of a choice its place; unknown names are refused."""
         wanted = names if names is not None else [each.name for each in self.factors]
         for name in values:
             if name not in wanted:
@@ -227,25 +231,30 @@ class Surrogate(Saved):
         missing = [name for name in wanted if name not in values]
         if missing:
             raise TurgorError(f"the surrogate needs a value of {', '.join(missing)} too.")
-        found = np.array([values[name] for name in wanted], dtype=np.float64)
+        found = np.array([each.number(values[each.name]) for each in self.factors if each.name in wanted])
         if not np.isfinite(found).all():
             wrong = next(name for name in wanted if not np.isfinite(values[name]))
             raise TurgorError(f"'{wrong}' is {values[wrong]}; a finite number is needed.")
         return found
 
-    def shares(self, points: Array) -> Array:
-        """Return values of the factors as shares of their ranges."""
-        low, high = self._bounds()
-        return np.asarray((points - low) / (high - low))
+    @property
+    def coding(self) -> Coding:
+        """How values of the factors become inputs of the model."""
+        return Coding(factors=self.factors)
 
-    def at_shares(self, shares: Array) -> Array:
-        """Return values of the factors [SI] at shares of their ranges."""
-        low, high = self._bounds()
-        return np.asarray(low + shares * (high - low))
+    def shares(self, points: Array) -> Array:
+        """Return the inputs of the model at points: shares of ranges, and 0 or 1 for each level of a choice."""
+        return self.coding.inputs(points)
+
+    def values_at(self, shares: Array) -> dict[str, Value]:
+        """Return the value of each factor [SI], the name of a choice, at inputs of the model, (w,)."""
+        point = self.coding.points(shares)
+        return {each.name: each.value(number) for each, number in zip(self.factors, point.tolist(), strict=True)}
 
     def _bounds(self) -> tuple[Array, Array]:
-        bounds = np.array([each.bounds for each in self.factors])
-        return bounds[:, 0], bounds[:, 1]
+        """Lowest and highest values in points."""
+        ends = [(0.0, len(each.levels) - 1.0) if each.is_choice else each.bounds for each in self.factors]
+        return np.array(ends)[:, 0], np.array(ends)[:, 1]
 
     def _factors(self) -> Array:
         return np.array([each.factor for each in self.held_out])
@@ -258,21 +267,20 @@ class Surrogate(Saved):
         return given
 
     def _beyond(self, points: Array, extrapolate: bool) -> tuple[Finding, ...]:
-        """Refuse points beyond the ranges, or say which factors are."""
+        """Refuse points beyond the ranges, or say which factors are; between choices lies nothing."""
         low, high = self._bounds()
+        for n, each in enumerate(self.factors):
+            if each.is_choice and not np.isin(points[:, n], np.arange(len(each.levels))).all():
+                raise TurgorError(f"'{each.name}' is a choice: points have its place, 0 to {len(each.levels) - 1}.")
         off = np.maximum(low - points, points - high) / (high - low)
         if not (off > ROUND_OFF).any():
             return ()
         row, n = np.unravel_index(np.argmax(off), off.shape)
         factor = self.factors[n]
         value = float(points[row, n])
-        told = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.shown(low[n])} to {_high(factor)}"
+        told = f"{factor.name} is {factor.shown(value)}; the surrogate knows {factor.range_told}"
         if not extrapolate:
             raise TurgorError(f"{told}. Compute more rows there, or ask with extrapolate=True at your own risk.")
         message = f"{told}: {100 * off[row, n]:.3g} % of the range beyond."
         advice = "Compute the design itself; neither the value nor its standard deviation was tested there."
         return (Finding(code="U01", severity=Severity.WARNING, message=message, advice=advice),)
-
-
-def _high(factor: Factor) -> str:
-    return factor.shown(factor.bounds[1])

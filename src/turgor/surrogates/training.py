@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
 from turgor.response import Column, Response
-from turgor.study.factor import Factor, inputs_of
+from turgor.study.factor import Factor
 from turgor.study.study import Row, Study
+from turgor.surrogates.coding import Coding, check_levels
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -35,6 +36,7 @@ class Training:
     outputs : tuple of Column
         Measures with their values, (n,) [SI].
     inputs : (n, k) array [SI]
+        Of a choice the place among its levels.
     noise : (n, m) array [SI]
         Mesh error of each value; 0 where none was estimated.
     row : (n,) array
@@ -57,9 +59,8 @@ class Training:
 
     @property
     def shares(self) -> Array:
-        """Inputs as shares of their ranges, (n, k)."""
-        low, high = np.array([each.bounds for each in self.factors]).T
-        return np.asarray((self.inputs - low) / np.where(high > low, high - low, 1.0))
+        """Inputs as a model takes them, (n, w)."""
+        return Coding(factors=self.factors).inputs(self.inputs)
 
 
 def training(
@@ -91,10 +92,12 @@ def training(
     Raises
     ------
     TurgorError
-        If a factor is a choice, a measure is unknown, or fewer than five rows can be used.
+        If a choice has too many levels, a measure is unknown, or fewer than five rows can be used.
     """
-    varied = tuple(each for each in study.factors if each.is_choice or each.bounds[0] < each.bounds[1])
-    _check_numbers(varied)
+    varied = tuple(each for each in study.factors if _moves(each))
+    if not varied:
+        raise TurgorError("no factor of the study varies; a surrogate needs one that does.")
+    check_levels(varied)
     if at is not None and along:
         raise TurgorError(f"at is {at} and along is '{along}'; give one of them.")
     names = _names(study, measures, {along, at[0] if at else ""} | {each.name for each in varied})
@@ -113,7 +116,7 @@ def training(
             f"{FEWEST} or more. {' '.join(study.problems[:1])}".strip()
         )
     table = np.array([line[1:] for line in found], dtype=np.float64)
-    inputs = inputs_of(varied, [dict(study.rows[number].values) for number in rows])
+    inputs = np.array([[each.number(study.rows[number].values[each.name]) for each in varied] for number in rows])
     factors = (*varied, _drive(study, along, grid)) if along else varied
     return Training(
         factors=factors,
@@ -125,15 +128,8 @@ def training(
     )
 
 
-def _check_numbers(factors: Sequence[Factor]) -> None:
-    if not factors:
-        raise TurgorError("no factor of the study varies; a surrogate needs one that does.")
-    for each in factors:
-        if each.is_choice:
-            raise TurgorError(
-                f"the factor '{each.name}' is a choice ({', '.join(map(str, each.levels))}); a surrogate takes numbers "
-                "only. Fit one surrogate to the rows of each choice."
-            )
+def _moves(factor: Factor) -> bool:
+    return len(factor.levels) > 1 if factor.is_choice else factor.bounds[0] < factor.bounds[1]
 
 
 def _names(study: Study, measures: Sequence[str] | None, inputs: Iterable[str]) -> list[str]:

@@ -59,21 +59,48 @@ def read_spreads(texts: Iterable[str], job: JobFile) -> list[Input]:
         keys, sign, value = (part.strip() for part in text.partition("="))
         if not (sign and keys and value):
             raise TurgorError(f"--spread is '{text}'; write KEY=DEVIATION, such as actuator.wall='0.1 mm'.")
-        value, _, label = (part.strip() for part in value.partition(" as "))
-        where = f"--spread {keys}"
         if keys == PRESSURE.key:
-            deviation = read_number(value, PRESSURE, where)
+            value, _, label = (part.strip() for part in value.partition(" as "))
+            deviation = read_number(value, PRESSURE, f"--spread {keys}")
             found.append(Spread(name=keys, deviation=deviation, label=label))
             continue
         name = keys_of(keys, job, "--spread")
-        number = find_number(job.numbers, name.split(",")[0])
-        if ";" in value:
-            replicates = tuple(read_number(each, number, where) for each in value.split(";"))
-            found.append(Spread(name=name, replicates=replicates, label=label))
-        else:
-            mean, deviation = mean_and_deviation(value, number, where)
-            found.append(Spread(name=name, mean=mean, deviation=deviation, label=label))
+        found.append(read_spread(name, value, find_number(job.numbers, name.split(",")[0])))
     return found
+
+
+def read_spread(name: str, text: str, number: JobNumber) -> Spread:
+    """Read the spread of a number.
+
+    Parameters
+    ----------
+    name : str
+    text : str
+        ``DEVIATION`` or ``MEAN+-DEVIATION``, or replicates with semicolons between them; then ``as LABEL``.
+    number : JobNumber
+        Whose unit the values have; its value is the mean where none is stated.
+
+    Returns
+    -------
+    Spread
+
+    Raises
+    ------
+    TurgorError
+        If it cannot be read.
+
+    Examples
+    --------
+    >>> read_spread("wall", "1.5 mm +- 2 %", JobNumber(key="wall", value=1e-3, unit="mm")).standard
+    (0.0015, 3e-05)
+    """
+    value, _, label = (part.strip() for part in text.partition(" as "))
+    where = f"--spread {name}"
+    if ";" in value:
+        replicates = tuple(read_number(each, number, where) for each in value.split(";"))
+        return Spread(name=name, replicates=replicates, label=label)
+    mean, deviation = mean_and_deviation(value, number, where)
+    return Spread(name=name, mean=mean, deviation=deviation, label=label)
 
 
 def read_sets(texts: Iterable[str], job: JobFile) -> list[Input]:

@@ -15,6 +15,7 @@ from turgor.sensitivity.local import Tolerance, local_sensitivities, sensitiviti
 from turgor.source import Source
 from turgor.study.factor import Factor
 from turgor.surrogates.fit import surrogate
+from turgor.uncertainty.spread import Spread
 from turgor.units import deg, kPa, mm
 
 X, Y, Z = (Factor(name=name, low=0.0, high=1.0) for name in "xyz")
@@ -41,6 +42,42 @@ def test_shares_of_a_plane():
     (held,) = sobol_indices(asked, held={"x": 0.5}, samples=256)
     assert held.factors == ("y", "z")
     assert held.total == pytest.approx([0.8, 0.2], abs=0.01)
+
+
+def test_shares_of_a_plane_of_normal_factors():
+    """4 x + 2 y + z with deviations 0.05, 0.1 and, uniform over 1, 1/√12: shares as a²σ², which are exact."""
+    asked = Direct(function=plane, factors=(X, Y, Z), measures=("force",))
+    spreads = [Spread(name="x", mean=0.5, deviation=0.05), Spread(name="y", mean=0.5, deviation=0.1)]
+    (found,) = sobol_indices(asked, spreads=spreads, samples=512)
+    variances = np.array([16 * 0.05**2, 4 * 0.1**2, 1 / 12])  # ranges end at five deviations and more
+    assert found.total == pytest.approx(variances / variances.sum(), abs=0.005)
+    assert found.first == pytest.approx(variances / variances.sum(), abs=0.02)
+    assert found.deviation == pytest.approx(np.sqrt(variances.sum()), rel=0.005)
+    assert "with x, y normal" in found.sentence()
+
+
+def test_a_normal_factor_is_cut_off_at_the_ends_of_its_range():
+    """Within ± one deviation a normal distribution has the variance 1 − 2 φ(1)/(2 Φ(1) − 1) = 0.2911."""
+    asked = Direct(function=plane, factors=(X, Y), measures=("force",))
+    spreads = [Spread(name=each, mean=0.5, deviation=0.5) for each in "xy"]
+    (found,) = sobol_indices(asked, spreads=spreads, samples=512)
+    assert found.deviation == pytest.approx(np.sqrt(20 * 0.25 * 0.2911), rel=0.005)
+    assert found.total == pytest.approx([0.8, 0.2], abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("spread", "held", "sentence"),
+    [
+        ({"name": "v", "mean": 0.5}, {}, "unknown factor with a spread that varies 'v'"),
+        ({"name": "x", "mean": 0.5}, {"x": 0.5}, "unknown factor with a spread that varies 'x'"),
+        ({"name": "x"}, {}, "spread 'x' has no mean; give it one"),
+        ({"name": "x", "mean": 1.5}, {}, "the mean of 'x' is 1.5; allowed is 0 to 1, its range"),
+    ],
+)
+def test_spreads_that_do_not_fit_are_refused(spread, held, sentence):
+    asked = Direct(function=plane, factors=(X, Y, Z), measures=("force",))
+    with pytest.raises(TurgorError, match=sentence):
+        sobol_indices(asked, spreads=[Spread(**spread, deviation=0.1)], held=held)
 
 
 def test_what_a_surrogate_leaves_widens_the_intervals():

@@ -76,6 +76,12 @@ def test_samples_get_sobol_indices(folder, capsys):
     assert [each["factor"] for each in told["terms"]] == ["wall", "C10"]
     assert all(0 <= each["total_low"] <= each["total"] for each in told["terms"])
     assert (folder / "sensitivity.png").is_file()
+    assert main([*asked, "--spread", "wall=1.5 mm+-0.1 mm", "--spread", "C10=5 %"]) == 0
+    assert "with wall, C10 normal" in capsys.readouterr().out
+    assert main([*asked, "--spread", "wal=0.1 mm"]) == 1
+    assert "unknown name in --spread 'wal'; did you mean 'wall'?" in capsys.readouterr().err
+    assert main([*asked, "--method", "anova", "--spread", "wall=0.1 mm"]) == 1
+    assert "--spread goes with the method sobol" in capsys.readouterr().err
     assert main([*asked, "--method", "sobl"]) == 1
     assert "did you mean 'sobol'" in capsys.readouterr().err
 

@@ -98,6 +98,6 @@ def test_goals_are_checked(one_sided):
         next_design(one_sided, 0)
     with pytest.raises(TurgorError, match="did you mean 'bending_angle'"):
         next_design(one_sided, target={"bending_angel": 1.0})
-    rubber = replace(cases.WALL, name="rubber", low=None, high=None, levels=("a", "b"), unit="")
-    with pytest.raises(TurgorError, match="'rubber' is a choice"):
+    rubber = replace(cases.WALL, name="rubber", low=None, high=None, levels=tuple("abcdefghijk"), unit="")
+    with pytest.raises(TurgorError, match="'rubber' is a choice of 11"):
         learn(cases.finger, [rubber], Goal(measures=("bending_angle",)))

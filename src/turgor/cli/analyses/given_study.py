@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from turgor.study.jobs.study_file import StudyFile
     from turgor.study.running.executors import Executor
     from turgor.study.study import Study
+    from turgor.uncertainty.spread import Spread
 
 #: Ending of study files.
 TOML = ".toml"
@@ -131,6 +132,59 @@ def numbers_given(texts: Sequence[str] | None, units: Mapping[str, str], option:
         if name not in units:
             raise unknown(f"name in {option}", name, units)
         found[name] = read_number(value, JobNumber(key=name, value=0.0, unit=units[name]), f"{option} {name}")
+    return found
+
+
+def values_given(
+    texts: Sequence[str] | None, factors: "Sequence[Factor]", option: str
+) -> "dict[str, float | int | str]":
+    """Read values of factors such as ``wall=1.2 mm`` or ``materials.body=ecoflex-00-30/yeoh-steck-2019``.
+
+    Parameters
+    ----------
+    texts : sequence of str or None
+    factors : sequence of Factor
+    option : str
+        Beginning of messages.
+
+    Returns
+    -------
+    dict of str to float or str [SI]
+    """
+    choices = {each.name for each in factors if each.is_choice}
+    found: dict[str, float | int | str] = {}
+    for text in texts or ():
+        name, sign, value = (part.strip() for part in text.partition("="))
+        found |= {name: value} if sign and name in choices else numbers_given([text], units_of(factors), option)
+    return found
+
+
+def spreads_given(texts: Sequence[str], factors: "Sequence[Factor]") -> "list[Spread]":
+    """Read spreads of factors such as ``wall=1.2 mm+-0.1 mm``; without a mean around the middle of the range.
+
+    Parameters
+    ----------
+    texts : sequence of str
+    factors : sequence of Factor
+
+    Returns
+    -------
+    list of Spread
+    """
+    from turgor.errors import TurgorError, unknown
+    from turgor.study.jobs.job_numbers import JobNumber
+    from turgor.uncertainty.job_files import read_spread
+
+    known = {each.name: each for each in factors}
+    found = []
+    for text in texts:
+        name, sign, value = (part.strip() for part in text.partition("="))
+        if not (sign and name and value):
+            raise TurgorError(f"--spread is '{text}'; write NAME=MEAN+-DEVIATION, such as wall='1.2 mm+-0.1 mm'.")
+        if name not in known:
+            raise unknown("name in --spread", name, known)
+        middle = float(known[name].at(0.5))
+        found.append(read_spread(name, value, JobNumber(key=name, value=middle, unit=known[name].unit)))
     return found
 
 

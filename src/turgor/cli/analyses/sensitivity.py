@@ -30,6 +30,11 @@ class _Options:
     measures: Measures = None
     at: At = ""
     hold: Annotated[list[str] | None, often("--hold", "NAME=VALUE", "A factor that does not vary, for sobol.")] = None
+    spread: Annotated[
+        list[str] | None,
+        often("--spread", "NAME=MEAN+-DEVIATION", "A factor that is normal within its range instead of uniform, for "
+              "sobol; without a mean around the middle of the range."),
+    ] = None  # fmt: skip
     samples: Annotated[int, typer.Option(help="Points of sobol, a power of two.")] = 1024
     processes: Processes = 1
     scheduler: Scheduler = None
@@ -48,7 +53,7 @@ def _run(asked: _Options) -> None:
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import given_study, read_at
         from turgor.cli.answers.surrogates import SensitivityResult
-        from turgor.errors import unknown
+        from turgor.errors import TurgorError, unknown
         from turgor.results.plots.figures import write_figure
         from turgor.sensitivity.anova import is_factorial
 
@@ -57,6 +62,8 @@ def _run(asked: _Options) -> None:
         study, place, at, measures = given_study(asked.study, asked)
         at = read_at(asked.at, study) or at
         method = asked.method if asked.method != "auto" else "anova" if is_factorial(study) else "sobol"
+        if method == "anova" and (asked.hold or asked.spread):
+            raise TurgorError(f"{'--hold' if asked.hold else '--spread'} goes with the method sobol.")
         names = asked.measures or list(measures) or None
         text, terms, figure = _anova(study, names, at) if method == "anova" else _sobol(study, names, at, asked)
         folder = asked.output if asked.output is not None else place
@@ -89,14 +96,15 @@ def _anova(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] 
 
 
 def _sobol(study: "Study", names: "Sequence[str] | None", at: tuple[str, float] | None, asked: _Options) -> Found:
-    from turgor.cli.analyses.given_study import numbers_given, units_of
+    from turgor.cli.analyses.given_study import spreads_given, values_given
     from turgor.cli.answers.surrogates import index_terms
     from turgor.sensitivity.figure import indices_figure
     from turgor.sensitivity.indices import sobol_indices
     from turgor.surrogates.fit import surrogate
 
     fitted = surrogate(study, names, at=at)
-    held = numbers_given(asked.hold, units_of(fitted.factors), "--hold")
-    found = sobol_indices(fitted, held=held, samples=asked.samples)
+    held = values_given(asked.hold, fitted.factors, "--hold")
+    spreads = spreads_given(asked.spread or (), fitted.factors)
+    found = sobol_indices(fitted, spreads=spreads, held=held, samples=asked.samples)
     text = "\n".join([*(each.sentence() for each in found), *fitted.notes])
     return text, [term for each in found for term in index_terms(each)], indices_figure(found)

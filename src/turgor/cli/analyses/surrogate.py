@@ -13,6 +13,7 @@ from turgor.cli.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.cli.exits import Answer
+    from turgor.study.factor import Value
     from turgor.surrogates.surrogate import Surrogate
 
 StudyPath = Annotated[
@@ -107,12 +108,12 @@ class _Asked:
 def _predict(asked: _Asked) -> None:
     """Say what a surrogate gives for values of its factors, or which of them give wanted measures."""
     with errors_as_sentences(asked.debug, asked.as_json) as answer:
-        from turgor.cli.analyses.given_study import numbers_given, units_of
+        from turgor.cli.analyses.given_study import values_given
         from turgor.errors import TurgorError
         from turgor.surrogates.surrogate import Surrogate
 
         found = Surrogate.load(asked.file)
-        at = numbers_given(asked.at, units_of(found.factors), "--at")
+        at = values_given(asked.at, found.factors, "--at")
         if asked.want:
             if asked.extrapolate:
                 raise TurgorError("--extrapolate does not go with --want: inputs are sought within their ranges.")
@@ -125,7 +126,7 @@ def _predict(asked: _Asked) -> None:
 predict_command = command_of(_Asked, _predict)
 
 
-def _say(found: "Surrogate", at: dict[str, float], asked: _Asked, answer: "Answer") -> None:
+def _say(found: "Surrogate", at: "dict[str, Value]", asked: _Asked, answer: "Answer") -> None:
     from turgor.cli.answers.surrogates import prediction_result
 
     said = found.predict(at, extrapolate=asked.extrapolate)
@@ -136,12 +137,12 @@ def _say(found: "Surrogate", at: dict[str, float], asked: _Asked, answer: "Answe
     raise typer.Exit(DONE)
 
 
-def _invert(found: "Surrogate", held: dict[str, float], asked: _Asked, answer: "Answer") -> None:
-    from turgor.cli.analyses.given_study import numbers_given, units_of
+def _invert(found: "Surrogate", held: "dict[str, Value]", asked: _Asked, answer: "Answer") -> None:
+    from turgor.cli.analyses.given_study import numbers_given, values_given
     from turgor.cli.answers.surrogates import inverse_result
     from turgor.surrogates.invert import invert
 
-    prefer = numbers_given(asked.prefer, units_of(found.factors), "--prefer")
+    prefer = values_given(asked.prefer, found.factors, "--prefer")
     inverse = invert(found, numbers_given(asked.want, found.units, "--want"), held=held, prefer=prefer)
     typer.echo(inverse.sentence())
     for each in found.factors:

@@ -23,7 +23,7 @@ class SurrogateResult:
     rows : int
         Rows of the study that were used.
     factors : list of tables
-        ``name``, ``unit``, ``low`` and ``high`` of each input.
+        ``name``, ``unit``, ``low`` and ``high`` of each input, or ``levels`` of a choice.
     measures : list of tables
         ``name``, ``unit``, and in held-out rows ``rms``, ``worst``, ``share`` of the range, ``r_squared``,
         ``coverage_68`` and ``coverage_95``, ``factor`` of the standard deviations.
@@ -47,7 +47,9 @@ def surrogate_result(found: "Surrogate", files: Sequence[Path]) -> SurrogateResu
         kind=found.kind,
         rows=found.rows,
         factors=[
-            {"name": each.name, "unit": each.unit, "low": each.bounds[0], "high": each.bounds[1]}
+            {"name": each.name, "unit": each.unit, "levels": list(each.levels)}
+            if each.is_choice
+            else {"name": each.name, "unit": each.unit, "low": each.bounds[0], "high": each.bounds[1]}
             for each in found.factors
         ],
         measures=[
@@ -83,16 +85,16 @@ class PredictionResult:
         The answer in words.
     """
 
-    at: Mapping[str, float]
+    at: Mapping[str, float | int | str]
     values: Mapping[str, float]
     deviations: Mapping[str, float]
     reached: bool | None
     sought: Mapping[str, float | None]
-    others: Sequence[Mapping[str, float]]
+    others: Sequence[Mapping[str, float | int | str]]
     sentence: str
 
 
-def prediction_result(said: "Prediction", at: Mapping[str, float]) -> PredictionResult:
+def prediction_result(said: "Prediction", at: Mapping[str, float | int | str]) -> PredictionResult:
     """Make the result of a prediction."""
     told = ", ".join(f"{name.replace('_', ' ')} {said.told(name)}" for name in said.values)
     return PredictionResult(
