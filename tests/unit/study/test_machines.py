@@ -6,7 +6,6 @@ import subprocess
 import pytest
 
 from calibration_cases import JOB
-from dask_cluster import dask_cluster
 from slurm_cluster import missing, slurm_cluster
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
@@ -80,15 +79,6 @@ def test_a_slurm_array_computes_the_study(call, tmp_path):
     code, _, _ = call("--gather")
     assert code == DONE
     assert len(set(moved(folder))) == 3
-
-
-def test_dask_workers_compute_the_study(call, tmp_path):
-    with dask_cluster(workers=2) as (address, _):
-        code, said, _ = call("--scheduler", address)
-    assert code == DONE
-    assert "3 designs, 0 failed" in said
-    call("--output", "whole")
-    assert moved(tmp_path / "walls-study") == moved(tmp_path / "whole")
 
 
 @pytest.mark.parametrize(
