@@ -44,6 +44,14 @@ def two_hills(x: float, y: float) -> Response:
     return table(left=x**2 + y**2, right=(x - 1) ** 2 + y**2)
 
 
+def two_valleys(x: float, y: float, log: str = "") -> Response:
+    """Two minima near (−1, 0.5) and (1, 0.5), of which the left one is lower by 0.6: (x² − 1)² + 0.3 x + (y − 0.5)²."""
+    if log:
+        with Path(log).open("a", encoding="utf-8") as file:
+            file.write(f"{x} {y}\n")
+    return table(height=(x**2 - 1) ** 2 + 0.3 * x + (y - 0.5) ** 2, x=x)
+
+
 def sphere(inner_radius: float, wall: float) -> Response:
     """Inflated sphere of a rubber; its pressure is proportional to the wall where this is thin."""
     rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=0.12e6))

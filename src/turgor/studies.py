@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from turgor.optimization.rules import Rule as Rule
     from turgor.optimization.search import Ending as Ending
     from turgor.optimization.search import Search as Search
+    from turgor.optimization.searches.starts import Descent as Descent
     from turgor.optimization.slopes import with_slopes as with_slopes
     from turgor.sensitivity.anova import Anova as Anova
     from turgor.sensitivity.anova import Term as Term

@@ -24,7 +24,7 @@ def told_ending(problem: Problem, ending: Ending, best: Candidate | None, search
     if ending is Ending.INFEASIBLE:
         return (
             f"No design within the ranges meets all goals, as far as the search sees, after {runs}.{lost}{near}",
-            f"{_ends_told(problem, best)}Widen the ranges, relax a goal, or begin elsewhere: the search is local.",
+            f"{_ends_told(problem, best)}Widen the ranges, relax a goal, or take more starts: the search is local.",
         )
     keeps = "" if missed else " The best design so far meets all targets and limits."
     return (

@@ -12,9 +12,9 @@ from turgor.optimization.goals import MET, Goal, Minimize, with_scales
 from turgor.optimization.problem import Candidate, Problem, check_factors
 from turgor.optimization.result import Optimization
 from turgor.optimization.rules import Rule
-from turgor.optimization.search import Ending, Search
+from turgor.optimization.search import Search
 from turgor.optimization.searches.pareto import best_of_front, evolution, front_of, pareto_search
-from turgor.optimization.searches.step import merit
+from turgor.optimization.searches.starts import Descent, best_of, descents_of
 from turgor.optimization.searches.trust_region import trust_region
 from turgor.response import Response
 from turgor.source import Source
@@ -55,7 +55,7 @@ def optimize(
     start : mapping of str to number, optional
         Where the search begins [SI]; by default the middle of the ranges.
     search : Search, optional
-        Method, most runs, precision, whether slopes are taken.
+        Method, most runs, precision, number of starts, whether slopes are taken.
     evaluations : Evaluations, optional
         Where runs are computed and kept, such as `turgor.studies.kept_in`; by default in this process, without files.
 
@@ -92,7 +92,7 @@ def optimize(
     wanted = tuple(each for each in goals if not isinstance(each, Rule))
     check_factors(factors)
     _check_names(computation, factors)
-    method = _method(settings, wanted)
+    descend = _SEARCHES[_method(settings, wanted)]
     problem = Problem(
         computation=computation, factors=tuple(factors), goals=wanted, evaluations=evaluations or Evaluations(),
         rules=tuple(each for each in goals if isinstance(each, Rule)), most=settings.most_solves,
@@ -100,14 +100,15 @@ def optimize(
     )  # fmt: skip
     begin = _start(problem, start)
     problem = replace(problem, goals=_scaled(problem, begin))
-    ending = _SEARCHES[method](problem, begin, settings)
-    return _result(problem, ending, settings)
+    return _result(problem, descents_of(problem, begin, settings, descend), settings)
 
 
-def _result(problem: Problem, ending: Ending, search: Search) -> Optimization:
-    """Gather what was found."""
+def _result(problem: Problem, descents: tuple[Descent, ...], search: Search) -> Optimization:
+    """Gather what was found; it ended as the search from the start did that led to the best design."""
     front = front_of(problem) if len(problem.objectives) > 1 else []
-    best = best_of_front(problem, front) if front else _best(problem)
+    best = best_of_front(problem, front) if front else best_of(problem)
+    led = [each for each in descents if each.best is not None and problem.candidates[each.best] is best]
+    ending = (led or descents)[0].ending
     if best is not None and problem.computation.nominal:
         best = _verified(problem, best)
     rows = [each.row for each in problem.candidates]
@@ -118,14 +119,9 @@ def _result(problem: Problem, ending: Ending, search: Search) -> Optimization:
     return Optimization(
         study=study, goals=problem.goals, scores=tuple(each.score for each in problem.candidates), start=0,
         best=None if best is None else places[id(best.row)], pareto=tuple(places[id(each.row)] for each in front),
-        ending=ending, message=message, advice=advice,
+        ending=ending, message=message, advice=advice, descents=descents,
         notes=next((each.ended.found.notes for each in rows if each.ended.found and each.ended.found.notes), ()),
     )  # fmt: skip
-
-
-def _best(problem: Problem) -> Candidate | None:
-    """Return the candidate of least merit; those that keep the limits come first."""
-    return min(problem.known, key=lambda each: (not each.score.kept, merit(problem, each.score)), default=None)
 
 
 def _verified(problem: Problem, best: Candidate) -> Candidate:
@@ -173,6 +169,8 @@ def _method(search: Search, goals: Sequence[Goal]) -> str:
     count = sum(isinstance(each, Minimize) for each in goals)
     if not count and not any(isinstance(each, MET) for each in goals):
         raise TurgorError("goals has neither a target nor an objective; add a Target, TipPath, Minimize or Maximize.")
+    if search.starts > 1 and count > 1:
+        raise TurgorError(f"starts is {search.starts}; a search for a front begins all over the ranges, leave it out.")
     if search.method == "auto":
         return "pareto" if count > 1 else "trust_region"
     if search.method == "trust_region" and count > 1:

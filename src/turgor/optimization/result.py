@@ -8,6 +8,7 @@ from turgor.optimization.goals import Goal, Minimize
 from turgor.optimization.problem import Score
 from turgor.optimization.reading import Read
 from turgor.optimization.search import Ending
+from turgor.optimization.searches.starts import Descent
 from turgor.study.factor import Value
 from turgor.study.study import Row, Study
 
@@ -36,6 +37,8 @@ class Optimization:
         How it ended, in a sentence.
     advice : str
         What to do; empty where nothing is to be done.
+    descents : tuple of Descent
+        Where the search from each start led, the first one from ``start``.
     notes : tuple of str
         What the runs say of themselves, such as why they have no slopes: those of the first one that says something.
     """
@@ -49,6 +52,7 @@ class Optimization:
     ending: Ending
     message: str
     advice: str
+    descents: tuple[Descent, ...] = ()
     notes: tuple[str, ...] = ()
 
     @property
@@ -96,7 +100,22 @@ class Optimization:
                 lines.append(f"{after_read}, at the start {before_read.short}")
             else:
                 lines.append(str(after_read))
-        return "\n".join([*lines, *self.front_lines(), *self.notes])
+        return "\n".join([*lines, *self.descent_lines(), *self.front_lines(), *self.notes])
+
+    def descent_lines(self) -> list[str]:
+        """Return where each start led as lines of text; none for one start."""
+        if len(self.descents) < 2:
+            return []
+        lines = [f"{len(self.descents)} starts; the best design of each:"]
+        for each in self.descents:
+            begun = self.study.told(self.study.rows[each.start].values)
+            if each.best is None:
+                lines.append(f"  from {begun}: no run gave all values")
+                continue
+            values = "; ".join(f"{read.name} {read.short}" for read in self.reads(each.best))
+            led = self.study.told(self.study.rows[each.best].values)
+            lines.append(f"  from {begun}: {led}: {values} ({each.ending.value.replace('_', ' ')})")
+        return lines
 
     def front_lines(self) -> list[str]:
         """Return the Pareto front as lines of text; none for one objective."""

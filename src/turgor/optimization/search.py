@@ -35,6 +35,9 @@ class Search:
     precision : float [-]
         Steps below this share of the ranges do not count. Where a mesh changes with a dimension, so do values, by their
         mesh error: smaller steps than these errors are chance.
+    starts : int
+        Starts of the search in a trust region, which is local: the first is that of the call, the others are a Latin
+        hypercube of the ranges. Each takes its part of ``most_solves``; the best design is returned, the others listed.
     seed : int
         Of what is random; the same seed gives the same runs.
     slopes : bool
@@ -50,6 +53,7 @@ class Search:
     method: Method = "auto"
     most_solves: int = 25
     precision: float = 2e-3
+    starts: int = 1
     seed: int = 0
     slopes: bool = True
 
@@ -60,5 +64,10 @@ class Search:
             raise TurgorError(f"slopes is {self.slopes!r}; allowed is true or false.")
         if self.most_solves < 2:
             raise TurgorError(f"most_solves is {self.most_solves}; allowed is 2 or more.")
+        if not 1 <= self.starts <= self.most_solves // 2:
+            raise TurgorError(
+                f"starts is {self.starts}; allowed is 1 to {self.most_solves // 2}, half of most_solves, "
+                f"{self.most_solves}."
+            )
         if not 0 < self.precision < 0.1:
             raise TurgorError(f"precision is {self.precision:g}; allowed is between 0 and 0.1, a share of the ranges.")

@@ -269,8 +269,8 @@ class Surrogate(Saved):
     def _beyond(self, points: Array, extrapolate: bool) -> tuple[Finding, ...]:
         """Refuse points beyond the ranges, or say which factors are; between choices lies nothing."""
         low, high = self._bounds()
-        for n, each in enumerate(self.factors):
-            if each.is_choice and not np.isin(points[:, n], np.arange(len(each.levels))).all():
+        for place, each in enumerate(self.factors):
+            if each.is_choice and not np.isin(points[:, place], np.arange(len(each.levels))).all():
                 raise TurgorError(f"'{each.name}' is a choice: points have its place, 0 to {len(each.levels) - 1}.")
         off = np.maximum(low - points, points - high) / (high - low)
         if not (off > ROUND_OFF).any():

@@ -124,6 +124,7 @@ def test_what_cannot_be_cast_is_not_computed(call, folder):
         ('minimize = "solid_volume"', "scale = 1", "needs either minimize or maximize"),
         ("precision = 0.02", "precision = 2", "precision is 2; allowed is between 0 and 0.1"),
         ("precision = 0.02", 'method = "newton"', "unknown method 'newton'"),
+        ("precision = 0.02", "starts = 20", "starts is 20; allowed is 1 to 12, half of most_solves, 25"),
         ("precision = 0.02", 'slopes = "no"', "slopes is 'no'; allowed is true or false"),
         ("[search]", "[[search]]", "it is a table, [search]"),
         ("[[targets]]", "[targets]", "it is a list of tables, [[targets]]"),

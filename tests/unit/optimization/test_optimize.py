@@ -99,6 +99,61 @@ def test_runs_beside_the_start_are_computed_in_processes(tmp_path):
     assert found.converged
 
 
+def test_several_starts_find_the_lower_of_two_valleys(tmp_path):
+    """From (0.9, 0) a search ends in the right valley, at 4 x (x² − 1) + 0.3 = 0: x = 0.960; the left one has −1.035.
+
+    Of a Latin hypercube of two further starts, one begins on either side.
+    """
+    computation = studies.Computation(function=cases.two_valleys, values={"log": str(tmp_path / "log")})
+    asked = computation, cases.factors("x", "y", low=-2, high=2), [studies.Minimize("height", scale=1.0)]
+    near = tg.optimize(*asked, start={"x": 0.9, "y": 0.0}, search=studies.Search(most_solves=60))
+    assert near.converged
+    assert near.values["x"] == pytest.approx(0.960, abs=0.02)
+    assert near.reads()[0].value == pytest.approx(0.2942, abs=0.002)
+    assert len(near.descents) == 1
+    (tmp_path / "log").unlink()
+    found = tg.optimize(*asked, start={"x": 0.9, "y": 0.0}, search=studies.Search(most_solves=120, starts=3))
+    assert found.converged
+    assert found.values["x"] == pytest.approx(-1.035, abs=0.02)
+    assert found.reads()[0].value == pytest.approx(-0.3054, abs=0.002)
+    begun = [found.study.rows[each.start].values["x"] for each in found.descents]
+    led = [found.study.rows[each.best].values["x"] for each in found.descents]
+    assert begun[0] == 0.9
+    assert min(begun[1:]) < 0 < max(begun[1:])
+    assert led == [pytest.approx(0.960 if x > 0 else -1.035, abs=0.02) for x in begun]
+    assert found.best in [each.best for each in found.descents]
+    computed = (tmp_path / "log").read_text(encoding="utf-8").splitlines()
+    assert len(computed) == len(set(computed)) == found.solves <= 120
+    told = found.summary()
+    assert "3 starts; the best design of each:" in told
+    assert "  from x 0.9, y 0: x 0.96" in told
+
+
+def test_starts_end_where_all_targets_are_met_and_share_the_runs():
+    goal = [studies.Target("height", -0.3, scale=1.0)]
+    asked = cases.two_valleys, cases.factors("x", "y", low=-2, high=2), goal
+    found = tg.optimize(*asked, start={"x": -0.8, "y": 0.4}, search=studies.Search(most_solves=60, starts=4))
+    assert found.converged
+    assert len(found.descents) == 1, "the first one has met the target"
+    few = tg.optimize(*asked, start={"x": 0.9, "y": 0.0}, search=studies.Search(most_solves=8, starts=4))
+    assert few.solves <= 8
+    assert [each.start for each in few.descents][:2] == [0, 2]
+
+
+@pytest.mark.parametrize(
+    ("goals", "search", "sentence"),
+    [
+        (["height"], {"starts": 0}, "starts is 0; allowed is 1 to 12, half of most_solves, 25"),
+        (["height"], {"starts": 5, "most_solves": 8}, "starts is 5; allowed is 1 to 4"),
+        (["height", "x"], {"starts": 2}, "starts is 2; a search for a front begins all over the ranges"),
+    ],
+)
+def test_starts_that_do_not_fit_are_refused(goals, search, sentence):
+    with pytest.raises(TurgorError, match=sentence):
+        tg.optimize(cases.two_valleys, cases.factors("x", "y"), [studies.Minimize(each) for each in goals],
+                    search=studies.Search(**search))  # fmt: skip
+
+
 def test_a_run_that_fails_is_a_row_and_the_search_turns_back():
     computation = studies.Computation(function=cases.bowl, values={"refused_above": 0.1})
     found = tg.optimize(computation, AB, [studies.Minimize("height")], start=BEGIN, search=search(40))

@@ -31,6 +31,8 @@ class OptimizationResult:
         ``name``, ``asked``, ``value``, ``mesh_error`` (null where none was estimated) and ``start``.
     best : int or null
         Row of the best design, from 0.
+    descents : list of tables
+        ``start``, ``best`` (rows from 0; null where no run gave a response) and ``status`` of each start.
     front : list of int
         Rows that no other one beats in all objectives; empty for one objective.
     rows : list of tables
@@ -48,6 +50,7 @@ class OptimizationResult:
     factors: list[dict[str, Any]]
     goals: list[dict[str, Any]]
     best: int | None
+    descents: list[dict[str, Any]]
     front: list[int]
     rows: list[dict[str, Any]]
     files: Sequence[Path]
@@ -80,6 +83,9 @@ def optimization_result(found: "Optimization", files: Sequence[Path]) -> Optimiz
             for read, before in zip(reads, begun, strict=True)
         ],
         best=found.best,
+        descents=[
+            {"start": each.start, "best": each.best, "status": each.ending.value} for each in found.descents
+        ],
         front=list(found.pareto),
         rows=[_row(found, number) for number in range(len(found.study))],
         files=files,

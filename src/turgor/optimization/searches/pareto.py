@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from turgor.optimization.problem import Candidate, Problem
 from turgor.optimization.search import Ending, Search
+from turgor.optimization.searches.starts import spread
 from turgor.optimization.searches.surfaces import surfaces_through
 from turgor.study.optional import needed
 
@@ -48,7 +48,7 @@ def pareto_search(problem: Problem, start: Array, search: Search) -> Ending:
     Ending
     """
     first = max(2 * len(start) + 2, round(FIRST_SHARE * problem.most))
-    problem.compute([start, *_spread(problem, first - 1, search.seed)])
+    problem.compute([start, *spread(problem, first - 1, search.seed)])
     quiet = 0
     while problem.left > 0 and quiet < QUIET:
         known = problem.known
@@ -117,17 +117,6 @@ def _front(problem: Problem) -> list[Candidate]:
 
 def _beaten(here: Array, others: Array) -> bool:
     return bool(np.any((others <= here).all(axis=1) & (others < here).any(axis=1)))
-
-
-def _spread(problem: Problem, count: int, seed: int) -> list[Array]:
-    """Return a Latin hypercube of designs that keep the rules."""
-    found: list[Array] = []
-    for more in range(8):
-        draws = qmc.LatinHypercube(d=len(problem.factors), seed=seed + more).random(count)
-        found.extend(problem.snapped(point) for point in draws if not problem.broken(point))
-        if len(found) >= count:
-            break
-    return found[:count]
 
 
 def _nondominated(

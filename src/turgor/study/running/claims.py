@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Self
 
-from filelock import FileLock, SoftFileLock, Timeout
+from filelock import BaseFileLock, FileLock, SoftFileLock, Timeout
 
 from turgor.study.running.ended import Ended, ended_before
 from turgor.study.runs import Run
@@ -33,7 +33,7 @@ class Claims:
     def __init__(self, runs: Sequence[Run], folder: Path | None) -> None:
         self._waiting = deque(runs)
         self._folder = folder
-        self._held: dict[str, FileLock] = {}
+        self._held: dict[str, BaseFileLock] = {}
 
     def __bool__(self) -> bool:
         """Whether runs wait."""
@@ -72,10 +72,10 @@ class Claims:
         _unlocked(self._held.pop(run.key, None))
 
 
-def _locked(file: Path) -> FileLock | None:
+def _locked(file: Path) -> BaseFileLock | None:
     """Lock a file at once, or raise a `Timeout`; None where the file system has no locks."""
     file.parent.mkdir(parents=True, exist_ok=True)
-    lock = FileLock(file, timeout=0, thread_local=False)
+    lock: BaseFileLock = FileLock(file, timeout=0, thread_local=False)
     try:
         lock.acquire()
     except (NotImplementedError, OSError) as error:
@@ -88,7 +88,7 @@ def _locked(file: Path) -> FileLock | None:
     return lock
 
 
-def _unlocked(lock: FileLock | None) -> None:
+def _unlocked(lock: BaseFileLock | None) -> None:
     """Remove the file of a lock while it is held, so that no other process locks what is gone, and unlock it."""
     if lock is not None:
         with suppress(OSError):  # Windows keeps a file that is open
