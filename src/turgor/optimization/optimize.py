@@ -89,18 +89,28 @@ def optimize(
     """
     computation = function if isinstance(function, Computation) else Computation(function=function)
     settings = search or Search()
-    wanted = tuple(each for each in goals if not isinstance(each, Rule))
     check_factors(factors)
     _check_names(computation, factors)
-    descend = _SEARCHES[_method(settings, wanted)]
-    problem = Problem(
-        computation=computation, factors=tuple(factors), goals=wanted, evaluations=evaluations or Evaluations(),
-        rules=tuple(each for each in goals if isinstance(each, Rule)), most=settings.most_solves,
-        slopes=settings.slopes,
-    )  # fmt: skip
+    problem = _problem(computation, factors, goals, settings, evaluations or Evaluations())
+    descend = _SEARCHES[_method(settings, problem.goals)]
     begin = _start(problem, start)
     problem = replace(problem, goals=_scaled(problem, begin))
     return _result(problem, descents_of(problem, begin, settings, descend), settings)
+
+
+def _problem(
+    computation: Computation,
+    factors: Sequence[Factor],
+    goals: Sequence[Goal | Rule],
+    search: Search,
+    evaluations: Evaluations,
+) -> Problem:
+    """Part goals and rules, and set the budget."""
+    return Problem(
+        computation=computation, factors=tuple(factors), evaluations=evaluations,
+        goals=tuple(each for each in goals if not isinstance(each, Rule)),
+        rules=tuple(each for each in goals if isinstance(each, Rule)), most=search.most_solves, slopes=search.slopes,
+    )  # fmt: skip
 
 
 def _result(problem: Problem, descents: tuple[Descent, ...], search: Search) -> Optimization:

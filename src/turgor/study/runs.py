@@ -268,7 +268,7 @@ def kept_problem(run: Run, folder: Path) -> str:
     str
         Empty where it has not failed.
     """
-    notes, _, _ = _files(run.key, folder)
+    notes = _files(run.key, folder)[0]
     return str(json.loads(notes.read_text(encoding="utf-8")).get(PROBLEM, "")) if notes.is_file() else ""
 
 

@@ -136,6 +136,20 @@ def workspace_of(
     >>> len(found.ended), round(found.reached.area / mm**2, 6)
     (9, 8.0)
     """
+    combinations = _combinations(model, pressures)
+    computed = evaluations or Evaluations()
+    if not isinstance(model, Job):
+        more = dict(values or {})
+        ended = computed.of([Run(name=_told(each), function=model, values={**more, **each}) for each in combinations])
+        return _gathered(combinations, ended)
+    with TemporaryDirectory() as folder:
+        file = (computed.folder or Path(folder)) / START
+        ended = computed.of(_job_runs(model, file, combinations, values or {}))
+    return _gathered(combinations, ended)
+
+
+def _combinations(model: Job | Function, pressures: Mapping[str, Sequence[float]]) -> tuple[Mapping[str, float], ...]:
+    """Return all combinations of pressures; of a job, those that load it."""
     for name, given in pressures.items():
         if not len(given) or not all(isfinite(value) for value in given):
             raise TurgorError(f"pressures of '{name}' are {list(given)}; give one pressure in Pa or more.")
@@ -149,15 +163,7 @@ def workspace_of(
         combinations = tuple(each for each in combinations if _is_loaded(model, each))
         if not combinations:
             raise TurgorError("nothing drives the job: all pressures are zero.")
-    computed = evaluations or Evaluations()
-    if not isinstance(model, Job):
-        more = dict(values or {})
-        ended = computed.of([Run(name=_told(each), function=model, values={**more, **each}) for each in combinations])
-        return _gathered(combinations, ended)
-    with TemporaryDirectory() as folder:
-        file = (computed.folder or Path(folder)) / START
-        ended = computed.of(_job_runs(model, file, combinations, values or {}))
-    return _gathered(combinations, ended)
+    return combinations
 
 
 def pressure_keys(numbers: Mapping[str, JobNumber]) -> dict[str, str]:
