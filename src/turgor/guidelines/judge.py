@@ -6,9 +6,9 @@ from pathlib import Path
 
 from turgor.errors import TurgorError
 from turgor.guidelines.guideline import Found, Guideline, GuidelineTest, Judgement, Setting, Verdict, overall
+from turgor.study.files.kept import kept, kept_problem
 from turgor.study.run_all import run_all
 from turgor.study.running.ended import Ended
-from turgor.study.runs import kept, kept_problem
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

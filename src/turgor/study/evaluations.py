@@ -5,10 +5,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Self
 
+from turgor.study.files.kept import forget
 from turgor.study.running.ended import Ended, ended_before
 from turgor.study.running.executors import Executor, Here
 from turgor.study.running.workers import Workers
-from turgor.study.runs import Run, forget
+from turgor.study.runs import Run
 
 Progress = Callable[[Ended], None]
 

@@ -1,26 +1,19 @@
-"""Runs of a study: what each computes, and what was computed, as files that a later call reads again."""
+"""Runs of a study: what each computes, and its key."""
 
 import hashlib
 import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from turgor.errors import TurgorError, unknown
 from turgor.response import Response
-from turgor.results.files.response_csv import read_response
-from turgor.source import Source
 from turgor.store.codec import Encoder
-from turgor.store.whole import whole
 from turgor.study.running.code import code_digest
 
 #: Letters of the hash in a file's name.
 KEY_LETTERS = 10
-
-#: Key of the notes of a run that failed.
-PROBLEM = "problem"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -166,137 +159,3 @@ def with_values(design: Any, values: Mapping[str, Any]) -> Any:
         before = changed.get(first, getattr(design, first))
         changed[first] = with_values(before, {rest: value}) if rest else value
     return replace(design, **changed)
-
-
-def kept(run: Run, folder: Path) -> Computed | None:
-    """Read what a run found, if it has ended before.
-
-    Parameters
-    ----------
-    run : Run
-    folder : Path
-        Where `keep` wrote it.
-
-    Returns
-    -------
-    Computed or None
-    """
-    return kept_as(run.key, folder)
-
-
-def kept_as(key: str, folder: Path) -> Computed | None:
-    """Read what the run with a key found, if it has ended.
-
-    Parameters
-    ----------
-    key : str
-    folder : Path
-
-    Returns
-    -------
-    Computed or None
-    """
-    notes, table, picture = _files(key, folder)
-    if not (notes.is_file() and table.is_file()):
-        return None
-    told = json.loads(notes.read_text(encoding="utf-8"))
-    if PROBLEM in told:
-        return None
-    read = read_response(table)
-    source, status = Source(text=told["source"]), told.get("status", "")
-    response = Response(columns=read.columns, source=source, status=status, message=told["message"])
-    return Computed(
-        response=response,
-        picture=picture.read_bytes() if picture.is_file() else b"",
-        seconds=float(told["cpu_seconds"]),
-        notes=tuple(told.get("notes", ())),
-    )
-
-
-def keep(run: Run, found: Computed, folder: Path) -> None:
-    """Write what a run found: its table, its picture, and at last its notes, without which it has not ended.
-
-    Parameters
-    ----------
-    run : Run
-    found : Computed
-    folder : Path
-        Made if there is none.
-    """
-    folder.mkdir(parents=True, exist_ok=True)
-    notes, table, picture = _files(run.key, folder)
-    found.response.to_csv(table)
-    if found.picture:
-        with whole(picture) as part:
-            part.write_bytes(found.picture)
-    told = {
-        **_asked(run),
-        "source": str(found.response.source),
-        "status": found.response.status,
-        "message": found.response.message,
-        "cpu_seconds": round(found.seconds, 3),
-        **({"notes": list(found.notes)} if found.notes else {}),
-    }
-    _write(notes, told)
-
-
-def keep_problem(run: Run, problem: str, folder: Path) -> None:
-    """Write why a run failed.
-
-    Parameters
-    ----------
-    run : Run
-    problem : str
-    folder : Path
-        Made if there is none.
-    """
-    folder.mkdir(parents=True, exist_ok=True)
-    _write(_files(run.key, folder)[0], {**_asked(run), PROBLEM: problem})
-
-
-def kept_problem(run: Run, folder: Path) -> str:
-    """Read why a run failed before.
-
-    Parameters
-    ----------
-    run : Run
-    folder : Path
-        Where `keep_problem` wrote it.
-
-    Returns
-    -------
-    str
-        Empty where it has not failed.
-    """
-    notes = _files(run.key, folder)[0]
-    return str(json.loads(notes.read_text(encoding="utf-8")).get(PROBLEM, "")) if notes.is_file() else ""
-
-
-def forget(run: Run, folder: Path) -> None:
-    """Remove what was kept of a run, its notes first, so that it is computed again.
-
-    Parameters
-    ----------
-    run : Run
-    folder : Path
-    """
-    for file in _files(run.key, folder):
-        file.unlink(missing_ok=True)
-
-
-def _asked(run: Run) -> dict[str, Any]:
-    return {
-        "name": run.name,
-        "function": f"{run.function.__module__}.{run.function.__qualname__}",
-        "values": dict(run.values),
-        **({} if run.design is None else {"design": run.written_design}),
-    }
-
-
-def _write(notes: Path, told: Mapping[str, Any]) -> None:
-    with whole(notes) as part:
-        part.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
-
-
-def _files(key: str, folder: Path) -> tuple[Path, Path, Path]:
-    return folder / f"{key}.json", folder / f"{key}.csv", folder / f"{key}.png"

@@ -11,8 +11,9 @@ import turgor as tg
 from dask_cluster import dask_cluster
 from turgor.errors import TurgorError
 from turgor.study.evaluations import Evaluations
+from turgor.study.files.kept import kept
 from turgor.study.running.on_dask import OnDask
-from turgor.study.runs import Run, kept
+from turgor.study.runs import Run
 
 
 def clocks(log, numbers, seconds):

@@ -11,8 +11,9 @@ import pytest
 from study_cases import PICTURE, breaks, dies, line, refuses
 
 from turgor.errors import TurgorError
+from turgor.study.files.kept import keep, kept
 from turgor.study.run_all import run_all
-from turgor.study.runs import Computed, Run, keep, kept
+from turgor.study.runs import Computed, Run
 
 
 def lines(log: str = "", slopes=(1e-5, 2e-5, 3e-5)) -> list[Run]:

@@ -14,8 +14,9 @@ from study_cases import killed, refuses, slow
 import turgor as tg
 from turgor.errors import TurgorError
 from turgor.study.evaluations import Evaluations
+from turgor.study.files.kept import kept
 from turgor.study.running.workers import Workers
-from turgor.study.runs import Run, kept
+from turgor.study.runs import Run
 
 
 def clocks(log: Path, numbers, seconds: float = 0.2) -> list[Run]:

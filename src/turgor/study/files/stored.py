@@ -14,8 +14,9 @@ from turgor.source import Source
 from turgor.store.whole import whole
 from turgor.study.factor import Factor
 from turgor.study.files.designs_csv import read_designs
+from turgor.study.files.kept import keep, kept, kept_as
 from turgor.study.running.ended import Ended
-from turgor.study.runs import Computed, Run, keep, kept, kept_as
+from turgor.study.runs import Computed, Run
 from turgor.study.study import FAILED, Row, Study
 
 #: Files of a folder: the rows with the keys of their runs; the runs with their whole curves; and the table.

@@ -7,7 +7,8 @@ from time import process_time
 
 from turgor.errors import NotHere, TurgorError
 from turgor.response import Response
-from turgor.study.runs import Computed, Run, keep, keep_problem, kept, kept_problem
+from turgor.study.files.kept import keep, keep_problem, kept, kept_problem
+from turgor.study.runs import Computed, Run
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
