@@ -11,6 +11,7 @@ from turgor.cli.answers.results import run_result
 from turgor.cli.exits import DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
 from turgor.cli.signals import ends_at_once
+from turgor.loops import begin_early
 
 if TYPE_CHECKING:
     from turgor.finding import Finding
@@ -40,6 +41,8 @@ class RunOptions:
 
 def run(chosen: RunOptions) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
+    if chosen.job.exists():
+        begin_early()
     with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once():
         from turgor.adaptivity.findings import matter
 

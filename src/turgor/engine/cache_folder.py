@@ -6,10 +6,8 @@ import warnings
 from pathlib import Path
 
 import numba
-from platformdirs import user_cache_path
 
-#: Variable that names the folder, read by numba.
-VARIABLE = "NUMBA_CACHE_DIR"
+from turgor.loops import VARIABLE, elsewhere, usual, writable
 
 
 def keep_compiled_loops() -> Path | None:
@@ -24,10 +22,10 @@ def keep_compiled_loops() -> Path | None:
         The other folder; None where a usual one serves.
     """
     stated = os.environ.get(VARIABLE)
-    if any(map(_writable, [Path(stated)] if stated else [])) or any(map(_writable, _usual())):
+    if any(map(writable, [Path(stated)] if stated else [])) or any(map(writable, usual())):
         return None
-    other = Path(tempfile.gettempdir()) / f"turgor-compiled-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
-    if not _writable(other):
+    other = elsewhere()
+    if not writable(other):
         other = Path(tempfile.mkdtemp(prefix="turgor-compiled-"))
     numba.config.CACHE_DIR = os.environ[VARIABLE] = str(other)
     warnings.warn(
@@ -36,18 +34,3 @@ def keep_compiled_loops() -> Path | None:
         stacklevel=2,
     )
     return other
-
-
-def _usual() -> tuple[Path, ...]:
-    """The folders that numba tries by itself."""
-    return Path(__file__).parent / "cells" / "__pycache__", user_cache_path("numba")
-
-
-def _writable(folder: Path) -> bool:
-    """Whether a file can be made in a folder, which is made where it is missing."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return True
-    except OSError:
-        return False

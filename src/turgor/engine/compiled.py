@@ -10,14 +10,14 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, TypeVar
 
-import numba
+from turgor.loops import processors
 
 Loop = TypeVar("Loop", bound=Callable)
 
 
 #: Options of a loop that Python calls, and of a function that compiled loops alone call, which Python must not. Nothing
 #: here is called from C, and what numba adds for callers that do not exist takes a tenth of the time to compile.
-LOOP = {"cache": True, "no_cfunc_wrapper": True}
+LOOP = {"cache": True, "no_cfunc_wrapper": True, "error_model": "numpy", "nogil": True}
 INNER = LOOP | {"no_cpython_wrapper": True}
 
 #: Threads of `over`, where `turgor.engine.runtime.use_threads` says how many.
@@ -41,12 +41,6 @@ def over(count: int, loop: Callable[..., None], *arguments: Any) -> None:
         return
     ends = [count * k // (PARTS * threads) for k in range(PARTS * threads + 1)]
     list(_pool(threads, os.getpid()).map(lambda k: loop(ends[k], ends[k + 1], *arguments), range(len(ends) - 1)))
-
-
-def processors() -> int:
-    """Processors of this process, or as many as numba was told to use, where that is fewer."""
-    there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return min(there, int(numba.config.NUMBA_NUM_THREADS))
 
 
 @cache

@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 
 from threadpoolctl import threadpool_limits
 
-from turgor.engine.compiled import THREADS, processors
+from turgor.engine.compiled import THREADS
 from turgor.errors import TurgorError, unknown
+from turgor.loops import processors
 
 #: Ways of Newton's method, for measurements: all that is done; without mixed integration points; and without
 #: extrapolation and kept factors too, which is the textbook.

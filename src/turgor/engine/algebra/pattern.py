@@ -96,7 +96,7 @@ def _transposed(members, size):
     return first, places
 
 
-@njit(**LOOP, nogil=True)
+@njit(**LOOP)
 def _count_column(begin, end, count, pieces, of):
     """Entries on and below the diagonal of each column: the unknowns that a piece has beside it."""
     (first, members), (of_first, piece) = pieces, of
@@ -113,7 +113,7 @@ def _count_column(begin, end, count, pieces, of):
         count[column] = found
 
 
-@njit(**LOOP, nogil=True)
+@njit(**LOOP)
 def _fill_column(begin, end, indptr, indices, pieces, of):
     """Rows of each column, rising."""
     (first, members), (of_first, piece) = pieces, of
@@ -133,7 +133,7 @@ def _fill_column(begin, end, indptr, indices, pieces, of):
         indices[indptr[column] : free].sort()
 
 
-@njit(**LOOP, nogil=True)
+@njit(**LOOP)
 def _place_column(begin, end, out, indptr, indices, of, unknowns):
     """Places of the cells' entries in each column."""
     of_first, places = of

@@ -106,7 +106,7 @@ class Response(NamedTuple):
         return self._replace(W=np.ascontiguousarray(self.W[:, chosen]), rows=self.rows[chosen])
 
 
-@njit(**LOOP, nogil=True, fastmath=FAST)
+@njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _residual(begin, end, out, cells, u, p, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
@@ -163,7 +163,7 @@ def residual(cells: Cells, u: Array, p: Array, laws: Response) -> Array:
     return out
 
 
-@njit(**LOOP, nogil=True, fastmath=FAST)
+@njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
@@ -297,7 +297,7 @@ def _pack(shape, modes, K, Kup, Kpp, out):
             at += 1
 
 
-@njit(**LOOP, nogil=True, fastmath=FAST)
+@njit(**LOOP, fastmath=FAST)
 @calls(kernels_geometry, kernels_point, kernels_volume)
 def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells

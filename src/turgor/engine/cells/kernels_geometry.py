@@ -77,7 +77,7 @@ def reference_geometry(shape, points, cells, dN, weights):
     return Jinv, dV
 
 
-@njit(**LOOP, nogil=True, fastmath=FAST)
+@njit(**LOOP, fastmath=FAST)
 def _kinematics(begin, end, out, shape, cells, u, dN, Jinv):
     I1, I2, ratio = out
     ue = np.empty((3, len(shape)))
@@ -114,7 +114,7 @@ def kinematics(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: A
     return out
 
 
-@njit(**LOOP, nogil=True, fastmath=FAST)
+@njit(**LOOP, fastmath=FAST)
 def _deformation_gradients(begin, end, out, shape, cells, u, dN, Jinv):
     ue = np.empty((3, len(shape)))
     G = np.empty((3, len(shape)))

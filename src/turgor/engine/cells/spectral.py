@@ -76,7 +76,7 @@ def _principal_axes(A, N):
         _rotate(A, N, 1, 2)
 
 
-@njit(**LOOP, nogil=True, fastmath=_FAST)
+@njit(**LOOP, fastmath=_FAST)
 def _principal_stretches(begin, end, out, F):
     stretches, directions, scale = out
     q_count = F.shape[1]
@@ -145,7 +145,7 @@ def _principal_response(bar, scale, W1, W2, S, D):
     return G
 
 
-@njit(**LOOP, nogil=True, fastmath=_FAST)
+@njit(**LOOP, fastmath=_FAST)
 def _spectral_response(begin, end, out, stretches, directions, scale, W1, W2):
     stress, tangent = out
     q_count = scale.shape[1]

@@ -3,7 +3,7 @@
 import numpy as np
 from numba import njit
 
-from turgor.engine.compiled import LOOP
+from turgor.engine.compiled import INNER, LOOP
 
 #: Newton steps to the foot point; each gains a factor of distance times curvature, small where walls nearly touch.
 STEPS = 12
@@ -57,7 +57,7 @@ def place(corners, N, D, H, x, d, h):
                 h[m, i] += H[a, m] * c
 
 
-@njit(**LOOP)
+@njit(**INNER)
 def curvature(apart, d, h):
     """Second derivatives (rr, rs, ss) of half the squared distance; ``apart`` is the point minus the foot."""
     rr = d[0, 0] * d[0, 0] + d[0, 1] * d[0, 1] + d[0, 2] * d[0, 2]

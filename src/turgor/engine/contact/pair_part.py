@@ -160,6 +160,8 @@ class PairPart(PointsPart):
     def _press(self, position: Array, found: Found) -> Array:
         every = self._all(position, found.place)
         points = np.ascontiguousarray(found.touching)
+        if not len(points):
+            return np.zeros_like(every)
         i, q = points.T
         partner, at = found.partner[i, q], found.at[i, q]
         spring = self._springs(points, partner) * self._weights(points)

@@ -136,7 +136,7 @@ def points_of(position, sides, N, dN):
     return x, n, area
 
 
-@njit(**LOOP, nogil=True)
+@njit(**LOOP)
 @calls(closest)
 def _find_partners(begin, end, out, looking, position, sides, about, grid, allowed, reach, apart):
     partner, at, gap = out
@@ -278,7 +278,7 @@ def _listed(value, low, high, rows):
     return i < high
 
 
-@njit(**LOOP, nogil=True)
+@njit(**LOOP)
 @calls(closest)
 def _follow_partners(begin, end, out, looking, position, sides, partner, at, around, overhanging, walk):
     side, place, gap = out

@@ -1,34 +1,48 @@
 """Compile loops at a known time; processes that begin at the same time share the work.
 
 The loops come in groups. Who compiles a group holds a lock file meanwhile; who finds it locked goes on with another
-group, and takes the result from the cache on disk later. So the process beside, which `compile_ahead` starts while the
-mesh is made, needs no orders: it begins at the other end of the list. Runs that somebody starts together on a new
-machine share the work in the same way.
+group, and takes the result from the cache on disk later. So the process beside, which `turgor.loops` starts before
+anything heavy is loaded, needs no orders but what the model needs: it begins at the other end of the list. Runs that
+somebody starts together on a new machine share the work in the same way.
+
+Loops that no first step needs come last, and a process that has another one beside it leaves them to that.
 """
 
 import gc
-import hashlib
 import json
-import subprocess
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import asdict
+from contextlib import contextmanager, suppress
+from dataclasses import asdict, dataclass
 from functools import partial
-from pathlib import Path
 from threading import Timer
 from time import perf_counter
 
-import numba
 from filelock import FileLock, Timeout
-from platformdirs import user_cache_path
 
-from turgor.engine.compiled import processors
-from turgor.engine.warmup.cell_loops import touch_cells, touch_first_loop, touch_pressure, touch_sheets, touch_stretches
-from turgor.engine.warmup.contact_loops import touch_contact
+from turgor.engine.warmup.cell_loops import touch_cells, touch_pattern, touch_pressure, touch_sheets, touch_stretches
+from turgor.engine.warmup.contact_loops import touch_press, touch_search
 from turgor.engine.warmup.needs import Needs
+from turgor.loops import FIRST, at_work, kept, tell
 
-Group = tuple[str, Callable[[], None]]
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Loops that are compiled by one process.
+
+    Parameters
+    ----------
+    name : str
+    touch : callable
+        ``touch()`` calls each of them once.
+    soon : bool
+        Whether a first step needs them.
+    """
+
+    name: str
+    touch: Callable[[], None]
+    soon: bool = True
+
 
 #: Compilation that lasts longer than this [s] is announced.
 QUIET_SECONDS = 1.5
@@ -38,12 +52,9 @@ LONGEST = 120.0
 
 
 def compile_ahead(needs: Needs) -> None:
-    """Begin to compile in another process, where nothing is compiled yet and a second processor is there."""
-    if touch_first_loop() and processors() > 1:
-        told = json.dumps(asdict(needs))
-        command = f"from turgor.engine.warmup.compiling import compile_beside; compile_beside('{told}')"
-        silent = subprocess.DEVNULL
-        subprocess.Popen([sys.executable, "-c", command], stdin=silent, stdout=silent, stderr=silent)
+    """Begin to compile in another process, or tell it what is needed, where something is not compiled yet."""
+    if not all(kept(group.name).exists() for group in _groups(needs)):
+        tell(asdict(needs))
 
 
 def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float:
@@ -59,55 +70,65 @@ def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float
     try:
         with _without_collection():
             compile_ahead(needs)
-            later = [group for group in _groups(needs) if not _alone(group, 0.0)]
+            groups = _groups(needs)
+            wanted = [group for group in groups if group.soon or kept(group.name).exists()]
+            later = [group for group in wanted if not _alone(group, 0.0)]
             for group in later:
                 if not _alone(group, LONGEST):
-                    group[1]()
+                    group.touch()
+            if len(wanted) < len(groups) and not at_work():  # nobody else compiles the rest
+                for group in groups:
+                    _alone(group, 0.0)
     finally:
         timer.cancel()
     return perf_counter() - start
 
 
-def compile_beside(told: str) -> None:
-    """Compile what others have not begun, the last group first: what the process of `compile_ahead` does."""
+def compile_beside() -> None:
+    """Compile what others have not begun, the last group first: what the process of `turgor.loops.beside` does."""
     with _without_collection():
-        for group in reversed(_groups(Needs(**json.loads(told)))):
+        _alone(_pressure(), 0.0)  # the loops that any kind of cell needs, while the job is read
+        told = sys.stdin.readline()
+        if not told:  # the other process has ended
+            return
+        groups = _groups(Needs(**json.loads(told)))
+        for group in sorted(reversed(groups), key=lambda group: not group.soon):
             _alone(group, 0.0)
 
 
 def _groups(needs: Needs) -> Sequence[Group]:
-    """Groups that share no functions, so that none is compiled twice; the last ones suit a process that comes later."""
+    """Groups that share no functions, so that none is compiled twice, but for what comes last."""
     kind = f"{needs.nodes}-{needs.mixed}"
-    groups: list[Group] = [(f"cells-{kind}", partial(touch_cells, needs.nodes, needs.mixed))]
+    groups = [Group(f"cells-{kind}", partial(touch_cells, needs.nodes, needs.mixed))]
     if needs.stretches:
-        groups.append((f"stretches-{kind}", partial(touch_stretches, needs.nodes, needs.mixed)))
-    groups.append(("pressure", partial(touch_pressure, needs.nodes)))
+        groups.append(Group(f"stretches-{kind}", partial(touch_stretches, needs.nodes, needs.mixed)))
+    groups.append(Group(FIRST, touch_pattern))
     if needs.sheets:
-        groups.append(("sheets", partial(touch_sheets, needs.nodes)))
+        groups.append(Group("sheets", partial(touch_sheets, needs.nodes)))
+    groups.append(_pressure())
     if needs.sides:
-        groups.append(("contact", partial(touch_contact, needs.sides)))
+        groups.append(Group("search", partial(touch_search, needs.sides)))
+        groups.append(Group("press", partial(touch_press, needs.sides), soon=False))
     return groups
+
+
+def _pressure() -> Group:
+    return Group("pressure", partial(touch_pressure, Needs().nodes))
 
 
 def _alone(group: Group, patience: float) -> bool:
     """Load or compile a group while no other process does; return whether it did, having waited ``patience`` [s]."""
-    name, touch = group
+    file = kept(group.name)
     try:
-        with FileLock(_lock_file(name), timeout=patience):
-            touch()
+        with FileLock(file.with_suffix(".lock"), timeout=patience):
+            group.touch()
     except Timeout:
         return False
     except OSError:  # no lock can be held here, so the work is not shared
-        touch()
+        group.touch()
+    with suppress(OSError):
+        file.touch()
     return True
-
-
-def _lock_file(name: str) -> Path:
-    """File in a folder of the user, one for each folder of compiled loops and version of Python and numba."""
-    where = (numba.config.CACHE_DIR, numba.__version__, sys.version, __file__)
-    folder = Path(numba.config.CACHE_DIR) if numba.config.CACHE_DIR else user_cache_path("turgor")
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder / f"{name}-{hashlib.sha256(str(where).encode()).hexdigest()[:10]}.lock"
 
 
 @contextmanager

@@ -15,8 +15,32 @@ from turgor.meshing.cells import side_type
 INSIDE = 0.05
 
 
-def touch_contact(nodes: int) -> None:
-    """Call the loops for sides of ``nodes`` nodes: two that face each other, pressed together and sticking."""
+def touch_search(nodes: int) -> None:
+    """Call the loops that look for what points may touch, which a model needs from its first step on."""
+    points, part = _pressed(nodes)
+    found = part.look(points, np.zeros(3))
+    found = part.look(points, np.zeros(3), found)
+    part.passed(points, found, found)
+
+
+def touch_press(nodes: int) -> None:
+    """Call the loops that a model needs once walls meet, after those that look for it."""
+    points, part = _pressed(nodes)
+    found = part.look(points, np.zeros(3))
+    found = replace(found, friction=part.anchored(points, found))
+    part.forces(points, found)
+    size = 3 * len(points)
+    diagonal = Pattern(size, np.arange(size + 1, dtype=np.int64), np.arange(size, dtype=np.int32))
+    layout = Layout(diagonal, np.zeros(size, dtype=bool))
+    keys = part.ready_keys(found)
+    layout.renew(keys, [part.tied_unknowns(keys)])
+    data = layout.spread(np.zeros(size))
+    for ties in part.tangents(points, found):
+        ties.add_to(data, layout.pattern)
+
+
+def _pressed(nodes: int) -> tuple[np.ndarray, PairPart]:
+    """Two sides of ``nodes`` nodes that face each other and are pressed together."""
     kind, r = side_type(nodes), reference_cell(nodes, DEGREE[nodes])
     flat = np.zeros((nodes, 3))
     flat[:, :2] = reference_nodes(nodes)
@@ -36,17 +60,4 @@ def touch_contact(nodes: int) -> None:
         around=around,
         reach=1.0,
     )
-    part = PairPart("self", surface, partners, 0.5, 0.5)
-    found = part.look(points, np.zeros(3))
-    found = part.look(points, np.zeros(3), found)
-    found = replace(found, friction=part.anchored(points, found))
-    part.forces(points, found)
-    part.passed(points, found, found)
-    size = 3 * len(points)
-    diagonal = Pattern(size, np.arange(size + 1, dtype=np.int64), np.arange(size, dtype=np.int32))
-    layout = Layout(diagonal, np.zeros(size, dtype=bool))
-    keys = part.ready_keys(found)
-    layout.renew(keys, [part.tied_unknowns(keys)])
-    data = layout.spread(np.zeros(size))
-    for ties in part.tangents(points, found):
-        ties.add_to(data, layout.pattern)
+    return points, PairPart("self", surface, partners, 0.5, 0.5)

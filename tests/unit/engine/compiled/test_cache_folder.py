@@ -24,7 +24,7 @@ def test_usual_folders_serve(config):
 def test_another_folder_where_none_can_be_written(config, tmp_path, full):
     file = tmp_path / "file"
     file.touch()  # no folder can be made below a file, not even by root
-    config.setattr(cache_folder, "_usual", lambda: (file / "a", file / "b"))
+    config.setattr(cache_folder, "usual", lambda: (file / "a", file / "b"))
     config.setenv(cache_folder.VARIABLE, str(file / "stated"))
     config.setattr(cache_folder.tempfile, "tempdir", str(tmp_path))
     if full:  # something else stands where the folder would be
@@ -39,6 +39,6 @@ def test_another_folder_where_none_can_be_written(config, tmp_path, full):
 
 
 def test_a_folder_that_is_stated_serves(config, tmp_path):
-    config.setattr(cache_folder, "_usual", tuple)
+    config.setattr(cache_folder, "usual", tuple)
     config.setenv(cache_folder.VARIABLE, str(tmp_path / "mine"))
     assert cache_folder.keep_compiled_loops() is None

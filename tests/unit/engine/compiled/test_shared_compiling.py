@@ -1,13 +1,15 @@
 """Processes that compile at the same time share the groups of loops, and wait for each other's."""
 
 import gc
+import io
 import threading
 
 import pytest
 from filelock import FileLock
 
+from turgor import loops
 from turgor.engine.warmup import compiling
-from turgor.engine.warmup.compiling import compile_ahead, compile_beside, compile_kernels
+from turgor.engine.warmup.compiling import Group, compile_ahead, compile_beside, compile_kernels
 from turgor.engine.warmup.needs import Needs
 
 TOLD = '{"nodes": 10, "sides": 6}'
@@ -15,25 +17,26 @@ TOLD = '{"nodes": 10, "sides": 6}'
 
 @pytest.fixture
 def done(tmp_path, monkeypatch):
-    """Groups a, b and c, which note that they were compiled, and whether garbage was collected then."""
+    """Groups a, b, c and the later one d, which note that they were compiled, and whether garbage was collected."""
     noted: list[str] = []
-    names = ("a", "b", "c")
 
     def group(name):
         def touch():
             assert not gc.isenabled()
             noted.append(name)
 
-        return name, touch
+        return Group(name, touch, soon=name != "d")
 
-    monkeypatch.setattr(compiling, "_groups", lambda needs: [group(name) for name in names])
-    monkeypatch.setattr(compiling, "_lock_file", lambda name: tmp_path / name)
-    monkeypatch.setattr(compiling, "touch_first_loop", lambda: False)
+    monkeypatch.setattr(compiling, "_groups", lambda needs: [group(name) for name in "abcd"])
+    monkeypatch.setattr(compiling, "_pressure", lambda: group("b"))
+    monkeypatch.setattr(compiling, "kept", lambda name: tmp_path / f"{name}.compiled")
+    monkeypatch.setattr(loops, "beside", lambda: None)
+    monkeypatch.setattr("sys.stdin", io.StringIO(TOLD))
     return noted
 
 
 def test_a_group_that_another_process_compiles_comes_last(done, tmp_path):
-    lock = FileLock(tmp_path / "a")
+    lock = FileLock(tmp_path / "a.lock")
     lock.acquire()
     main = threading.Thread(target=compile_kernels, args=(None, Needs()))
     main.start()
@@ -42,28 +45,42 @@ def test_a_group_that_another_process_compiles_comes_last(done, tmp_path):
     assert main.is_alive()
     lock.release()
     main.join(10)
-    assert done == ["b", "c", "a"]
+    assert done[:3] == ["b", "c", "a"]
 
 
 def test_the_process_beside_begins_at_the_other_end_and_leaves_what_others_compile(done, tmp_path):
-    with FileLock(tmp_path / "b"):
-        compile_beside(TOLD)
-    assert done == ["c", "a"]
+    with FileLock(tmp_path / "a.lock"):
+        compile_beside()
+    assert done == ["b", "c", "b", "d"]  # b before it is told what is needed; it only loads that again
+
+
+def test_the_process_beside_ends_where_it_is_told_nothing(done, monkeypatch):
+    monkeypatch.setattr("sys.stdin", io.StringIO())
+    compile_beside()
+    assert done == ["b"]
+
+
+@pytest.mark.parametrize("at_work", [True, False])
+def test_later_groups_are_left_to_a_process_beside(done, monkeypatch, at_work):
+    monkeypatch.setattr(compiling, "at_work", lambda: at_work)
+    compile_kernels(None, Needs())
+    assert ("d" in done) is not at_work
+    assert done[:3] == ["a", "b", "c"]
 
 
 def test_who_has_waited_too_long_compiles_himself(done, tmp_path, monkeypatch):
     monkeypatch.setattr(compiling, "LONGEST", 0.05)
-    with FileLock(tmp_path / "c"):
+    with FileLock(tmp_path / "c.lock"):
         compile_kernels(None, Needs())
-    assert done == ["a", "b", "c"]
+    assert done[:3] == ["a", "b", "c"]
 
 
 def test_without_a_place_for_locks_everything_is_compiled(done, tmp_path, monkeypatch):
     file = tmp_path / "file"
     file.touch()
-    monkeypatch.setattr(compiling, "_lock_file", lambda name: file / name)
+    monkeypatch.setattr(compiling, "kept", lambda name: file / name)
     compile_kernels(None, Needs())
-    assert done == ["a", "b", "c"]
+    assert set(done) == set("abcd")
 
 
 def test_garbage_is_collected_again_afterwards(done):
@@ -71,27 +88,68 @@ def test_garbage_is_collected_again_afterwards(done):
     assert gc.isenabled()
 
 
-@pytest.mark.parametrize(("first", "processors", "begun"), [(True, 2, 1), (True, 1, 0), (False, 2, 0)])
-def test_another_process_begins_where_nothing_is_compiled_and_a_processor_is_free(
-    first, processors, begun, monkeypatch
-):
-    started: list[list[str]] = []
-    monkeypatch.setattr(compiling, "touch_first_loop", lambda: first)
-    monkeypatch.setattr(compiling, "processors", lambda: processors)
-    monkeypatch.setattr(compiling.subprocess, "Popen", lambda command, **_: started.append(command))
+class Started:
+    """A process that was begun, with what it is told."""
+
+    def __init__(self, command, **_):
+        self.command, self.stdin, self.told = command, self, []
+        self.closed = False
+
+    def write(self, text):
+        self.told.append(text)
+
+    def close(self):
+        self.closed = True
+
+
+@pytest.fixture
+def started(tmp_path, monkeypatch):
+    """Processes that are begun, with two processors and an empty folder for what is compiled."""
+    found: list[Started] = []
+    monkeypatch.setattr(loops.subprocess, "Popen", lambda command, **_: found.append(Started(command)) or found[-1])
+    monkeypatch.setattr(loops, "processors", lambda: 2)
+    monkeypatch.setenv(loops.VARIABLE, str(tmp_path))
+    loops.beside.cache_clear()
+    yield found
+    loops.beside.cache_clear()
+
+
+def test_another_process_begins_early_and_is_told_once_what_is_needed(started, monkeypatch):
+    loops.begin_early()
     compile_ahead(Needs(sides=6))
-    assert len(started) == begun
-    if begun:
-        heard: list[str] = []
-        monkeypatch.setattr(compiling, "compile_beside", heard.append)
-        exec(started[0][-1])
-        assert '"sides": 6' in heard[0]
+    compile_ahead(Needs(sides=9))
+    assert len(started) == 1
+    assert ['"sides": 6' in text for text in started[0].told] == [True]
+    heard: list[bool] = []
+    monkeypatch.setattr(compiling, "compile_beside", lambda: heard.append(True))
+    exec(started[0].command[-1])
+    assert heard == [True]
+
+
+def test_no_other_process_begins_on_a_single_processor(started, monkeypatch):
+    monkeypatch.setattr(loops, "processors", lambda: 1)
+    loops.begin_early()
+    compile_ahead(Needs())
+    assert started == []
+
+
+def test_no_other_process_begins_where_everything_is_compiled(started):
+    loops.kept(loops.FIRST).touch()
+    loops.begin_early()
+    assert started == []
+    compile_ahead(Needs())  # other loops are not
+    assert len(started) == 1
+    loops.beside.cache_clear()
+    for group in compiling._groups(Needs()):
+        loops.kept(group.name).touch()
+    compile_ahead(Needs())
+    assert len(started) == 1
 
 
 def test_groups_are_those_that_a_model_needs():
     def names(needs):
-        return [name for name, _ in compiling._groups(needs)]
+        return [group.name for group in compiling._groups(needs)]
 
-    assert names(Needs()) == ["cells-10-True", "pressure"]
+    assert names(Needs()) == ["cells-10-True", "pattern", "pressure"]
     every = Needs(nodes=27, sides=9, stretches=True, sheets=True)
-    assert names(every) == ["cells-27-True", "stretches-27-True", "pressure", "sheets", "contact"]
+    assert names(every) == ["cells-27-True", "stretches-27-True", "pattern", "sheets", "pressure", "search", "press"]

@@ -1,0 +1,109 @@
+"""Compiled loops on disk: where they are kept, which are there, and the process that compiles beside this one.
+
+Nothing here imports numba, so that a command can begin to compile before it loads anything heavy.
+"""
+
+import hashlib
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from contextlib import suppress
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
+from platformdirs import user_cache_path
+
+#: Variable that names the folder of compiled loops, read by numba.
+VARIABLE = "NUMBA_CACHE_DIR"
+
+#: Loops that every model needs: where they are compiled, so is probably the rest.
+FIRST = "pattern"
+
+_ENGINE = Path(__file__).parent / "engine"
+
+
+def usual() -> tuple[Path, ...]:
+    """The folders that numba tries by itself."""
+    return _ENGINE / "cells" / "__pycache__", user_cache_path("numba")
+
+
+def elsewhere() -> Path:
+    """Folder of the user below that for temporary files, where no usual one can be written."""
+    return Path(tempfile.gettempdir()) / f"turgor-compiled-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
+
+
+def writable(folder: Path) -> bool:
+    """Whether a file can be made in a folder, which is made where it is missing."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return True
+    except OSError:
+        return False
+
+
+def kept(name: str) -> Path:
+    """File that says that a group of loops is compiled; a lock with this name is held meanwhile.
+
+    It stands beside the compiled loops and goes with them. Loops are compiled anew for another processor, another
+    version of Python or numba, and other sources, so its name differs then.
+    """
+    stated = os.environ.get(VARIABLE)
+    folders = (Path(stated),) if stated else usual()
+    folder = next(filter(writable, folders), elsewhere())
+    return folder / f"turgor-{name}-{_circumstances()}.compiled"
+
+
+@cache
+def _circumstances() -> str:
+    numba = find_spec("numba")
+    sources = [*_ENGINE.rglob("*.py"), *([Path(numba.origin)] if numba and numba.origin else [])]
+    newest = max((file.stat().st_mtime_ns for file in sources), default=0)  # none in a frozen program
+    told = (sys.version, os.name, str(_ENGINE), len(sources), newest)
+    return hashlib.sha256(str(told).encode()).hexdigest()[:10]
+
+
+def processors() -> int:
+    """Processors of this process, or as many as numba was told to use, where that is fewer."""
+    there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    told = os.environ.get("NUMBA_NUM_THREADS", "")
+    return min(there, int(told)) if told.isdigit() and int(told) else there
+
+
+def begin_early() -> None:
+    """Begin to compile in another process if nothing is compiled yet: what a command does first."""
+    if not kept(FIRST).exists():
+        beside()
+
+
+@cache
+def beside() -> "subprocess.Popen[str] | None":
+    """The process that compiles beside this one, begun by the first call; None on a single processor.
+
+    It begins with what nearly every model needs, and waits for `tell` on its standard input.
+    """
+    if processors() < 2:
+        return None
+    command = "from turgor.engine.warmup.compiling import compile_beside; compile_beside()"
+    silent, asked = subprocess.DEVNULL, subprocess.PIPE
+    return subprocess.Popen([sys.executable, "-c", command], stdin=asked, stdout=silent, stderr=silent, text=True)
+
+
+def tell(needs: Mapping[str, object]) -> None:
+    """Tell the process beside this one what the model needs; it is told once."""
+    process = beside()
+    if process is not None and process.stdin is not None and not process.stdin.closed:
+        with suppress(OSError):  # it has ended, and this process compiles everything
+            process.stdin.write(json.dumps(dict(needs)))
+        with suppress(OSError):
+            process.stdin.close()
+
+
+def at_work() -> bool:
+    """Whether a process beside this one is still compiling."""
+    process = beside()
+    return process is not None and process.poll() is None
