@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError
 
@@ -118,6 +117,8 @@ class Wedge:
         TurgorError
             If the nodes of one face are not those of the other one, turned.
         """
+        from scipy.spatial import cKDTree  # slow to load, and few parts are wedges
+
         size = float(np.ptp(points, axis=0).max())
         away, place = cKDTree(self.images(points[low])).query(points[high])
         if len(low) != len(high) or away.max(initial=0.0) > SAME_PLACE * size or len(np.unique(place)) < len(low):

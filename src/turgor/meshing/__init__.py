@@ -2,22 +2,23 @@
 
 The functions ``mesh`` and ``quality`` are imported from their files, `turgor.meshing.generate` and
 `turgor.meshing.quality.cell_quality`: in this package their names belong to the files ``mesh.py`` and ``quality.py``.
+
+Names are imported on first use, because the engine needs the mesh and not what makes it.
 """
 
-from turgor.meshing.generate import size_range
-from turgor.meshing.mesh import Mesh
-from turgor.meshing.quality.cell_quality import MeshQuality
-from turgor.meshing.quality.checks import check_mesh
-from turgor.meshing.quality.proximity import FacingWalls, find_facing_walls, smallest_gap
-from turgor.meshing.surface import outer_triangles
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "FacingWalls",
-    "Mesh",
-    "MeshQuality",
-    "check_mesh",
-    "find_facing_walls",
-    "outer_triangles",
-    "size_range",
-    "smallest_gap",
-]
+from turgor._lazy import public
+
+if TYPE_CHECKING:
+    from turgor.meshing.generate import size_range as size_range
+    from turgor.meshing.mesh import Mesh as Mesh
+    from turgor.meshing.quality.cell_quality import MeshQuality as MeshQuality
+    from turgor.meshing.quality.checks import check_mesh as check_mesh
+    from turgor.meshing.quality.proximity import FacingWalls as FacingWalls
+    from turgor.meshing.quality.proximity import find_facing_walls as find_facing_walls
+    from turgor.meshing.quality.proximity import smallest_gap as smallest_gap
+    from turgor.meshing.surface import outer_triangles as outer_triangles
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__, __all__ = public(__file__, globals())

@@ -15,7 +15,7 @@ from turgor.engine.algebra.multipoint import MultiPoint
 from turgor.engine.algebra.node_frames import NodeFrames
 from turgor.errors import TurgorError
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.sweeping.section import same_places
+from turgor.meshing.places import same_places
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

@@ -24,24 +24,33 @@ def touch_pattern() -> None:
 
 
 def touch_cells(nodes: int, mixed: bool) -> None:
-    """Call the loops for cells of ``nodes`` nodes."""
+    """Call the loops for cells of ``nodes`` nodes, but that of `touch_updates`."""
+    loops, u, p, laws = _cell(nodes, mixed)
+    kernels_geometry.kinematics(loops.shape, loops.nodes, u, loops.dN, loops.Jinv)
+    kernels_geometry.deformation_gradients(loops.shape, loops.nodes, u, loops.dN, loops.Jinv)
+    kernels.residual(loops, u, p, laws)
+    kernels.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
+
+
+def touch_updates(nodes: int, mixed: bool) -> None:
+    """Call the loop that takes the stress in cells to a new iterate."""
+    loops, u, p, laws = _cell(nodes, mixed)
+    kernels.extrapolated_stress(loops, u, p, u, p, laws)
+
+
+def _cell(nodes: int, mixed: bool) -> tuple[kernels.Cells, Array, Array, kernels.Response]:
+    """One cell with displacements, mean stresses and what its law says."""
     kind = cell_type(nodes)
     points, cells = _one_cell(nodes)
     shape, modes = (0,) * nodes, (0,) * kind.corners if mixed else ()
     mean = np.arange(len(modes), dtype=np.int64)[None]
     r = reference_cell(nodes, _degree(nodes, mixed))
     Jinv, dV = kernels_geometry.reference_geometry(shape, points, cells, r.dN, r.weights)
-    u, p = np.zeros((nodes, 3)), np.zeros(len(modes))
-    kernels_geometry.kinematics(shape, cells, u, r.dN, Jinv)
-    kernels_geometry.deformation_gradients(shape, cells, u, r.dN, Jinv)
-    rows = np.zeros(1, dtype=np.int64)
     W = np.ones((5, *dV.shape))
-    compliance, penalty = np.ones(1), np.zeros((*dV.shape, 0))
-    loops = kernels.Cells(shape, modes, cells, mean, r.dN, r.M, Jinv, dV, compliance, penalty)
+    loops = kernels.Cells(shape, modes, cells, mean, r.dN, r.M, Jinv, dV, np.ones(1), np.zeros((*dV.shape, 0)))
+    rows = np.zeros(1, dtype=np.int64)
     laws = kernels.Response(W, rows, np.zeros((1, *dV.shape[1:], 6)), np.zeros((1, *dV.shape[1:], spectral.TANGENT)))
-    kernels.residual(loops, u, p, laws)
-    kernels.extrapolated_stress(loops, u, p, u, p, laws)
-    kernels.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
+    return loops, np.zeros((nodes, 3)), np.zeros(len(modes)), laws
 
 
 def touch_stretches(nodes: int, mixed: bool) -> None:

@@ -20,7 +20,14 @@ from time import perf_counter
 
 from filelock import FileLock, Timeout
 
-from turgor.engine.warmup.cell_loops import touch_cells, touch_pattern, touch_pressure, touch_sheets, touch_stretches
+from turgor.engine.warmup.cell_loops import (
+    touch_cells,
+    touch_pattern,
+    touch_pressure,
+    touch_sheets,
+    touch_stretches,
+    touch_updates,
+)
 from turgor.engine.warmup.contact_loops import touch_press, touch_search
 from turgor.engine.warmup.needs import Needs
 from turgor.loops import FIRST, at_work, kept, tell
@@ -92,14 +99,18 @@ def compile_beside() -> None:
         if not told:  # the other process has ended
             return
         groups = _groups(Needs(**json.loads(told)))
-        for group in sorted(reversed(groups), key=lambda group: not group.soon):
+        soon = [group for group in reversed(groups) if group.soon]
+        for group in (*soon, *(group for group in groups if not group.soon)):
             _alone(group, 0.0)
 
 
 def _groups(needs: Needs) -> Sequence[Group]:
-    """Groups that share no functions, so that none is compiled twice, but for what comes last."""
+    """Groups that share no functions, so that none is compiled twice, or that one process is likely to take in turn."""
     kind = f"{needs.nodes}-{needs.mixed}"
-    groups = [Group(f"cells-{kind}", partial(touch_cells, needs.nodes, needs.mixed))]
+    groups = [
+        Group(f"cells-{kind}", partial(touch_cells, needs.nodes, needs.mixed)),
+        Group(f"updates-{kind}", partial(touch_updates, needs.nodes, needs.mixed)),
+    ]
     if needs.stretches:
         groups.append(Group(f"stretches-{kind}", partial(touch_stretches, needs.nodes, needs.mixed)))
     groups.append(Group(FIRST, touch_pattern))

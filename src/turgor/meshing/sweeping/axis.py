@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.geometry.shapes.sections import Outline, rectangle
 from turgor.geometry.sweep import Sweep, Turned
+from turgor.meshing.places import same_places
 from turgor.meshing.sweeping.hexahedra import PLACES, Filling
 from turgor.meshing.sweeping.polar import core_section
-from turgor.meshing.sweeping.section import SAME_LINE, Fineness, SectionMesh, is_solid, names_at, same_places
+from turgor.meshing.sweeping.section import SAME_LINE, Fineness, SectionMesh, is_solid, names_at
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

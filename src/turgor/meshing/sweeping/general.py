@@ -12,9 +12,10 @@ from turgor.errors import TurgorError
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.planar import planar_faces
 from turgor.geometry.shapes.sections import Outline
+from turgor.meshing.places import same_places
 from turgor.meshing.quiet import captured_output
 from turgor.meshing.sweeping.pairing import corner_sines, paired
-from turgor.meshing.sweeping.section import Fineness, SectionMesh, circle_of, joined, same_places
+from turgor.meshing.sweeping.section import Fineness, SectionMesh, circle_of, joined
 from turgor.units import mm
 
 Array = NDArray[np.float64]

@@ -6,13 +6,11 @@ from math import ceil, pi
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from turgor.geometry.shapes.arcs import edge_center, edge_radius
 from turgor.geometry.shapes.sections import Outline, Point
 from turgor.geometry.sweep import Layer
+from turgor.meshing.places import SAME_PLACE, same_places
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -29,7 +27,7 @@ SHORT_CELL = 1 / 3
 GROWTH = 4.0
 
 #: Feature lines closer than this share of the size of the section are the same line.
-SAME_LINE = 1e-9
+SAME_LINE = SAME_PLACE
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,29 +97,6 @@ def joined(meshes: Sequence[SectionMesh]) -> SectionMesh:
     number, kept = same_places(points)
     quads = np.concatenate([mesh.quads + start for mesh, start in zip(meshes, starts, strict=False)])
     return SectionMesh(points=points[kept], quads=number[quads])
-
-
-def same_places(points: Array) -> tuple[Ints, Ints]:
-    """Number points such that those in the same place share a number; the first of each place stands for it.
-
-    Returns
-    -------
-    number : (p,) int array
-        New number of each point.
-    kept : (n,) int array
-        The point that stands for each number.
-
-    Examples
-    --------
-    >>> number, kept = same_places(np.array([[0.0, 1.0], [2.0, 1.0], [0.0, 1.0 + 1e-15]]))
-    >>> number.tolist(), kept.tolist()
-    ([0, 1, 0], [0, 1])
-    """
-    pairs = cKDTree(points).query_pairs(SAME_LINE * float(np.ptp(points, axis=0).max()), output_type="ndarray")
-    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(points),) * 2)
-    _, label = connected_components(graph, directed=False)
-    _, kept, number = np.unique(label, return_index=True, return_inverse=True)
-    return number, kept
 
 
 def circle_of(start: Point, end: Point, arc: float) -> tuple[Point, float]:

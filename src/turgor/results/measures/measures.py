@@ -90,15 +90,16 @@ class Reader:
     """
 
     measures: Sequence[Measure] = ()
-    _chosen: tuple[Measure, ...] = ()
+    _names: tuple[str, ...] = ()
     _facts: MeshFacts | None = None
     _rows: dict[int, tuple[Array, list[float]]] = field(default_factory=dict)
 
     def response(self, solution: Solution, fields: PathFields | None = None) -> Response:
         """Return the measures of all states, as `measure` does; ``fields`` are those that others read, too."""
         chosen = chosen_measures(solution, self.measures)
-        if chosen != self._chosen:
-            self._chosen, self._rows = chosen, {}
+        names = tuple(each.name for each in chosen)  # the measures of parts are made anew each time
+        if names != self._names:
+            self._names, self._rows = names, {}
         if self._facts is None or self._facts.mesh is not solution.model.mesh:
             self._facts = MeshFacts(solution.model.mesh) if fields is None else fields.facts
         fields = fields or PathFields(solution, self._facts, most=0)

@@ -150,6 +150,7 @@ def test_groups_are_those_that_a_model_needs():
     def names(needs):
         return [group.name for group in compiling._groups(needs)]
 
-    assert names(Needs()) == ["cells-10-True", "pattern", "pressure"]
+    assert names(Needs()) == ["cells-10-True", "updates-10-True", "pattern", "pressure"]
     every = Needs(nodes=27, sides=9, stretches=True, sheets=True)
-    assert names(every) == ["cells-27-True", "stretches-27-True", "pattern", "sheets", "pressure", "search", "press"]
+    cells = ["cells-27-True", "updates-27-True", "stretches-27-True"]
+    assert names(every) == [*cells, "pattern", "sheets", "pressure", "search", "press"]

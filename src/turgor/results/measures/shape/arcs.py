@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 from turgor.results.measures.shape.screws import rotation_of
 
@@ -35,6 +34,8 @@ def distance_from_arc(points: Array) -> float:
     >>> distance_from_arc(circle) > 1e-3  # an ellipse
     True
     """
+    from scipy.optimize import least_squares  # slow to load, and every job loads the list of measures
+
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     scaled = (points - points.mean(axis=0)) / size
     frame, curvature = _first(scaled)
