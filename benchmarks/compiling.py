@@ -27,6 +27,7 @@ def counted(job: str) -> None:
     from numba.core import event
 
     from turgor.cli.app import main as command
+    from turgor.loops import beside as process_beside
 
     class Listener(event.Listener):
         def __init__(self) -> None:
@@ -51,6 +52,9 @@ def counted(job: str) -> None:
     listener = Listener()
     with event.install_listener("numba:compile", listener), TemporaryDirectory() as folder:
         code = command(["run", job, "--output", folder, "--force", *LOAD])
+    process = process_beside()
+    if process is not None:
+        process.wait()  # what it took is counted once it has ended
     beside = resource.getrusage(resource.RUSAGE_CHILDREN)
     for name, (seconds, times) in sorted(listener.found.items(), key=lambda item: -item[1][0])[:SHOWN]:
         print(f"{seconds:6.2f} s  {times:.0f} times  {name}")

@@ -195,6 +195,19 @@ def test_standard_measures_and_fields_computed_once_a_state(monkeypatch):
     assert len(calls) == 2
 
 
+def test_a_path_that_grows_is_measured_once_a_state_where_regions_have_columns_of_their_own(monkeypatch):
+    model = cases.model(cases.body(half=True))
+    states = [cases.state(model, load_factor=0.0), cases.state(model)]
+    calls = []
+    original = fields.cell_fields
+    monkeypatch.setattr(fields, "cell_fields", lambda *a: calls.append(1) or original(*a))
+    reader = measures.Reader()
+    reader.response(cases.solution(states[:1]))
+    grown = reader.response(cases.solution(states))
+    assert "base_von_mises_p99" in grown.names
+    assert len(calls) == 2
+
+
 @pytest.mark.parametrize(
     ("face", "measured"), [("tip", measures.bending_angle), ("tip", measures.tip_displacement),
                            ("fixed", measures.bending_angle), ("cavity", measures.cavity_volume)],
