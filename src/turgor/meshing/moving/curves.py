@@ -1,0 +1,95 @@
+"""Curves of CAD edges: points at parameters, and parameters of points."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+#: Points along an edge that is not straight, from which the nearest one to a point is refined.
+SAMPLES = 65
+
+#: An edge is straight, and its parameter grows evenly along it, if points are off by less than this share.
+STRAIGHT = 1e-12
+
+#: Newton's iterations for a parameter, and the relative step at which they end.
+ITERATIONS, ENDED = 20, 1e-14
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """The curve of a CAD edge.
+
+    Parameters
+    ----------
+    edge : CAD edge
+    low, high : float
+        Range of its parameter.
+    scale : float [m]
+        Length of one CAD unit.
+    """
+
+    edge: Any
+    low: float
+    high: float
+    scale: float
+
+    def points(self, at: Array) -> Array:
+        """Points (n, 3) [m] at shares (n,) of the range of the parameter."""
+        if self.straight:
+            one, other = self.samples[[0, -1]]
+            return np.asarray(one + at[:, None] * (other - one))
+        return self._values(self.edge.Value, at)
+
+    def shares(self, points: Array) -> Array:
+        """Shares (n,) of the range of the parameter at the nearest points, 0 to 1."""
+        one, other = self.samples[[0, -1]]
+        if self.straight:
+            along = other - one
+            return np.asarray(np.clip((points - one) @ along / (along @ along), 0.0, 1.0))
+        away = np.linalg.norm(points[:, None] - self.samples, axis=2)
+        at = away.argmin(axis=1) / (SAMPLES - 1)
+        for _ in range(ITERATIONS):
+            tangents = self._values(self.edge.Tangent, at) * (self.high - self.low)
+            square = np.einsum("ni,ni->n", tangents, tangents)
+            step = np.einsum("ni,ni->n", points - self.points(at), tangents) / np.where(square > 0, square, 1.0)
+            before, at = at, np.clip(at + step, 0.0, 1.0)
+            if np.abs(at - before).max(initial=0.0) < ENDED:
+                break
+        return at
+
+    @cached_property
+    def samples(self) -> Array:
+        """Points (`SAMPLES`, 3) [m] along the edge, evenly in its parameter."""
+        return self._values(self.edge.Value, np.linspace(0.0, 1.0, SAMPLES))
+
+    @cached_property
+    def straight(self) -> bool:
+        """Whether the edge is straight, and its parameter grows evenly along it."""
+        one, other = self.samples[[0, -1]]
+        even = one + np.linspace(0.0, 1.0, SAMPLES)[:, None] * (other - one)
+        return bool(np.abs(self.samples - even).max() <= STRAIGHT * np.abs(self.samples).max())
+
+    def _values(self, function: Any, at: Array) -> Array:
+        found = [function(t) for t in (self.low + at * (self.high - self.low)).tolist()]
+        return np.array([(each.x, each.y, each.z) for each in found]).reshape(-1, 3) * self.scale
+
+
+def curve_of(edge: Any, scale: float) -> Curve:
+    """Return the curve of a CAD edge.
+
+    Parameters
+    ----------
+    edge : CAD edge
+    scale : float [m]
+        Length of one CAD unit.
+
+    Returns
+    -------
+    Curve
+    """
+    low, high = edge.parameter_interval
+    return Curve(edge, float(low), float(high), scale)

@@ -1,0 +1,154 @@
+"""MovableMesh: a mesh of tetrahedra whose nodes follow its CAD shape when a dimension changes."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from turgor.errors import TurgorError
+from turgor.geometry.geometry import Geometry
+from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
+from turgor.meshing.moving.extension import Extension, over_cells, over_triangles
+from turgor.meshing.moving.parts import Parts, check_alike, parts_of
+from turgor.meshing.moving.placed import OnFace, Placed, placed
+from turgor.meshing.wedge import with_wedge
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class MovableMesh:
+    """A mesh of tetrahedra with the CAD shape that it fills, and the nodes on its parts.
+
+    The shape of another dimension is built in the same order, so that vertices, edges and faces correspond. Nodes on
+    vertices follow these, nodes on edges keep their share of the parameter, those on faces follow the edges by a
+    harmonic extension and are put on the moved surface, and those inside follow the surface by another. What the
+    geometry says where nothing moves is where nodes are.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    parts : Parts
+        Of the shape that it fills.
+    placed : Placed
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from turgor.geometry import ExtendingCylinder
+    >>> from turgor.meshing.generate import mesh
+    >>> from turgor.meshing.quality.cell_quality import cell_volumes
+    >>> tube, wider = (ExtendingCylinder(length=10e-3, wall=wall).build() for wall in (2e-3, 2.1e-3))
+    >>> known = mesh(tube, size=4e-3, cells="tetrahedra")
+    >>> moved = movable(known, tube).at(wider)
+    >>> np.array_equal(moved.cells, known.cells)
+    True
+    >>> bool(abs(cell_volumes(moved).sum() / wider.solid_volume - 1) < 1e-3)
+    True
+    """
+
+    mesh: Mesh
+    parts: Parts
+    placed: Placed
+
+    def at(self, geometry: Geometry) -> Mesh:
+        """Return the mesh with its nodes where a geometry with other dimensions takes them.
+
+        Parameters
+        ----------
+        geometry : Geometry
+            Built as that of the mesh.
+
+        Returns
+        -------
+        Mesh
+
+        Raises
+        ------
+        TurgorError
+            If its shape has other vertices, edges or faces.
+        """
+        parts = parts_of(geometry)
+        check_alike(self.parts, parts, geometry.name)
+        motion = self._on_edges(parts)
+        motion[self._face_nodes] = self._over_faces.extended(motion)
+        for known, surface in zip(self.placed.faces, parts.surfaces, strict=True):
+            wanted = known.points + motion[known.nodes]
+            motion[known.nodes] = surface.nearest(wanted, known.uv)[1] - known.points
+        motion[self._inside] = self._through.extended(motion[: self.mesh.vertex_count])
+        ends, middles = self._inner_edges
+        motion[middles] = motion[ends].mean(axis=1)
+        moved = replace(self.mesh, points=self.mesh.points + motion, wedge=None)
+        return with_wedge(moved, self.mesh, geometry.wedge)
+
+    def _on_edges(self, parts: Parts) -> Array:
+        """Motions (n, 3) of nodes on CAD vertices and edges."""
+        motion = np.zeros_like(self.mesh.points)
+        motion[self.placed.corners] = parts.vertices - self.parts.vertices
+        for known, before, after in zip(self.placed.edges, self.parts.curves, parts.curves, strict=True):
+            motion[known.nodes] = after.points(known.shares) - before.points(known.shares)
+        return motion
+
+    @cached_property
+    def _face_nodes(self) -> Ints:
+        """Nodes inside of CAD faces."""
+        return np.concatenate([face.nodes for face in self.placed.faces])
+
+    @cached_property
+    def _on_surface(self) -> NDArray[np.bool_]:
+        """Which nodes lie on a CAD face, its edges included."""
+        on = np.zeros(len(self.mesh.points), dtype=bool)
+        on[_triangles(self.placed.faces)] = True
+        return on
+
+    @cached_property
+    def _over_faces(self) -> Extension:
+        return over_triangles(self.mesh.points, _triangles(self.placed.faces), self._face_nodes)
+
+    @cached_property
+    def _inside(self) -> Ints:
+        """Vertices inside of the body."""
+        return np.flatnonzero(~self._on_surface[: self.mesh.vertex_count])
+
+    @cached_property
+    def _through(self) -> Extension:
+        vertices = self.mesh.vertex_count
+        return over_cells(self.mesh.points[:vertices], self.mesh.cells[:, :4], self._inside)
+
+    @cached_property
+    def _inner_edges(self) -> tuple[Ints, Ints]:
+        """Ends (m, 2) and mid-side nodes (m,) of the edges inside of the body."""
+        ends = np.concatenate([self.mesh.cells[:, pair] for pair in TETRAHEDRON_EDGES])
+        middles, first = np.unique(self.mesh.cells[:, 4:].T.ravel(), return_index=True)
+        inner = ~self._on_surface[middles]
+        return ends[first[inner]], middles[inner]
+
+
+def movable(mesh: Mesh, geometry: Geometry) -> MovableMesh:
+    """Find where the nodes of a mesh of tetrahedra lie on the CAD shape that it fills.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    geometry : Geometry
+        From which it was generated.
+
+    Returns
+    -------
+    MovableMesh
+
+    Raises
+    ------
+    TurgorError
+        If the geometry has no CAD shape, or nodes do not lie on it.
+    """
+    if mesh.cells.shape[1] != 10:
+        raise TurgorError(f"mesh '{mesh.name}' has hexahedra, which are swept anew; only tetrahedra are carried along.")
+    parts = parts_of(geometry)
+    return MovableMesh(mesh, parts, placed(mesh, parts))
+
+
+def _triangles(faces: tuple[OnFace, ...]) -> Ints:
+    return np.concatenate([face.triangles for face in faces])
