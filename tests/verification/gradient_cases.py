@@ -4,12 +4,15 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from netgen.occ import Box, Pnt, Sphere
 
 import contact_cases
 import meshes
 import problems
 import turgor as tg
 from problems import MPA
+from turgor.geometry.geometry import Geometry
+from turgor.gradients.carried import carried
 from turgor.materials.history.viscoelastic import Prony
 from turgor.meshing.cells import HEXAHEDRON
 from turgor.model.obstacles import Plane
@@ -24,6 +27,9 @@ EXACT = {"tolerance": 1e-11, "max_iterations": 30}
 #: Steps of a path that is short enough for few of them.
 FEW = {"first_step": 0.5, "max_step": 0.5}
 
+#: Changes for Taylor's theorem where a measure is so nearly linear that the third derivative would show.
+NEAR = (0.005, 0.0025)
+
 
 @dataclass(frozen=True)
 class Case:
@@ -33,6 +39,7 @@ class Case:
     values: Values
     measures: tuple
     procedure: Callable[[Values], object] = lambda values: tg.Static(**FEW)
+    changes: tuple[float, float] = (0.02, 0.01)  # for Taylor's theorem, as shares of the value
 
     @property
     def variation(self) -> tg.studies.Variation:
@@ -44,8 +51,12 @@ class Case:
         return problems.solve(self.model(values), self.procedure(values))
 
     def measured(self, values: Values, guide: tg.Solution) -> np.ndarray:
-        """The measures of the last state, found exactly; the path at other values leads straight to it."""
-        procedure, model = replace(self.procedure(values), **EXACT), self.model(values)
+        """The measures of the last state, found exactly; the path at other values leads straight to it.
+
+        Tetrahedra are those of the guide, carried along.
+        """
+        procedure = replace(self.procedure(values), **EXACT)
+        model = carried(self.variation, guide.model.mesh).model(values)
         relaxes = any(material.viscoelasticity for material in model.region_materials.values())
         led = {"guide": guide} if isinstance(procedure, tg.Static) and not relaxes else {}
         state = problems.solve(model, replace(procedure, max_step=1.0) if led else procedure, **led).states[-1]
@@ -132,8 +143,68 @@ def turned(values: Values) -> tg.Model:
     return tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", 20 * kPa)])
 
 
+def in_tetrahedra(geometry: Geometry, size: float, pressure: float, C10: float = 0.11 * MPA) -> tg.Model:
+    """A part of one rubber under pressure, of tetrahedra."""
+    mesh = tg.mesh(geometry, size=size, cells="tetrahedra")
+    materials = dict.fromkeys(mesh.regions, problems.rubber(tg.Yeoh(C10=C10, C20=0.02 * MPA)))
+    return tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", pressure)])
+
+
+def finger(values: Values) -> tg.Model:
+    """Half of a fast PneuNet of one chamber, of two bodies."""
+    return in_tetrahedra(tg.FastPneuNet(chambers=1, length=20 * mm, **values).build(), 8 * mm, 10 * kPa)
+
+
+def stopped(values: Values) -> tg.Model:
+    """The finger with its tip held by a gauge."""
+    return tg.setups.blocked_force(finger(values), hold="xyz", direction="-z")
+
+
+def tube(values: Values) -> tg.Model:
+    """A quarter of a tube with caps."""
+    return in_tetrahedra(tg.actuators.ExtendingCylinder(**values).build(), 8 * mm, 20 * kPa)
+
+
+def rounded(values: Values) -> tg.Model:
+    """A quarter of a closed box with rounded edges, drawn by the functions of the CAD kernel."""
+    wall, fillet, length = (values[name] / mm for name in ("wall", "fillet", "length"))
+    a = 6 - wall
+    outer, inner = Box(Pnt(0, -6, -6), Pnt(length, 6, 6)), Box(Pnt(3, -a, -a), Pnt(length - 3, a, a))
+    outer, inner = outer.MakeFillet(outer.edges, fillet + wall), inner.MakeFillet(inner.edges, fillet)
+    quarter = Box(Pnt(2, 0, 0), Pnt(length, 6, 6))
+    inner.faces.name, outer.faces.name, quarter.faces.name = "cavity", "outside", "outside"
+    quarter.faces.Min((1, 0, 0)).name, quarter.faces.Min((0, 1, 0)).name = "fixed", "symmetry_y"
+    quarter.faces.Min((0, 0, 1)).name = "symmetry_z"
+    outer.faces.Max((1, 0, 0)).name = "tip"
+    shape = (outer - inner) * quarter
+    shape.solids.name = "body"
+    return in_tetrahedra(drawn(shape, values["wall"]), 3 * mm, 10 * kPa)
+
+
+def drawn(shape, wall: float) -> Geometry:
+    """A part drawn by the functions of the CAD kernel, whose solids and faces have names."""
+    return Geometry(
+        name="drawn part", smallest_wall=wall, cavity_volumes={}, solid_volume=shape.mass * 1e-9,
+        regions=tuple(str(solid.name) for solid in shape.solids),
+        faces=tuple(sorted({str(face.name) for face in shape.faces})), _shape=shape,
+    )  # fmt: skip
+
+
+def ball_in_tetrahedra(values: Values) -> tg.Model:
+    """The eighth of a thick sphere of tetrahedra."""
+    inner, outer = (Sphere(Pnt(0, 0, 0), values[name] / mm) for name in ("inner", "outer"))
+    eighth = Box(Pnt(0, 0, 0), Pnt(20, 20, 20))
+    inner.faces.name, outer.faces.name = "cavity", "outside"
+    for number, axis in enumerate("xyz"):
+        eighth.faces.Min(tuple(np.eye(3)[number])).name = f"symmetry_{axis}"
+    shape = eighth * (outer - inner)
+    shape.solids.name = "body"
+    mesh = tg.mesh(drawn(shape, values["outer"] - values["inner"]), size=1.5 * mm, cells="tetrahedra")
+    return problems.one_material(mesh, tg.laws.NeoHooke(C10=values["C10"]))
+
+
 VOLUME = tg.cavity_volume
-FORCE = find_measure("plate_force")
+FORCE, BLOCKED = (find_measure(name) for name in ("plate_force", "blocked_force"))
 GIVEN = {"C10": 0.11 * MPA, "C20": 0.02 * MPA, "bulk": 2 * MPA, "density": 1070.0}
 
 CASES = {
@@ -154,5 +225,15 @@ CASES = {
     "an amount of gas": Case(
         ball, {"C10": 0.12 * MPA, "outer": 15 * mm, "ratio": 2.0}, ("pressure", VOLUME),
         lambda values: tg.GasMass(mass_ratio=values["ratio"], **FEW),
+    ),
+    "tetrahedra, a finger": Case(
+        finger, {"side_wall": 2 * mm, "height": 15 * mm, "base": 2 * mm}, (tg.bending_angle, VOLUME)
+    ),
+    "tetrahedra, the tip held": Case(stopped, {"top_wall": 2 * mm, "width": 20 * mm}, (BLOCKED,)),
+    "tetrahedra, a tube": Case(
+        tube, {"wall": 2 * mm, "inner_radius": 5 * mm, "length": 25 * mm}, (VOLUME, tg.tip_displacement)
+    ),
+    "tetrahedra, fillets": Case(
+        rounded, {"wall": 2 * mm, "fillet": 1.5 * mm, "length": 20 * mm}, (VOLUME, tg.tip_displacement), changes=NEAR
     ),
 }  # fmt: skip

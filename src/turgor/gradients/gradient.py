@@ -7,6 +7,7 @@ from time import perf_counter
 import numpy as np
 
 from turgor.engine.runtime import EngineOptions, use_threads
+from turgor.gradients.carried import carried
 from turgor.gradients.derived import derived
 from turgor.gradients.equilibrium import equilibrium_of
 from turgor.gradients.keys import model_variation
@@ -70,7 +71,7 @@ def gradient(
     with use_threads(threads):
         base = equilibrium_of(at, procedure, replace(options, threads=threads))
         reading = Reading(base, chosen)
-        found = derived(base, reading, variation)
+        found = derived(base, reading, carried(variation, at.model.mesh))
         values = reading.along(solution, state % len(solution.states))
     return Gradient(
         measures=tuple(

@@ -11,6 +11,7 @@ from turgor.engine.contact.part import Look
 from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.errors import TurgorError
+from turgor.gradients.carried import same_cells
 from turgor.gradients.equilibrium import Equilibrium, constraint_of
 from turgor.gradients.variation import Variation
 from turgor.meshing.mesh import Mesh
@@ -216,14 +217,10 @@ def _touching(base: Equilibrium, model: Model) -> Model:
 
 def _check_cells(known: Mesh, mesh: Mesh, name: str) -> None:
     """Refuse a mesh with other cells, whose nodes cannot be those of the state."""
-    if mesh is known:
-        return
-    alike = mesh.points.shape == known.points.shape and np.array_equal(mesh.cells, known.cells)
-    alike = alike and mesh.faces.keys() == known.faces.keys()
-    if not alike or any(not np.array_equal(mesh.faces[face], known.faces[face]) for face in known.faces):
+    if not same_cells(known, mesh):
         raise TurgorError(
-            f"the mesh has other cells where '{name}' changes by little, so its nodes do not move along; "
-            "take hexahedra, or another size of the cells."
+            f"the mesh has other cells where '{name}' changes by little, so its nodes do not move along; take "
+            "hexahedra, another size of the cells, or tetrahedra of one part that turgor generates."
         )
 
 

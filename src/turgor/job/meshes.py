@@ -28,11 +28,26 @@ def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     -------
     Mesh
     """
+    if type(job.actuator) not in ACTUATORS.values():  # a file, whose content may change
+        return new_mesh_of(job, geometry)
+    return _mesh_of_family(_Asked(job.actuator, job.mesh, geometry))
+
+
+def new_mesh_of(job: Job, geometry: Geometry) -> Mesh:
+    """Mesh a geometry with the settings of a job, even where there is such a mesh already.
+
+    Parameters
+    ----------
+    job : Job
+    geometry : Geometry
+
+    Returns
+    -------
+    Mesh
+    """
     if isinstance(geometry._shape, MeshedShape):
         return geometry._shape.mesh
-    if type(job.actuator) not in ACTUATORS.values():  # a file, whose content may change
-        return mesh_with(geometry, job.mesh)
-    return _mesh_of_family(_Asked(job.actuator, job.mesh, geometry))
+    return mesh_with(geometry, job.mesh)
 
 
 @dataclass(frozen=True, slots=True)

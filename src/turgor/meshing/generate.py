@@ -16,6 +16,7 @@ from turgor.meshing.enveloped.faceted import faceted, meshed_by_facets
 from turgor.meshing.enveloped.tetrahedra import enveloped_cells
 from turgor.meshing.foreign import meshing
 from turgor.meshing.generator import GeneratorSizes, generated_cells, join_cuts, sizes_on_faces
+from turgor.meshing.instead import INSTEAD
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.cell_quality import cell_volumes, refuse_inverted
 from turgor.meshing.quality.mend import mended
@@ -132,6 +133,9 @@ def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:
     -------
     Mesh
     """
+    instead = INSTEAD.get()
+    if instead is not None:
+        return instead(geometry, settings)
     chosen = chosen_settings(geometry, settings)
     if not geometry.file:
         return _meshed(geometry, chosen)

@@ -12,7 +12,7 @@ from turgor.gradients.gradient import gradient
 from turgor.gradients.result import Gradient
 from turgor.gradients.variation import Variation
 from turgor.job.job import Job
-from turgor.job.meshes import mesh_of
+from turgor.job.meshes import new_mesh_of
 from turgor.job.prepare import model_of, prepare
 from turgor.job.read import read_job
 from turgor.meshing.mesh import Mesh
@@ -46,8 +46,8 @@ def gradient_of_job(
 ) -> Gradient:
     """Differentiate measures by the numbers of a job: dimensions of the actuator, materials, loads, fibers.
 
-    The shape moves with the nodes of its mesh: the actuator is built and meshed a little larger and smaller with the
-    same settings, and the meshes must have the same cells.
+    The shape moves with the nodes of its mesh: the actuator is built a little larger and smaller. Hexahedra are swept
+    anew with the same settings, and must be the same cells; tetrahedra are carried along with the CAD shape.
 
     Parameters
     ----------
@@ -118,8 +118,8 @@ class _Asked:
         """The model that a state belongs to."""
         changed = self._changed(values)
         job, made = self._job(changed), self.mesh
-        if any(key.split(".")[0] == _SHAPE for keys in changed for key in keys.split(",")):
-            made = mesh_of(replace(job, mesh=self.job.mesh_settings), job.geometry())
+        if any(key.split(".")[0] == _SHAPE for keys in changed or values for key in keys.split(",")):
+            made = new_mesh_of(replace(job, mesh=self.job.mesh_settings), job.geometry())
         model = with_setup(model_of(job, made), job.setup)
         return questions(model, job.procedure)[self.stage] if isinstance(job.procedure, Stages) else model
 

@@ -14,7 +14,7 @@ import pytest
 import exact
 import problems
 import turgor as tg
-from gradient_cases import ball
+from gradient_cases import ball, ball_in_tetrahedra
 from turgor.units import mm
 
 VALUES = {"C10": 0.12e6, "inner": 10 * mm, "outer": 15 * mm, "injected": 3e-6}
@@ -26,11 +26,18 @@ def exact_pressure(values):
     return exact.sphere_pressure(law, stretch, values["inner"], values["outer"])
 
 
-def test_pressure_at_a_given_volume(record_verification):
+MODELS = {
+    "hexahedra": lambda values: ball(values, around=2, through=3),
+    "tetrahedra": ball_in_tetrahedra,
+}
+
+
+@pytest.mark.parametrize("cells", MODELS)
+def test_pressure_at_a_given_volume(cells, record_verification):
     def procedure(values):
         return tg.VolumeControl(volume=values["injected"])
 
-    variation = tg.studies.Variation(lambda values: ball(values, around=2, through=3), VALUES, procedure=procedure)
+    variation = tg.studies.Variation(MODELS[cells], VALUES, procedure=procedure)
     solution = problems.solve(variation.model(VALUES), procedure(VALUES))
     gradient = tg.gradient(solution, "pressure", variation, options=problems.OPTIONS)
     found = gradient.by("pressure")
@@ -39,7 +46,7 @@ def test_pressure_at_a_given_volume(record_verification):
         ends = [exact_pressure({**VALUES, name: value * (1 + way * 1e-4)}) for way in (1, -1)]
         slopes[name] = (ends[0] - ends[1]) / (2e-4 * value)
     record_verification(
-        claim=f"thick sphere at a given volume: derivative of its pressure by {', '.join(VALUES)} [SI]",
+        claim=f"thick sphere of {cells} at a given volume: derivative of its pressure by {', '.join(VALUES)} [SI]",
         source="V04, exact",
         expected=list(slopes.values()),
         got=list(found.values()),

@@ -27,7 +27,7 @@ class Curve:
     ----------
     edge : CAD edge
     low, high : float
-        Range of its parameter.
+        Range of its parameter, in the direction in which shares count.
     scale : float [m]
         Length of one CAD unit.
     """

@@ -10,7 +10,8 @@ from turgor.errors import TurgorError
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.meshing.moving.extension import Extension, over_cells, over_triangles
-from turgor.meshing.moving.parts import Parts, check_alike, parts_of
+from turgor.meshing.moving.matched import matched
+from turgor.meshing.moving.parts import Parts, parts_of
 from turgor.meshing.moving.placed import OnFace, Placed, placed
 from turgor.meshing.wedge import with_wedge
 
@@ -22,7 +23,7 @@ Ints = NDArray[np.int64]
 class MovableMesh:
     """A mesh of tetrahedra with the CAD shape that it fills, and the nodes on its parts.
 
-    The shape of another dimension is built in the same order, so that vertices, edges and faces correspond. Nodes on
+    The shape of another dimension has the same vertices, edges and faces, which are matched (`matched`). Nodes on
     vertices follow these, nodes on edges keep their share of the parameter, those on faces follow the edges by a
     harmonic extension and are put on the moved surface, and those inside follow the surface by another. What the
     geometry says where nothing moves is where nodes are.
@@ -68,12 +69,12 @@ class MovableMesh:
         Raises
         ------
         TurgorError
-            If its shape has other vertices, edges or faces.
+            If its shape has other vertices, edges or faces, or none.
         """
-        parts = parts_of(geometry)
-        check_alike(self.parts, parts, geometry.name)
+        parts = matched(self.parts, parts_of(geometry), geometry.name)
         motion = self._on_edges(parts)
-        motion[self._face_nodes] = self._over_faces.extended(motion)
+        even = self._affine(motion)
+        motion[self._face_nodes] = self._over_faces.extended(motion - even) + even[self._face_nodes]
         for known, surface in zip(self.placed.faces, parts.surfaces, strict=True):
             wanted = known.points + motion[known.nodes]
             motion[known.nodes] = surface.nearest(wanted, known.uv)[1] - known.points
@@ -90,6 +91,15 @@ class MovableMesh:
         for known, before, after in zip(self.placed.edges, self.parts.curves, parts.curves, strict=True):
             motion[known.nodes] = after.points(known.shares) - before.points(known.shares)
         return motion
+
+    def _affine(self, motion: Array) -> Array:
+        """The affine motion (n, 3) nearest to that of the nodes on CAD edges.
+
+        A harmonic extension over a curved face does not keep it, so that only what differs from it is extended.
+        """
+        nodes = np.unique(np.concatenate([self.placed.corners, *(edge.nodes for edge in self.placed.edges)]))
+        basis = np.column_stack([self.mesh.points / np.ptp(self.mesh.points), np.ones(len(motion))])
+        return np.asarray(basis @ np.linalg.lstsq(basis[nodes], motion[nodes], rcond=1e-9)[0])
 
     @cached_property
     def _face_nodes(self) -> Ints:

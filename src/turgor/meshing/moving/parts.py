@@ -72,36 +72,10 @@ def parts_of(geometry: Geometry) -> Parts:
         vertices=np.array([(each.p.x, each.p.y, each.p.z) for each in vertices]) * scale,
         curves=tuple(curve_of(edge, scale) for edge in edges),
         ends=tuple(_ends(edge, vertices) for edge in edges),
-        surfaces=tuple(surface_of(face.surf, scale) for face in faces),
+        surfaces=tuple(surface_of(face, scale) for face in faces),
         rims=tuple(frozenset(edges[edge] for edge in face.edges if edge in edges) for face in faces),
         names=tuple(str(face.name) for face in faces),
     )
-
-
-def check_alike(known: Parts, parts: Parts, name: str) -> None:
-    """Refuse a shape that is built of other parts, to which nodes could not be carried.
-
-    Parameters
-    ----------
-    known, parts : Parts
-    name : str
-        Of the geometry.
-
-    Raises
-    ------
-    TurgorError
-    """
-    for what, one, other in (
-        ("vertices", len(known.vertices), len(parts.vertices)),
-        ("edges", known.ends, parts.ends),
-        ("faces", known.rims, parts.rims),
-        ("names of faces", known.names, parts.names),
-    ):
-        if one != other:
-            raise TurgorError(
-                f"the CAD shape of '{name}' has other {what} there, so nodes cannot be carried along; its dimensions "
-                "are at a value where an edge appears or vanishes."
-            )
 
 
 def _numbers(parts: Any) -> dict[Any, int]:

@@ -28,13 +28,21 @@ class Surface:
 
     Parameters
     ----------
+    face : CAD face
     surface : CAD surface
     scale : float [m]
         Length of one CAD unit.
     """
 
+    face: Any
     surface: Any
     scale: float
+
+    @property
+    def center(self) -> Array:
+        """Center (3,) of the face [m]."""
+        center = self.face.center
+        return np.array([center.x, center.y, center.z]) * self.scale
 
     def at(self, uv: Array) -> tuple[Array, Array, Array]:
         """Points (n, 3) [m] and derivatives by both parameters (n, 3), at parameters (n, 2)."""
@@ -90,12 +98,12 @@ class Surface:
         return uv[away.argmin()], float(away.min())
 
 
-def surface_of(surface: Any, scale: float) -> Surface:
+def surface_of(face: Any, scale: float) -> Surface:
     """Return the surface of a CAD face.
 
     Parameters
     ----------
-    surface : CAD surface
+    face : CAD face
     scale : float [m]
         Length of one CAD unit.
 
@@ -103,7 +111,7 @@ def surface_of(surface: Any, scale: float) -> Surface:
     -------
     Surface
     """
-    return Surface(surface, scale)
+    return Surface(face, face.surf, scale)
 
 
 def _step(left: Array, along: Array, across: Array) -> Array:

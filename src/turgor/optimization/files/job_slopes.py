@@ -31,9 +31,6 @@ SOLID_VOLUME = "solid_volume"
 #: Beginning of the sentence that says what is left to the surfaces.
 LEFT = "There are no slopes"
 
-#: Nodes of a tetrahedron, and the beginning of the keys of dimensions.
-TETRAHEDRON, SHAPE = 10, "actuator."
-
 #: Slopes count as exact up to this estimate of their relative error.
 ACCURATE = 0.01
 
@@ -102,7 +99,7 @@ def with_job_slopes(
     names = dict.fromkeys(name for each, drive, _ in asked for name in (each, drive) if name is not None)
     question = _Question(job, solution, tuple(_measure(each) for each in names))
     slopes: dict[str, dict[str, Array]] = {name: {} for name in names}
-    notes = refused_at_once(solution.model.mesh, numbers)
+    notes = refused_at_once(numbers)
     left = tuple(key for key in numbers if key not in notes)
     for row in rows:
         found, refused = question.at(row, left)
@@ -115,25 +112,19 @@ def with_job_slopes(
     return with_slopes(response, slopes), _told(tuple(numbers), notes)
 
 
-def refused_at_once(mesh: Mesh, numbers: Mapping[str, Value]) -> dict[str, str]:
+def refused_at_once(numbers: Mapping[str, Value]) -> dict[str, str]:
     """Return why numbers have no derivative, where that is known without trying, which takes meshes and factors.
 
     Parameters
     ----------
-    mesh : Mesh
     numbers : mapping of str to number
 
     Returns
     -------
     dict of str to str
     """
-    found = {}
-    for keys, value in numbers.items():
-        if not isinstance(value, float):
-            found[keys] = "whole numbers and choices do not change by little."
-        elif mesh.cells.shape[1] == TETRAHEDRON and any(key.startswith(SHAPE) for key in keys.split(",")):
-            found[keys] = 'tetrahedra become others where a dimension changes; hexahedra stay (cells = "hexahedra").'
-    return found
+    why = "whole numbers and choices do not change by little."
+    return {keys: why for keys, value in numbers.items() if not isinstance(value, float)}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
