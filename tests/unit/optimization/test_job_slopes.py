@@ -194,13 +194,9 @@ def test_what_no_derivative_can_be_taken_of_is_not_asked_for():
 
 
 def test_what_is_known_to_have_no_derivative_is_not_tried():
-    shape = tg.actuators.ExtendingCylinder(length=20 * mm).build()
     numbers = {"actuator.wall": 2e-3, "actuator.folds": 2, "materials.a.C10,materials.b.C10": 1e5}
-    numbers |= {"materials.a.C20,actuator.cap": 1.0}
-    refused = refused_at_once(tg.mesh(shape, size=8 * mm, cells="tetrahedra"), numbers)
-    assert list(refused) == ["actuator.wall", "actuator.folds", "materials.a.C20,actuator.cap"]
-    assert "hexahedra stay" in refused["actuator.wall"] and "whole numbers" in refused["actuator.folds"]
-    assert list(refused_at_once(tg.mesh(shape, size=8 * mm, cells="hexahedra"), numbers)) == ["actuator.folds"]
+    assert list(refused_at_once(numbers)) == ["actuator.folds"]
+    assert "whole numbers" in refused_at_once(numbers)["actuator.folds"]
 
 
 def tube(wall, stiffness):

@@ -1,7 +1,7 @@
 """V04: derivatives of the pressure in a thick sphere at a given volume are those of the exact curve.
 
 Problem: the neo-Hookean sphere of V04 (inner radius 10 mm, outer 15 mm), filled with a given volume; its pressure by
-C10, by the injected volume and by both radii.
+C10, by the injected volume and by both radii; on a regular mesh, and on tetrahedra that follow their CAD shape.
 Exact: P = ∫ Ŵ′(λ) / (λ³ − 1) dλ with λ³ = 1 + V / V₀ at the inner wall, differentiated; P is proportional to C10, and
 to no length if the volume grows with the cube of the radii.
 Source: Green and Zerna. Tolerance: 0.2 % for radii and volume, the distance of the curve itself (`test_sphere`); what
@@ -27,17 +27,17 @@ def exact_pressure(values):
 
 
 MODELS = {
-    "hexahedra": lambda values: ball(values, around=2, through=3),
-    "tetrahedra": ball_in_tetrahedra,
+    "a regular mesh": lambda values: ball(values, around=2, through=3),
+    "a generated mesh": ball_in_tetrahedra,
 }
 
 
-@pytest.mark.parametrize("cells", MODELS)
-def test_pressure_at_a_given_volume(cells, record_verification):
+@pytest.mark.parametrize("mesh", MODELS)
+def test_pressure_at_a_given_volume(mesh, record_verification):
     def procedure(values):
         return tg.VolumeControl(volume=values["injected"])
 
-    variation = tg.studies.Variation(MODELS[cells], VALUES, procedure=procedure)
+    variation = tg.studies.Variation(MODELS[mesh], VALUES, procedure=procedure)
     solution = problems.solve(variation.model(VALUES), procedure(VALUES))
     gradient = tg.gradient(solution, "pressure", variation, options=problems.OPTIONS)
     found = gradient.by("pressure")
@@ -46,7 +46,7 @@ def test_pressure_at_a_given_volume(cells, record_verification):
         ends = [exact_pressure({**VALUES, name: value * (1 + way * 1e-4)}) for way in (1, -1)]
         slopes[name] = (ends[0] - ends[1]) / (2e-4 * value)
     record_verification(
-        claim=f"thick sphere of {cells} at a given volume: derivative of its pressure by {', '.join(VALUES)} [SI]",
+        claim=f"thick sphere, {mesh}, at a given volume: derivative of its pressure by {', '.join(VALUES)} [SI]",
         source="V04, exact",
         expected=list(slopes.values()),
         got=list(found.values()),
