@@ -99,6 +99,8 @@ def test_cuts_of_a_wedge_still_match():
     moved = movable(mesh, sector(10)).at(sector(11))
     assert moved.wedge == mesh.wedge and (moved.leaders != np.arange(len(moved.points))).sum() > 5
     assert np.array_equal(moved.leaders, mesh.leaders)
+    high = moved.face_nodes(HIGH)
+    assert np.array_equal(moved.wedge.images(moved.points[moved.leaders[high]]), moved.points[high])
     assert cell_volumes(moved).sum() == pytest.approx(sector(11).solid_volume, rel=1e-3)
 
 
