@@ -93,7 +93,7 @@ class System:
         self.cells, self.element, self.materials = self.rubber.cells, self.rubber.element, self.rubber.materials
         self.Jinv, self.dV = self.rubber.Jinv, self.rubber.dV
         self.mean_stress_volumes = self.rubber.mean_stress_volumes
-        self.contact = self._contact_terms()
+        self.contact: ContactTerms = self._contact_terms(None if like is None else like.contact)
         bodies = self.contact.bodies.held
         unused = np.ones(self.element.mean_count, dtype=bool)
         unused[self.element.mean] = False
@@ -112,11 +112,11 @@ class System:
         nodes = [each.multipliers for each in self.carriers]
         return displacements(np.concatenate([np.zeros(0, dtype=np.int64), *nodes])[None])[0]
 
-    def _contact_terms(self) -> ContactTerms:
+    def _contact_terms(self, like: ContactTerms | None) -> ContactTerms:
         scales = (self.length, self.stress_scale)
         first = 3 * self.node_count + self.element.mean_count
         surface = whole_surface(self.model, self.points, self.dV.sum(axis=1), self.stress_scale)
-        return ContactTerms(self.model, surface, self.points, scales, first)
+        return ContactTerms(self.model, surface, self.points, scales, first, like)
 
     def _applied(self, load_factor: float) -> float:
         """Size of the loads' forces on the free nodes at rest; pressures that are sought count as the modulus."""
@@ -297,6 +297,10 @@ class System:
         """Go on with what contact had learned."""
         self.contact.restore(memory, self.layout)
 
+    def lay_out(self, at: Evaluation) -> None:
+        """Give the tangent the sparsity that walls which touch need."""
+        self.contact.prepare(self.layout, at.contacts)
+
     def tangent_data(self, at: Evaluation, geometric: Stresses | None = None) -> Array:
         """Values of the symmetric tangent's lower triangle, supports not yet applied."""
         u, p = self.split(at.unknowns)
@@ -304,7 +308,7 @@ class System:
         self.rubber.add_tangents(data, u, p, at.isochoric, None if geometric is None else geometric.cells)
         given = None if geometric is None else geometric.terms
         self.terms.add_tangents(data, Configuration(self.points + u, at.load_factor, at.sought), given)
-        self.contact.prepare(self.layout, at.contacts)
+        self.lay_out(at)
         data = self.layout.spread(data)
         self.contact.add_tangents(data, self.layout, at.contacts)
         self._frames.turn_tangent(self.pattern, data, self.node_count)

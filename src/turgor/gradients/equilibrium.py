@@ -27,7 +27,7 @@ from turgor.solvers.listeners import silent
 from turgor.solvers.newton.border import Border
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.convergence import whole_residual
-from turgor.solvers.newton.newton import NewtonSettings, Start
+from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Start
 from turgor.solvers.procedures.gas_mass import GasMass
 from turgor.solvers.procedures.stages import OneProcedure
 from turgor.solvers.procedures.volume_control import VolumeControl
@@ -42,7 +42,10 @@ Pair = tuple[Array, Array]
 SETTINGS = NewtonSettings(tolerance=1e-9, max_iterations=12, mixed_points=False)
 ENOUGH = 1e-6
 
-#: Refinements of a solution at most, and the relative update at which they end.
+#: Updates of the state up to which the factors of its beginning are kept: more of them move it farther.
+FEW_UPDATES = 2
+
+#: Refinements of a solution at most, and the relative update that is left when they end.
 REFINEMENTS, REFINED = 8, 1e-11
 
 
@@ -130,9 +133,10 @@ def _refined(once: Callable[[Array, Array], Pair], left: Callable[[Array, Array]
         size = float(np.linalg.norm(update)) / max(float(np.linalg.norm(unknowns)), 1e-300)
         if size > 0.5 * before:
             break
-        unknowns, scalars, before = unknowns + update, scalars + change, size
-        if size < REFINED:
+        unknowns, scalars = unknowns + update, scalars + change
+        if size * size < REFINED * min(before, 1.0):  # the next update would be smaller by as much again
             break
+        before = size
     return unknowns, scalars
 
 
@@ -155,24 +159,48 @@ def equilibrium_of(state: State, procedure: OneProcedure, options: EngineOptions
         If Newton's method does not find the state, or the tangent is singular there.
     """
     system = System(state.model, controlled_cavities(state, procedure))
+    constraint = constraint_of(system, state, procedure)
+    try:
+        result, border = _found_again(state, constraint, options)
+    except (SingularTangentError, np.linalg.LinAlgError):
+        raise limit_point(state) from None
+    at = result.evaluation
+    assert at is not None  # _found_again has it
+    conditions = constraint.target.conditions(at.unknowns, state.load_factor, result.scalars)
+    if whole_residual(system, at, conditions) > ENOUGH:
+        raise limit_point(state)
+    return Equilibrium(state, procedure, system, border, constraint, at, result.scalars)
+
+
+def _found_again(state: State, constraint: Constraint, options: EngineOptions) -> tuple[NewtonResult, Border]:
+    """Newton's method from a state, with factors of the tangent where it begins, and the tangent where it ends.
+
+    What a solve leaves takes one update as a rule, after which the factors are as good as new: answers are refined.
+    """
+    system = constraint.sought.system
+    scalars = np.array([state.pressures[name] for name in system.controlled]) / system.stress_scale
+    unknowns = unknowns_of(system, state)
+    if not len(scalars):  # supports are where they should be, up to round-off
+        unknowns[system.held] = system.prescribed(state.load_factor)
+    begin = constraint.evaluate(unknowns, state.load_factor, scalars)
+    if begin is None:
+        raise limit_point(state)
+    system.lay_out(begin)  # the tangent is analyzed once, with what touches
     tangent = Tangent(system, options.linear_solver, options.threads)
     tangent.use_double()  # a solution in single precision takes two or three refinements, and every answer five of them
-    constraint = constraint_of(system, state, procedure)
-    scalars = np.array([state.pressures[name] for name in system.controlled]) / system.stress_scale
-    start = Start(unknowns_of(system, state), None, scalars)
+    border = Border(constraint, tangent)
+    if not len(scalars):
+        border.factor(begin, None, np.zeros(int(system.held.sum())))
+    start = Start(unknowns, None, scalars, begin, fresh=bool(len(scalars)))
     result = newton_with_contact(constraint, tangent, start, state.load_factor, SETTINGS, silent)
     at = result.evaluation
     if at is None or not np.isfinite(result.residual):
         raise limit_point(state)
-    conditions = constraint.target.conditions(at.unknowns, state.load_factor, result.scalars)
-    if whole_residual(system, at, conditions) > ENOUGH:
-        raise limit_point(state)
-    border = Border(constraint, tangent)
-    try:
+    if result.iterations <= FEW_UPDATES:
+        border.renew(at)
+    else:
         border.factor(at, None, np.zeros(int(system.held.sum())))
-    except (SingularTangentError, np.linalg.LinAlgError):
-        raise limit_point(state) from None
-    return Equilibrium(state, procedure, system, border, constraint, at, result.scalars)
+    return result, border
 
 
 def controlled_cavities(state: State, procedure: OneProcedure) -> tuple[str, ...]:

@@ -64,7 +64,7 @@ DEFAULTS: Mapping[str, Mapping[str, Any]] = {
 _NAME = re.compile(r"[\w.-]+")
 
 
-def read_job(path: str | Path, changes: Mapping[str, Any] = MappingProxyType({})) -> Job:
+def read_job(path: str | Path, changes: Mapping[str, Any] = MappingProxyType({}), *, like: Job | None = None) -> Job:
     """Read a job file: TOML, in which every quantity carries its unit.
 
     Parameters
@@ -74,6 +74,8 @@ def read_job(path: str | Path, changes: Mapping[str, Any] = MappingProxyType({})
     changes : mapping of str to value
         Values that replace or join those of the file, by dotted key as in TOML: ``{"loads.pressure": "30 kPa"}``. A
         stage is named by its name or its number.
+    like : Job, optional
+        A job whose shape is taken, not built again, where the actuator is equal.
 
     Returns
     -------
@@ -94,7 +96,7 @@ def read_job(path: str | Path, changes: Mapping[str, Any] = MappingProxyType({})
         raise _not_toml(path, error) from error
     content = changed(content, DEFAULTS, changes)
     problems = Problems(str(path), with_names(changed_places(key_lines(text), changes), content))
-    job = _read(content, name_of_file(path), problems)
+    job = _read(content, name_of_file(path), problems, None if like is None else like.built)
     problems.raise_any()
     assert job is not None
     return job
@@ -147,12 +149,14 @@ def _read_path(
     return None, read_procedure(given["procedure"], around.loads, problems, SETUPS)
 
 
-def _read(content: Mapping[str, Any], stem: str, problems: Problems) -> Job | None:
+def _read(
+    content: Mapping[str, Any], stem: str, problems: Problems, built: tuple[Actuator, Geometry] | None
+) -> Job | None:
     given = _given(content, problems)
     name = _name(content.get("name", stem), problems)
     actuator = read_actuator(given["actuator"], problems) if given["actuator"] is not None else None
     actuator = with_broken_planes(actuator, given)
-    geometry = _build(actuator, problems)
+    geometry = built[1] if built is not None and built[0] == actuator else _build(actuator, problems)
     mesh = read_mesh(given["mesh"], geometry, problems)
     materials = read_materials(given["materials"], geometry, problems) if given["materials"] is not None else {}
     fibers = read_fibers(given["fibers"], geometry, problems)

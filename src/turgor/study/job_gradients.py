@@ -133,7 +133,7 @@ class _Asked:
 
     def _job(self, changed: Mapping[str, float]) -> Job:
         content = tomllib.loads(self.file.read_text(encoding="utf-8"))
-        return read_job(self.file, changes_of(content, changed, exact=True))
+        return read_job(self.file, changes_of(content, changed, exact=True), like=self.job)
 
 
 def _value(numbers: Mapping[str, JobNumber], keys: str) -> float:

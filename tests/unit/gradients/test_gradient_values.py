@@ -9,13 +9,17 @@ import solver_cases
 from solver_cases import RUBBER, bar
 
 import turgor as tg
+from turgor.gradients import carried
 from turgor.gradients.equilibrium import equilibrium_of
 from turgor.gradients.neighbors import CENTRAL, neighbors_of
 from turgor.materials.history.viscoelastic import Prony
+from turgor.meshing import generate
 from turgor.model.obstacles import Obstacle, Plane
-from turgor.units import kPa
+from turgor.units import kPa, mm
 
 OPTIONS = tg.EngineOptions(linear_solver="rslab", threads=1)
+
+FINGER = tg.FastPneuNet(chambers=1, length=20 * mm).build()
 
 
 def _rise(at):
@@ -166,3 +170,61 @@ def test_the_other_side_is_taken_where_one_is_not_allowed(solution):
     )
     assert one == pytest.approx(other, rel=1e-5)
     assert np.isfinite(one) and one != 0
+
+
+def _generating(shape):
+    """A function from its length and stiffness to a block of tetrahedra that it generates each time."""
+
+    def model_of(values):
+        mesh = tg.mesh(shape(values["length"]), size=5 * mm, cells="tetrahedra")
+        rubber = replace(RUBBER, law=tg.laws.NeoHooke(C10=values["C10"]))
+        return tg.Model(mesh, {"body": rubber}, [tg.Fixed("fixed")], [tg.Pressure("cavity", 1 * kPa)])
+
+    return tg.studies.Variation(model_of, {"length": 20 * mm, "C10": 0.1e6})
+
+
+def _immovable(mesh, geometry):
+    raise tg.TurgorError("it has no CAD faces.")
+
+
+def _tube(length):
+    return tg.actuators.ExtendingCylinder(length=length).build()
+
+
+def test_nothing_is_generated_for_tetrahedra_that_are_carried_along(monkeypatch):
+    variation = _generating(_tube)
+    path = tg.solve(variation.model(variation.values), options=OPTIONS)
+    monkeypatch.setattr(generate, "chosen_settings", pytest.fail)
+    assert tg.gradient(path, "cavity_volume", variation, options=OPTIONS)["cavity_volume", "length"] > 0
+
+
+def test_tetrahedra_that_cannot_follow_have_other_gradients(monkeypatch):
+    """Of a part without CAD faces, by a material; the shape is refused with the reason."""
+    monkeypatch.setattr(carried, "movable", _immovable)
+    variation = _generating(_tube)
+    path = tg.solve(variation.model(variation.values), options=OPTIONS)
+    material = replace(variation, values={"C10": 0.1e6}, model=lambda v: variation.model({"length": 20 * mm, **v}))
+    assert tg.gradient(path, "cavity_volume", material, options=OPTIONS)["cavity_volume", "C10"] < 0
+    with pytest.raises(tg.TurgorError, match="'length' cannot change by little: it has no CAD faces"):
+        tg.gradient(path, "cavity_volume", variation, options=OPTIONS)
+
+
+def test_a_shape_of_other_faces_is_refused():
+    variation = _generating(lambda length: _tube(length) if length == 20 * mm else FINGER)
+    path = tg.solve(variation.model(variation.values), options=OPTIONS)
+    with pytest.raises(tg.TurgorError, match=r"'length' cannot change by little: the CAD shape of .* has other faces"):
+        tg.gradient(path, "cavity_volume", variation, options=OPTIONS)
+
+
+def test_a_mesh_that_is_changed_after_it_was_made_is_refused():
+    plain = _generating(_tube)
+
+    def changed(values):
+        model = plain.model(values)
+        mesh = replace(model.mesh, points=1.1 * model.mesh.points)
+        return replace(model, mesh=mesh)
+
+    variation = replace(plain, model=changed)
+    path = tg.solve(variation.model(variation.values), options=OPTIONS)
+    with pytest.raises(tg.TurgorError, match="the mesh has other cells where 'length' changes by little"):
+        tg.gradient(path, "cavity_volume", variation, options=OPTIONS)

@@ -1,4 +1,4 @@
-"""Tetrahedra that follow their CAD shape: nodes stay on its faces, parts are matched, and what cannot follow says why."""
+"""Tetrahedra that follow their CAD shape: nodes stay on its faces, parts are matched, refusals say why."""
 
 from dataclasses import replace
 
@@ -33,7 +33,9 @@ def test_nodes_stay_on_curved_and_plane_faces(tube):
     moved = tube.at(wider.build())
     for name, radius in (("outside", wider.outer_radius), ("cavity", wider.inner_radius)):
         nodes = moved.face_nodes(name)
-        before = np.hypot(*tube.mesh.points[nodes, 1:].T) - getattr(TUBE, "outer_radius" if name == "outside" else "inner_radius")
+        before = np.hypot(*tube.mesh.points[nodes, 1:].T) - getattr(
+            TUBE, "outer_radius" if name == "outside" else "inner_radius"
+        )
         round_ = np.abs(before) < 1e-9  # the others lie on a cap, or on an edge that was straightened
         assert round_.sum() > 20
         assert np.abs(np.hypot(*moved.points[nodes[round_], 1:].T) - radius).max() < 1e-12
@@ -43,7 +45,9 @@ def test_nodes_stay_on_curved_and_plane_faces(tube):
 
 
 def test_a_scaled_shape_scales_its_mesh(tube):
-    larger = ExtendingCylinder(**{name: 1.25 * getattr(TUBE, name) for name in ("length", "inner_radius", "wall", "cap")})
+    larger = ExtendingCylinder(
+        **{name: 1.25 * getattr(TUBE, name) for name in ("length", "inner_radius", "wall", "cap")}
+    )
     assert np.abs(tube.at(larger.build()).points - 1.25 * tube.mesh.points).max() < 1e-12
 
 

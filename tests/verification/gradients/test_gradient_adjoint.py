@@ -1,8 +1,9 @@
 """The adjoint and the direct derivative are one derivative, found in two ways.
 
-Problem: half of a short fast PneuNet under pressure, at given pressure and at given volume; its bending angle, volume
-and tip displacement by constants of two rubbers, two dimensions and the load, of hexahedra and of tetrahedra. The adjoint takes one solution for each
-measure and closed derivatives of the measures, the direct way one for each number and differences of the measures.
+Problem: half of a short fast PneuNet under pressure, at given pressure and at given volume, of hexahedra and of
+tetrahedra; its bending angle, volume and tip displacement by constants of two rubbers, two dimensions and the load. The
+adjoint takes one solution for each measure and closed derivatives of the measures, the direct way one for each number
+and differences of the measures.
 Exact: equality. Tolerance: 1e-6, what differences of the measures leave.
 """
 
@@ -27,9 +28,7 @@ def model_of(values, given_volume, cells):
     return tg.Model(mesh, rubbers, [tg.Fixed("fixed")], loads)
 
 
-@pytest.mark.parametrize(
-    ("given_volume", "cells"), [(False, "hexahedra"), (True, "hexahedra"), (False, "tetrahedra")]
-)
+@pytest.mark.parametrize(("given_volume", "cells"), [(False, "hexahedra"), (True, "hexahedra"), (False, "tetrahedra")])
 def test_adjoint_is_the_direct_derivative(given_volume, cells, monkeypatch, record_verification):
     def procedure(values):
         return tg.VolumeControl(volume=0.2e-6 * values["drive"], first_step=1.0) if given_volume else tg.Static()

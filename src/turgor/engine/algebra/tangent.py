@@ -116,6 +116,24 @@ class Tangent:
 
         ``shift`` is added to the diagonal of the free displacements, to make it positive where it is not.
         """
+        coupling = self._formed(at, geometric, jump, shift)
+        start = perf_counter()
+        self._factor()
+        self.clock.factorization += perf_counter() - start
+        self.clock.factorizations += 1
+        return coupling
+
+    def renew(self, at: Evaluation) -> None:
+        """Form the tangent at a state close to that of the factors, and keep these: `product` has the new matrix.
+
+        A solution is refined then. Where other walls touch, the factors are new as well.
+        """
+        self._formed(at, None, None, 0.0)
+        if self._general is None and self._analyzed is not self._system.pattern:
+            self._factor()
+
+    def _formed(self, at: Evaluation, geometric: Stresses | None, jump: Array | None, shift: float) -> Array:
+        """Form the tangent; `factor` says what it returns."""
         start = perf_counter()
         system = self._system
         data = system.tangent_data(at, geometric)
@@ -137,16 +155,12 @@ class Tangent:
         if shift:
             free = np.flatnonzero(system.moving & ~system.held)
             data[system.pattern.diagonal[free]] += shift
-        middle = perf_counter()
         self._data, self._whole = data, None
         if self._symmetric is None:
             assert skew is not None
             free = sp.diags((~system.held).astype(np.float64))
             self._whole = (system.pattern.full(data) + free @ skew @ free).tocsc()
-        self._factor()
-        self.clock.assembly += middle - start
-        self.clock.factorization += perf_counter() - middle
-        self.clock.factorizations += 1
+        self.clock.assembly += perf_counter() - start
         return coupling
 
     def _factor(self) -> None:

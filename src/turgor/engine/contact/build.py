@@ -1,5 +1,6 @@
 """Build the parts of contact that a model asks for."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -91,9 +92,17 @@ def may_touch(model: Model) -> bool:
 
 
 def build_parts(
-    model: Model, surface: Surface, points: Array, scales: tuple[float, float], bodies: Bodies
+    model: Model,
+    surface: Surface,
+    points: Array,
+    scales: tuple[float, float],
+    bodies: Bodies,
+    like: Sequence[PairPart | ShapePart] = (),
 ) -> list[PairPart | ShapePart]:
-    """Make a part for every obstacle, and those of the contact of the body with itself."""
+    """Make a part for every obstacle, and those of the contact of the body with itself.
+
+    ``like`` are those of a mesh with the same cells whose nodes are elsewhere by little.
+    """
     mesh, (length, stress) = model.mesh, scales
     if mesh.cell_type.side.nodes == 8:
         if model.contact.obstacles:
@@ -102,7 +111,7 @@ def build_parts(
     mirrors = of_face(mesh, surface, *mesh.cut_faces)
     cavities = of_face(mesh, surface, *mesh.cavities)
     outside = surface.chosen(~mirrors & ~cavities & ~_pinhole(mesh, surface))
-    parts = _with_itself(model, surface, outside, points, length / stress)
+    parts = _with_itself(model, surface, outside, (points, length / stress), like)
     for obstacle in model.contact.obstacles:
         chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
         if obstacle.stiffness is not None:
@@ -129,13 +138,17 @@ def _stiff(surface: Surface, stiffness: float) -> Surface:
 
 
 def _with_itself(
-    model: Model, surface: Surface, outside: Surface, points: Array, stiffness: float
+    model: Model,
+    surface: Surface,
+    outside: Surface,
+    sizes: tuple[Array, float],
+    like: Sequence[PairPart | ShapePart],
 ) -> list[PairPart | ShapePart]:
     """Walls outside, walls of cavities that are pressed together, and walls against their mirror images.
 
-    ``stiffness`` is the scaled one of 1 Pa/m.
+    ``sizes`` are the scaled points, and the stiffness of 1 Pa/m.
     """
-    mesh, chosen = model.mesh, model.contact.self_contact
+    mesh, chosen, (points, stiffness) = model.mesh, model.contact.self_contact, sizes
     if chosen is None:
         return []
     alone = [surface.chosen(of_face(mesh, surface, cavity)) for cavity in pressed_together(model)]
@@ -148,16 +161,32 @@ def _with_itself(
     for one in alone:
         if chosen.stiffness is not None:
             one = _stiff(one, chosen.stiffness * stiffness)
-        parts.append(_pairs(one, points, mirrored, chosen.friction))
+        parts.append(_pairs(one, points, mirrored, chosen.friction, like))
         for name in mesh.symmetry_faces:
             parts += _mirror(mesh, name, one, points)
     return parts
 
 
-def _pairs(surface: Surface, points: Array, mirrored: NDArray[np.bool_], friction: float) -> PairPart:
-    weights, height = surface.weights, surface.height
-    partners = _partners(surface.sides, (surface.N, surface.dN, weights, height), points, mirrored)
-    return PairPart(SELF, surface, replace(partners, sides=surface.sides), friction, 0.5)
+def _pairs(
+    surface: Surface,
+    points: Array,
+    mirrored: NDArray[np.bool_],
+    friction: float,
+    like: Sequence[PairPart | ShapePart],
+) -> PairPart:
+    sides, weights, height = surface.sides, surface.weights, surface.height
+    alike = (one for one in like if isinstance(one, PairPart) and one.rigid is None)
+    known = next((one.partners for one in alike if np.array_equal(one.surface.sides, sides)), None)
+    if known is None:
+        partners = replace(_partners(sides, (surface.N, surface.dN, weights, height), points, mirrored), sides=sides)
+    else:  # what never touches is the same
+        over = overhangs(points, sides, mirrored)
+        partners = replace(known, sides=sides, overhang=over, depth=DEPTH * height, reach=_reach(weights))
+    return PairPart(SELF, surface, partners, friction, 0.5)
+
+
+def _reach(weights: Array) -> float:
+    return REACH * float(np.sqrt(weights.sum(axis=1)).mean())
 
 
 @kept(2)  # the search at rest is slow, and the next run often has the same mesh
@@ -174,7 +203,7 @@ def _partners(
         depth=DEPTH * height,
         strangers=strangers(points, sides),
         around=_around(sides, surface.corners),
-        reach=REACH * float(np.sqrt(weights.sum(axis=1)).mean()),
+        reach=_reach(weights),
     )
     for _ in range(ROUNDS):
         found = PairPart(SELF, surface, partners, 0.0, 0.5).look(points, np.zeros(3))

@@ -101,16 +101,26 @@ class ContactTerms:
     scales : (length, stress)
     first_unknown : int
         The unknowns of sprung bodies begin here, three of each.
+    like : ContactTerms, optional
+        Those of a mesh with the same cells whose nodes are elsewhere by little; the search at rest is not repeated.
     """
 
     def __init__(
-        self, model: Model, surface: Surface, points: Array, scales: tuple[float, float], first_unknown: int
+        self,
+        model: Model,
+        surface: Surface,
+        points: Array,
+        scales: tuple[float, float],
+        first_unknown: int,
+        like: "ContactTerms | None" = None,
     ) -> None:
         self._length, self._stress = scales
         self._tolerance = model.contact.tolerance
         self.bodies = Bodies.of(model, scales, first_unknown)
         self._known: Contacts | None = None
-        self.parts: list[Part] = build_parts(model, surface, points, scales, self.bodies)
+        self.parts: list[Part] = build_parts(
+            model, surface, points, scales, self.bodies, () if like is None else like.parts
+        )
 
     def memory(self, layout: Layout) -> ContactMemory:
         """What was learned so far."""

@@ -47,19 +47,27 @@ class Border:
 
     def factor(self, at: Evaluation, geometric: Stresses | None, jump: Array) -> Array:
         """Factor at an evaluation; return the forces that moving the held unknowns by ``jump`` would cause."""
-        sought = self.constraint.sought
-        columns = sought.columns(at)
         try:
             coupling = self.tangent.factor(at, geometric, jump)
         except SingularTangentError:
-            if geometric is None or not len(columns):
+            if geometric is None or not len(self.constraint.sought.columns(at)):
                 raise
             coupling = self.tangent.factor(at, None, jump)
-        held = sought.system.held
+        self._respond(at)
+        return coupling
+
+    def renew(self, at: Evaluation) -> None:
+        """Form the tangent anew and keep its factors, as `Tangent.renew` does."""
+        self.tangent.renew(at)
+        self._respond(at)
+
+    def _respond(self, at: Evaluation) -> None:
+        """Solve for what the scalars cause."""
+        sought = self.constraint.sought
+        columns = sought.columns(at)
         self.responses = np.empty_like(columns)
         for number, column in enumerate(columns):
-            self.responses[number] = self.tangent.solve(np.where(held, 0.0, -column))
-        return coupling
+            self.responses[number] = self.tangent.solve(np.where(sought.system.held, 0.0, -column))
 
     def stiffness(self, conditions: Conditions) -> Array:
         """Schur complement (k, k) of the tangent in the bordered matrix: D + C B."""
