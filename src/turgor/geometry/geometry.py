@@ -13,8 +13,8 @@ from turgor.geometry.wedge import Wedge
 from turgor.shown import Shown, listed
 from turgor.units import mL, mm
 
-#: Tolerance of CAD volumes: planar and cylindrical parts reach 1e-13, cylinders that are cut beside their axis 2e-9, and
-#: a face lost in a boolean changes far more.
+#: Tolerance of CAD volumes: planar and cylindrical parts reach 1e-13, a cylinder that is cut close to its axis 2e-9. A
+#: face lost in a boolean changes far more.
 VOLUME_TOLERANCE = 1e-8
 
 
