@@ -41,7 +41,7 @@ class MovableMesh:
     >>> from turgor.geometry import ExtendingCylinder
     >>> from turgor.meshing.generate import mesh
     >>> from turgor.meshing.quality.cell_quality import cell_volumes
-    >>> tube, wider = (ExtendingCylinder(length=10e-3, wall=wall).build() for wall in (2e-3, 2.1e-3))
+    >>> tube, wider = (ExtendingCylinder(length=20e-3, wall=wall).build() for wall in (2e-3, 2.1e-3))
     >>> known = mesh(tube, size=4e-3, cells="tetrahedra")
     >>> moved = movable(known, tube).at(wider)
     >>> np.array_equal(moved.cells, known.cells)
