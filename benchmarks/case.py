@@ -118,19 +118,20 @@ def growth(*, solver: str, threads: int, size: float, halved: bool = False) -> d
 
     Where ``halved``, every edge of the mesh is cut in two.
     """
+    options = EngineOptions(linear_solver=solver, threads=threads)
+    first = tg.Static(first_step=0.05, max_step=0.05)
+    model = growth_model(size, halved)
+    return facts(tg.solve(model, first, options=options, stop=lambda state: "one step is enough", throw=False))
+
+
+def growth_model(size: float, halved: bool = False, paper: bool = True) -> tg.Model:
+    """The fast PneuNet of `growth`, with a membrane of paper or without."""
     mesh = tg.mesh(tg.FastPneuNet(chambers=6, length=60 * mm).build(), size=size)
     mesh = split_edges(mesh, every_edge(mesh)) if halved else mesh
     rubber_ = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-    paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
-    model = tg.Model(
-        mesh,
-        materials={"body": rubber_, "base": rubber_, "strain_limiting_layer": paper},
-        supports=[tg.Fixed("fixed")],
-        loads=[tg.Pressure("cavity", 20 * kPa)],
-    )
-    options = EngineOptions(linear_solver=solver, threads=threads)
-    first = tg.Static(first_step=0.05, max_step=0.05)
-    return facts(tg.solve(model, first, options=options, stop=lambda state: "one step is enough", throw=False))
+    sheet = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+    materials = {"body": rubber_, "base": rubber_} | ({"strain_limiting_layer": sheet} if paper else {})
+    return tg.Model(mesh, materials=materials, supports=[tg.Fixed("fixed")], loads=[tg.Pressure("cavity", 20 * kPa)])
 
 
 def every_edge(mesh: tg.Mesh) -> np.ndarray:

@@ -134,6 +134,11 @@ class System:
         return Layout(base, self.held, self._ties)
 
     @property
+    def supports_are_plain(self) -> bool:
+        """Whether all components are along x, y and z, and none follows another."""
+        return not len(self._frames.nodes) and not len(self._ties.followers)
+
+    @property
     def pattern(self) -> Pattern:
         """The sparsity of the tangent at present; contact changes it."""
         return self.layout.pattern

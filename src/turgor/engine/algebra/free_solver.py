@@ -39,6 +39,11 @@ class FreeSolver:
         self.name = self._inner.name
 
     @property
+    def iterative(self) -> bool:
+        """Whether each digit of a solution costs iterations."""
+        return self._inner.iterative
+
+    @property
     def double(self) -> bool:
         """Whether all factors are in double precision from now on."""
         return self._inner.double

@@ -24,6 +24,9 @@ SINGLE_FROM = 10_000
 #: by a tenth at 67,000 and at 200,000, because the analysis is shorter and the fronts are larger.
 DISSECTED_FROM, DISSECTED_ALONE_FROM = 10_000, 40_000
 
+#: Name that asks for GMRES, of the equations that it is for; others are factored.
+ITERATIVE = "iterative"
+
 #: Refinements at most of a solution from single precision factors, and the relative residual that may be left: by new
 #: factors, and by those of an earlier iterate, which leave more than that of the residual anyway.
 REFINEMENTS = 4
@@ -33,9 +36,16 @@ REFINED, ROUGH = 1e-5, 1e-3
 class LinearSolver(Protocol):
     """Factor the tangent and solve with it."""
 
-    name: str
     double: bool
     """Whether all factors are in double precision from now on."""
+
+    @property
+    def name(self) -> str:
+        """Name of what solves."""
+
+    @property
+    def iterative(self) -> bool:
+        """Whether each digit of a solution costs iterations, and a new matrix costs little."""
 
     def factor(self, data: Array) -> None:
         """Factor the values of the analyzed lower triangle."""
@@ -75,6 +85,8 @@ class MixedPrecision:
     pattern : Pattern
         The one that they were analyzed for.
     """
+
+    iterative = False
 
     def __init__(self, factors: Factors, pattern: Pattern) -> None:
         self.name = factors.name
@@ -166,6 +178,7 @@ class UnsymmetricSolver:
     """LU by rslab for the full tangent, for pressure on open surfaces whose tangent has a skew part."""
 
     name = "rslab-lu"
+    iterative = False
 
     def __init__(self, threads: int) -> None:
         self._threads = threads
@@ -197,9 +210,9 @@ def available_solvers() -> tuple[str, ...]:
 
 
 def linear_solver(name: str, pattern: Pattern, threads: int) -> LinearSolver:
-    """Make the named solver; ``"auto"`` takes MKL Pardiso where it is installed and rslab elsewhere."""
-    if name == "auto":
+    """Make the named direct solver; others than a library's name take MKL Pardiso where installed, else rslab."""
+    if name in ("auto", ITERATIVE):
         name = available_solvers()[0]
     if name not in _LIBRARIES:
-        raise unknown("linear solver", name, [*_LIBRARIES, "auto"])
+        raise unknown("linear solver", name, [*_LIBRARIES, "auto", ITERATIVE])
     return MixedPrecision(_LIBRARIES[name](pattern, threads), pattern)

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, gmres
 
 from turgor.engine.algebra.free_solver import solver_of
-from turgor.engine.algebra.linear import REFINED, ROUGH, LinearSolver, UnsymmetricSolver, linear_solver
+from turgor.engine.algebra.iterative import IterativeSolver
+from turgor.engine.algebra.levels import levels_of
+from turgor.engine.algebra.linear import ITERATIVE, REFINED, LinearSolver, UnsymmetricSolver, linear_solver
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.evaluation import Evaluation, Stresses
 from turgor.engine.runtime import MIXED, PLAIN
@@ -73,7 +75,7 @@ class Tangent:
     ----------
     system : System
     solver : str
-        ``"auto"``, ``"rslab"`` or ``"mkl-pardiso"``.
+        ``"auto"``, ``"iterative"``, ``"rslab"`` or ``"mkl-pardiso"``.
     threads : int
     iteration : str
         Which tangents Newton's method asks for, and how often; see `EngineOptions`.
@@ -99,6 +101,11 @@ class Tangent:
     def name(self) -> str:
         """Name of the linear solver."""
         return self._active.name
+
+    @property
+    def iterative(self) -> bool:
+        """Whether each digit of a solution costs iterations, and a new tangent costs little."""
+        return self._active.iterative
 
     @property
     def _active(self) -> LinearSolver | UnsymmetricSolver:
@@ -150,6 +157,8 @@ class Tangent:
             coupling += correction
         rubbing = system.rubbing(at)
         self._rubbing = None if rubbing is None else sp.diags((~system.held).astype(np.float64)) @ rubbing
+        if rubbing is not None and self.iterative:
+            self.use_double()  # GMRES for friction wants the symmetric part inverted
         system.apply_supports(data)
         system.make_definite(data)
         if shift:
@@ -182,8 +191,11 @@ class Tangent:
             self._symmetric.double = self._symmetric.double or double
 
     def _made(self, pattern: Pattern) -> LinearSolver:
-        make = partial(linear_solver, self._solver, threads=self._threads)
-        return solver_of(make, pattern, self._system.held)
+        system, name = self._system, self._solver
+        make = partial(linear_solver, name, threads=self._threads)
+        direct = partial(solver_of, make, pattern, system.held)
+        levels = levels_of(system) if name == ITERATIVE else None
+        return direct() if levels is None else IterativeSolver(levels, pattern, self._threads, direct)
 
     def use_double(self) -> None:
         """Factor in double precision from now on: many accurate solutions with one tangent need no refinement then."""
@@ -210,14 +222,10 @@ class Tangent:
         size = self._system.size
         return None if columns is None else sp.csc_matrix(columns, shape=(size, size))
 
-    def solve(self, right: Array, rough: bool = False) -> Array:
-        """Solve with the last factors; ``rough`` is for those of another iterate, or for a mere estimate."""
+    def solve(self, right: Array, left: float = REFINED) -> Array:
+        """Solve with the last factors; a relative residual of ``left`` may be left."""
         start = perf_counter()
-        out = (
-            self._active.solve(right, ROUGH if rough else REFINED)
-            if self._rubbing is None
-            else self._with_rubbing(self._rubbing, right)
-        )
+        out = self._active.solve(right, left) if self._rubbing is None else self._with_rubbing(self._rubbing, right)
         self.clock.solve += perf_counter() - start
         return out
 

@@ -9,7 +9,7 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.linear import ROUGH, SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.continuation.thresholds import FARTHER_THAN_RATES
@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 def load_response(system: System, tangent: Tangent, unknowns: Array, before: float = 0.0, after: float = 1.0) -> Array:
     """Change (size,) of the unknowns with the load factor, for loads from one to another, by the last factors."""
     force = (system.external(unknowns, after) - system.external(unknowns, before)) / (after - before)
-    return tangent.solve(np.where(system.held, 0.0, force), rough=True)
+    return tangent.solve(np.where(system.held, 0.0, force), ROUGH)
 
 
 def rate_at(system: System, tangent: Tangent, at: Evaluation) -> tuple[float, int | None]:

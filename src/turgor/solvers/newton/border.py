@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.algebra.linear import SingularTangentError
+from turgor.engine.algebra.linear import REFINED, SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, Stresses
 from turgor.solvers.constraints.constraint import NUDGE, Conditions, Constraint
@@ -73,13 +73,16 @@ class Border:
         """Schur complement (k, k) of the tangent in the bordered matrix: D + C B."""
         return np.asarray(conditions.corner + conditions.rows @ self.responses.T)
 
-    def update(self, right: Array, conditions: Conditions, errors: Array, rough: bool = False) -> tuple[Array, Array]:
-        """Updates of unknowns and scalars for a right side of equilibrium and errors of the conditions."""
-        free = self.tangent.solve(right, rough)
+    def update(self, right: Array, conditions: Conditions, errors: Array, left: float = REFINED) -> tuple[Array, Array]:
+        """Updates of unknowns and scalars for a right side of equilibrium and errors of the conditions.
+
+        A relative residual of ``left`` may be left.
+        """
+        free = self.tangent.solve(right, left)
         if not len(errors):
             return free, errors
-        left = -errors - conditions.rows @ free
-        scalars = np.asarray(np.linalg.solve(self.stiffness(conditions), left), dtype=np.float64)
+        rest = -errors - conditions.rows @ free
+        scalars = np.asarray(np.linalg.solve(self.stiffness(conditions), rest), dtype=np.float64)
         return free + scalars @ self.responses, scalars
 
 

@@ -21,6 +21,7 @@ from turgor.engine.system import Evaluation, Stresses
 from turgor.solvers.constraints.constraint import Conditions, Constraint
 from turgor.solvers.newton.border import Border
 from turgor.solvers.newton.convergence import partners_settle, whole_residual
+from turgor.solvers.newton.forcing import forcing
 from turgor.solvers.newton.line_search import evaluate, line_search
 from turgor.solvers.newton.thresholds import (
     CUT_SHORT,
@@ -223,7 +224,8 @@ def _update(run: _Newton, now: _Iterate) -> tuple[Array, Array]:
         coupling, now.moved = run.border.factor(now.at, now.geometric, now.jump), 0.0
     right = -now.at.residual - coupling
     right[system.held] = now.jump
-    return run.border.update(right, now.conditions, now.conditions.errors, rough=not now.fresh)
+    left = forcing(now.fresh, run.border.tangent.iterative, now.residuals, run.settings.tolerance)
+    return run.border.update(right, now.conditions, now.conditions.errors, left)
 
 
 def _take(run: _Newton, now: _Iterate, step: tuple[Array, Array], reported: tuple[int, Report]) -> bool:
@@ -262,7 +264,8 @@ def _choose_factors(run: _Newton, now: _Iterate, last: Evaluation, update: Array
     wrinkles = run.constraint.sought.system.model.sheets_wrinkle  # every update changes which points are slack
     contracting = not wrinkles and residual < KEEP_FACTORS_CONTRACTION * previous and residual < KEEP_FACTORS_BELOW
     known = now.at.contacts.touch_as(last.contacts)
-    now.fresh = run.border.tangent.plain or bool(now.jump.any()) or not (contracting and known and length == 1)
+    always = run.border.tangent.plain or run.border.tangent.iterative
+    now.fresh = always or bool(now.jump.any()) or not (contracting and known and length == 1)
     if run.mixed and now.fresh:
         start = perf_counter()
         now.geometric = run.constraint.sought.system.stresses(last, length * update, now.geometric)
