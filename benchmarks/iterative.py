@@ -2,7 +2,8 @@
 
 Tangents and right sides are those of the first and of the last iteration of the first load step of three models: the
 six-chamber fast PneuNet of `case.py` with paper and without, and the reference bender. Run:
-python benchmarks/iterative.py [mesh size in mm, 1.15 by default] [size of the bender, M by default]; some minutes.
+python benchmarks/run.py iterative, or python benchmarks/iterative.py [mesh size in mm] [size of the bender]. It takes
+some minutes.
 """
 
 import sys
@@ -16,8 +17,8 @@ import numpy as np
 import turgor as tg
 from case import bender_model, growth_model
 from tables import table
-from turgor.engine.algebra.iterative import IterativeSolver
-from turgor.engine.algebra.levels import levels_of
+from turgor.engine.algebra.iterative.levels import levels_of
+from turgor.engine.algebra.iterative.solver import IterativeSolver
 from turgor.engine.algebra.linear import REFINED, ROUGH, linear_solver
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.algebra.tangent import Tangent
@@ -90,8 +91,13 @@ def section(size: float = 1.15e-3, bender: str = "M") -> str:
         system, both = recorded(model)
         for which, equations in zip(("first", "last"), both, strict=True):
             rows.append((name, which, *row(system, equations)))
-    head = ("model", "iteration", "unknowns", "factors", "factors, CPU s", "set-up, CPU s")
-    return table((*head, "GMRES to 1e-3: iterations, CPU s", "to 1e-6"), rows)
+    head = ("model", "iteration", "unknowns", "factors", "factors, s", "GMRES: set-up, s")
+    text = (
+        "The same equations solved by factors (rslab; single precision where that will do, one factorization and the "
+        "solution) and by GMRES with two levels; those of the first and of the last iteration of a first step. One "
+        "thread, CPU seconds; the analysis of the pattern is left out of both. Whole steps: `docs/architecture.md`."
+    )
+    return f"## Iterative solver\n\n{text}\n\n{table((*head, 'GMRES to 1e-3: iterations, s', 'to 1e-6'), rows)}\n"
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
 
-python benchmarks/run.py [bender] [demo] [growth] [contact] [bellows] [newton] [running] [meshing] [peers_S] [peers_M]
-    [peers_L]
+python benchmarks/run.py [bender] [demo] [growth] [contact] [bellows] [newton] [running] [meshing] [iterative]
+    [peers_S] [peers_M] [peers_L]
 
 All by default; renews results.md.
 """
@@ -20,6 +20,7 @@ import numpy as np
 
 import contact
 import contact_axisymmetric
+import iterative
 import meshing
 import newton
 import running
@@ -152,6 +153,7 @@ def main() -> None:
     parts = {"bender": bender, "demo": demo, "growth": growth, "contact": contact.section}
     parts["bellows"] = contact_axisymmetric.section
     parts |= {"newton": newton.section, "running": running.section, "meshing": meshing.section}
+    parts["iterative"] = iterative.section
     parts |= {f"peers_{size}": partial(compare.section, size) for size in compare.problem.STEPS}
     chosen = sys.argv[1:] or list(parts)
     if unknown := [name for name in chosen if name not in parts]:

@@ -5,13 +5,13 @@ import pytest
 import scipy.sparse as sp
 
 import turgor as tg
-from turgor.engine.algebra import iterative
-from turgor.engine.algebra.iterative import IterativeSolver
-from turgor.engine.algebra.krylov import BASIS, gmres
-from turgor.engine.algebra.levels import levels_of
+from turgor.engine.algebra.iterative import solver as module
+from turgor.engine.algebra.iterative.krylov import BASIS, gmres
+from turgor.engine.algebra.iterative.levels import levels_of
+from turgor.engine.algebra.iterative.node_blocks import block_structure, node_blocks
+from turgor.engine.algebra.iterative.solver import IterativeSolver
+from turgor.engine.algebra.iterative.two_level import TwoLevels
 from turgor.engine.algebra.linear import linear_solver
-from turgor.engine.algebra.node_blocks import block_structure, node_blocks
-from turgor.engine.algebra.two_level import TwoLevels
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import System
 from turgor.units import kPa, mm
@@ -98,7 +98,7 @@ def test_solutions_reach_the_residual_that_is_asked_for(tangent) -> None:
 
 def test_factors_take_over_where_it_does_not_converge(tangent, monkeypatch: pytest.MonkeyPatch) -> None:
     system, data, right = tangent
-    monkeypatch.setattr(iterative, "ITERATIONS", 3)
+    monkeypatch.setattr(module, "ITERATIONS", 3)
     solver = made(system)
     solver.factor(data)
     solution = solver.solve(right)

@@ -115,10 +115,25 @@ def test_a_rough_solution_takes_fewer_solves(monkeypatch: pytest.MonkeyPatch) ->
 
 @pytest.mark.usefixtures("large")
 def test_a_singular_matrix_is_an_error_in_both_precisions() -> None:
-    pattern, data, _ = saddle(softest=0.0)
+    pattern, data, _ = saddle()
+    data[-1] = 0.0
     solver = MixedPrecision(Rslab(pattern, 1), pattern)
+    solver.factor(data)  # single precision lifts the pivot, and the solution tells
+    with pytest.raises(SingularTangentError):
+        solver.solve(np.ones(pattern.size))
+    assert solver.double
     with pytest.raises(SingularTangentError):
         solver.factor(data)
+
+
+@pytest.mark.parametrize("softest", [1e-12, -1e-12])
+def test_single_precision_lifts_small_pivots_and_keeps_their_signs(softest: float) -> None:
+    pattern, data, negative = saddle(softest)
+    factors, right = Rslab(pattern, 1), np.ones(pattern.size)
+    for single, pivot in ((True, np.copysign(linear.FLOOR, softest)), (False, softest)):
+        factors.factor(data, single)
+        assert factors.solve(right)[-1] == pytest.approx(1 / pivot, rel=1e-6)
+        assert factors.negative_pivots() == negative + (softest < 0)
 
 
 def test_small_matrices_are_factored_in_double_precision() -> None:

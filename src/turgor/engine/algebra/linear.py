@@ -27,9 +27,16 @@ DISSECTED_FROM, DISSECTED_ALONE_FROM = 10_000, 40_000
 #: Name that asks for GMRES, of the equations that it is for; others are factored.
 ITERATIVE = "iterative"
 
-#: Refinements at most of a solution from single precision factors, and the relative residual that may be left: by new
-#: factors, and by those of an earlier iterate, which leave more than that of the residual anyway.
-REFINEMENTS = 4
+#: Size to which smaller scaled pivots are lifted in single precision. Incompressible rubber has zeros on the diagonal.
+#: What round-off made of them in bent states and beside paper spoiled the factors, so that double ones had to be made.
+FLOOR = 1e-5
+
+#: Refinements at most of a solution from single precision factors, and the share of the residual that each must be
+#: below: ten cost less than factors in double precision.
+REFINEMENTS, SETTLING = 10, 0.7
+
+#: Relative residual that may be left: by new factors, and by those of an earlier iterate, which leave more than that of
+#: the residual anyway.
 REFINED, ROUGH = 1e-5, 1e-3
 
 
@@ -115,10 +122,15 @@ class MixedPrecision:
         solution = self._factors.solve(right)
         if not self._single:
             return solution
+        size = last = float(np.linalg.norm(right))
         for _ in range(REFINEMENTS + 1):
             left_over = right - self._pattern.product(self._data, solution)
-            if float(np.linalg.norm(left_over)) <= left * float(np.linalg.norm(right)):
+            norm = float(np.linalg.norm(left_over))
+            if norm <= left * size:
                 return solution
+            if not norm <= SETTLING * last:
+                break
+            last = norm
             solution = solution + self._factors.solve(left_over)
         self.double = True
         self._factor_in_double()
@@ -158,7 +170,8 @@ class Rslab:
         self._factor = None  # frees the old factors before the new ones are made
         self._precision = np.float32 if single else np.float64  # of its own copy of the matrix, too
         try:
-            self._factor = self._symbolic.factor(data.astype(self._precision, copy=False), **self._settings)
+            floor = {"preconditioner": FLOOR} if single else {}
+            self._factor = self._symbolic.factor(data.astype(self._precision, copy=False), **self._settings, **floor)
         except RuntimeError as error:
             raise SingularTangentError(str(error)) from error
 

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, gmres
 
 from turgor.engine.algebra.free_solver import solver_of
-from turgor.engine.algebra.iterative import IterativeSolver
-from turgor.engine.algebra.levels import levels_of
+from turgor.engine.algebra.iterative.levels import levels_of
+from turgor.engine.algebra.iterative.solver import IterativeSolver
 from turgor.engine.algebra.linear import ITERATIVE, REFINED, LinearSolver, UnsymmetricSolver, linear_solver
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.evaluation import Evaluation, Stresses

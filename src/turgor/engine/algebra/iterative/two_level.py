@@ -10,9 +10,9 @@ import scipy.sparse as sp
 from numba import njit
 from numpy.typing import NDArray
 
-from turgor.engine.algebra.levels import Levels
+from turgor.engine.algebra.iterative.levels import Levels
+from turgor.engine.algebra.iterative.node_blocks import NodeBlocks, block_structure, node_blocks
 from turgor.engine.algebra.linear import Rslab
-from turgor.engine.algebra.node_blocks import NodeBlocks, block_structure, node_blocks
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.compiled import LOOP
 

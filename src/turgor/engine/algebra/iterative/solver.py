@@ -14,12 +14,12 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
-from turgor.engine.algebra.krylov import gmres
-from turgor.engine.algebra.levels import Levels
+from turgor.engine.algebra.iterative.krylov import gmres
+from turgor.engine.algebra.iterative.levels import Levels
+from turgor.engine.algebra.iterative.two_level import TwoLevels
 from turgor.engine.algebra.linear import REFINED, LinearSolver, Rslab
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.algebra.singular import SingularTangentError
-from turgor.engine.algebra.two_level import TwoLevels
 
 Array = NDArray[np.float64]
 

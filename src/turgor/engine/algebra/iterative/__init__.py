@@ -1,0 +1,1 @@
+"""Iterative: GMRES with a preconditioner of two levels, for large tangents that are not to be factored."""
