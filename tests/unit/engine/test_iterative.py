@@ -65,7 +65,7 @@ def test_blocks_hold_the_matrix_and_a_sweep_leaves_its_residual(tangent) -> None
     np.testing.assert_allclose(first, 0, atol=1e-4 * np.abs(right).max())
 
 
-def test_coarse_stiffness_is_that_between_linear_displacements(tangent) -> None:
+def test_a_cycle_solves_between_linear_displacements(tangent) -> None:
     system, data, _ = tangent
     levels = levels_of(system)
     assert levels is not None
@@ -80,6 +80,12 @@ def test_coarse_stiffness_is_that_between_linear_displacements(tangent) -> None:
     assert inverse._coarse is not None
     exact = sp.linalg.spsolve(coarse, right)
     np.testing.assert_allclose(inverse._coarse.solve(right), exact, atol=2e-3 * np.abs(exact).max())
+    forces = np.random.default_rng(4).standard_normal(3 * levels.nodes).astype(np.float32)
+    blocks = node_blocks(system.pattern, data, block_structure(system.pattern, levels.nodes))
+    solution, left = blocks.presmooth(forces)
+    solution += (down @ sp.linalg.spsolve(coarse, down.T @ left)).astype(np.float32)
+    blocks.postsmooth(forces, solution)
+    np.testing.assert_allclose(inverse.solve(forces), solution, atol=2e-3 * np.abs(solution).max())
 
 
 def test_solutions_reach_the_residual_that_is_asked_for(tangent) -> None:
