@@ -27,7 +27,7 @@ from turgor.solvers.continuation.path_points import (
 from turgor.solvers.continuation.predictor import BY_LOAD, gentle_share, predicted
 from turgor.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.solvers.continuation.step_control import StepControl
-from turgor.solvers.continuation.tangent_response import rate_at, response_in_step
+from turgor.solvers.continuation.tangent_response import others_move, rate_at, response_in_step
 from turgor.solvers.continuation.thresholds import (
     LONG_FIRST_STEP,
     RELAXATION_REACH,
@@ -216,8 +216,9 @@ class LoadStrategy:
         """Reject a state that may lie on another path, unless the step cannot be shorter."""
         system, now, why, rate, change = run.task.system, run.history[-1].parameter, None, inf, None
         if result.converged and result.evaluation is not None:
-            change = response_in_step(system, run.task.tangent, result.evaluation.unknowns, now, parameter)
-            rate = inf if change is None else float(np.linalg.norm(change[system.moving]))
+            change = response_in_step(run.constraint, run.task.tangent, result.evaluation, now)
+            known = change is not None and not others_move(system, now, parameter)
+            rate = float(np.linalg.norm(change[system.moving])) if known else inf
             if run.stepping.failed(parameter - now) is not None:
                 why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
         if not result.converged or result.evaluation is None or why is not None:

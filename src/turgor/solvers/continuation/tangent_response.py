@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 from turgor.engine.algebra.linear import ROUGH, SingularTangentError
 from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, System
+from turgor.solvers.constraints.constraint import NUDGE, Constraint
 from turgor.solvers.continuation.thresholds import FARTHER_THAN_RATES
+from turgor.solvers.newton.border import push
 
 Array = NDArray[np.float64]
 
@@ -37,19 +39,28 @@ def rate_at(system: System, tangent: Tangent, at: Evaluation) -> tuple[float, in
     return float(np.linalg.norm(response[system.moving])), tangent.unstable_modes()
 
 
-def response_in_step(system: System, tangent: Tangent, unknowns: Array, before: float, after: float) -> Array | None:
-    """Change (size,) of the unknowns with the load factor, for the loads of a step and by the last factors.
+def response_in_step(constraint: Constraint, tangent: Tangent, at: Evaluation, before: float) -> Array | None:
+    """Change (size,) of the unknowns with the load factor up to a state of load control, by the last factors.
 
-    None where supports or obstacles move or the rubber remembers, so that more than loads moves the body.
+    Of loads alone it is that of the whole step. Where supports or obstacles move too, it is that at its end, because a
+    point that an obstacle has not reached does not resist it yet. None where the rubber remembers, so that more than
+    these moves the body.
     """
-    obstacles = system.model.contact.obstacles
-    if (
-        system.materials.remembers
-        or (system.prescribed(before) != system.prescribed(after)).any()
-        or any((each.displacement(before) != each.displacement(after)).any() for each in obstacles)
-    ):
+    system = constraint.sought.system
+    if system.materials.remembers:
         return None
-    return load_response(system, tangent, unknowns, before, after)
+    if not others_move(system, before, at.load_factor):
+        return load_response(system, tangent, at.unknowns, before, at.load_factor)
+    moved, force = push(constraint, at, at.load_factor, np.empty(0), NUDGE)
+    return None if force is None else tangent.solve(np.where(system.held, moved, force), rough=True)
+
+
+def others_move(system: System, before: float, after: float) -> bool:
+    """Whether supports or obstacles move between two load factors."""
+    obstacles = system.model.contact.obstacles
+    return bool((system.prescribed(before) != system.prescribed(after)).any()) or any(
+        bool((each.displacement(before) != each.displacement(after)).any()) for each in obstacles
+    )
 
 
 def exceeds_tangent(system: System, change: Array, rise: float, rates: tuple[float, float]) -> bool:

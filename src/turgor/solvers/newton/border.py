@@ -92,12 +92,12 @@ def rates(
     """How unknowns and scalars change with the parameter up to a state, or ahead; None at a singular tangent."""
     sought, border = constraint.sought, Border(constraint, tangent)
     nudge = -NUDGE if ahead else NUDGE
-    moved, earlier = _before(constraint, at, parameter, scalars, nudge)
-    if earlier is None:
+    moved, force = push(constraint, at, parameter, scalars, nudge)
+    if force is None:
         return None
     try:
         border.factor(at, None, np.zeros(int(sought.system.held.sum())))
-        right = np.where(sought.system.held, moved, (earlier.residual - at.residual) / nudge)
+        right = np.where(sought.system.held, moved, force)
         conditions = constraint.target.conditions(at.unknowns, parameter, scalars)
         shifted = constraint.target.conditions(at.unknowns, parameter - nudge, scalars)
         unknowns, change = border.update(right, conditions, (conditions.errors - shifted.errors) / nudge)
@@ -106,13 +106,14 @@ def rates(
     return Rates(unknowns, change, sought.unstable(tangent.unstable_modes(), border.stiffness(conditions)))
 
 
-def _before(
+def push(
     constraint: Constraint, at: Evaluation, parameter: float, scalars: Array, nudge: float
-) -> tuple[Array, Evaluation | None]:
-    """Rates (size,) of the held unknowns, and the equations a nudge before a state with the supports moved back.
+) -> tuple[Array, Array | None]:
+    """Rates (size,) of the held unknowns with the parameter, and of the force that drives the others; None at a fold.
 
-    The difference of two residuals is taken, not the tangent, which leaves out what the pressure on a rim does when
-    supports move it.
+    All that a parameter drives takes part: loads, supports, obstacles, what rubber and friction remember. The
+    difference of two residuals is taken, a ``nudge`` before the state with the supports moved back, not the tangent,
+    which leaves out what the pressure on a rim does when supports move it.
     """
     system, before = constraint.sought.system, parameter - nudge
     factor, factor_before = (constraint.sought.load_factor(p, scalars) for p in (parameter, before))
@@ -122,4 +123,5 @@ def _before(
     if constraint.clock.duration is not None:  # rubber that relaxes does so on the way, too
         history = system.history(constraint.memory, constraint.clock.step_to(before))
     there = at.unknowns - nudge * moved
-    return moved, system.evaluate(there, factor_before, at.sought, history=history, addition=at.addition)
+    earlier = system.evaluate(there, factor_before, at.sought, history=history, addition=at.addition)
+    return moved, None if earlier is None else (earlier.residual - at.residual) / nudge

@@ -1,8 +1,11 @@
 """Steps of load control in which walls meet."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
+import contact_cases
 import turgor as tg
 from turgor.engine.system import System
 from turgor.solvers.continuation import load_control
@@ -28,6 +31,12 @@ def finger(pressure: float) -> tg.Model:
         supports=[tg.Fixed("fixed")],
         loads=[tg.Pressure("cavity", pressure)],
     )
+
+
+def block_under_a_ball() -> tg.Model:
+    """A block that a ball of stone is pressed into."""
+    ball = tg.obstacles.Sphere(center=(5 * mm, 5 * mm, 9 * mm), radius=4 * mm)
+    return contact_cases.standing(contact_cases.block((3, 3, 2)), contact_cases.pushed(ball, (0.0, 0.0, -1.2)))
 
 
 @pytest.fixture(scope="module")
@@ -61,7 +70,10 @@ def test_a_step_that_brings_no_wall_to_another_is_taken_whole(path: tuple[System
     assert gentle_share(system, points[:1], BEYOND) == 1.0  # nothing to extrapolate
 
 
-def test_walls_that_touch_move_on_along_the_tangent(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("model", [lambda: finger(HARDER), block_under_a_ball], ids=["walls", "a moving obstacle"])
+def test_what_touches_moves_on_along_the_tangent(
+    model: Callable[[], tg.Model], monkeypatch: pytest.MonkeyPatch
+) -> None:
     starts = {}
 
     def noted(constraint, tangent, history, parameter, how):  # type: ignore[no-untyped-def]
@@ -69,7 +81,7 @@ def test_walls_that_touch_move_on_along_the_tangent(monkeypatch: pytest.MonkeyPa
         return starts[parameter][1]
 
     monkeypatch.setattr(load_control, "predicted", noted)
-    solution = tg.solve(finger(HARDER), tg.Static(at=(TOUCHING, NEXT)))
+    solution = tg.solve(model(), tg.Static(at=(TOUCHING, NEXT)))
     system = System(solution.model)
     there = next(unknowns_of(system, state) for state in solution.states if state.load_factor == NEXT)
     last, start = starts[NEXT]
