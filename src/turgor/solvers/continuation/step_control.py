@@ -87,7 +87,7 @@ class StepControl:
         >>> from turgor.solvers.procedures.static import Static
         >>> control = StepControl.of(Static(first_step=0.2, max_step=0.5))
         >>> [round(control.accepted(0.1, 4, touches).length, 3) for touches in (False, True)]
-        [0.3, 0.15]
+        [0.3, 0.175]
         """
         comfortable = max(self.comfortable, TOUCHING_ITERATIONS) if touches else self.comfortable
         factor = min(TOUCHING_GROWTH if touches else 2.0, max(0.5, comfortable / max(iterations, 1)))
