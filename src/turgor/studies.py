@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from turgor.optimization.search import Ending as Ending
     from turgor.optimization.search import Search as Search
     from turgor.optimization.searches.starts import Descent as Descent
-    from turgor.optimization.slopes import with_slopes as with_slopes
     from turgor.sensitivity.anova import Anova as Anova
     from turgor.sensitivity.anova import Term as Term
     from turgor.sensitivity.anova import anova as anova
@@ -73,6 +72,7 @@ if TYPE_CHECKING:
     from turgor.study.running.workers import Workers as Workers
     from turgor.study.runs import Computed as Computed
     from turgor.study.runs import Run as Run
+    from turgor.study.slopes import with_slopes as with_slopes
     from turgor.study.study import Row as Row
     from turgor.study.study import Study as Study
     from turgor.study.workspaces import WorkspaceRuns as WorkspaceRuns

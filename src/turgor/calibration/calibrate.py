@@ -1,6 +1,7 @@
 """calibrate: find parameters of a model, or of a rig, from experiments."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -28,8 +29,9 @@ def calibrate(
     """Fit parameters to one experiment or several through a model.
 
     The differences of all trials at the measured rows, each over its standard deviation, and those of priors are
-    minimized by bounded least squares. Derivatives are finite differences, whose runs are computed at once in several
-    processes; between them, Broyden updates do without further runs.
+    minimized by bounded least squares. Derivatives are those that the functions add to their responses
+    (`turgor.studies.with_slopes`), as jobs do where they can be differentiated. Else they are finite differences, whose
+    runs are computed at once in several processes; between them, Broyden updates do without further runs.
 
     Parameters
     ----------
@@ -84,7 +86,7 @@ def calibrate(
     if most < 2 + len(free):
         raise TurgorError(f"most_solves is {most}; allowed is {2 + len(free)} or more.")
     before = len(runs.ended)
-    begun, data = _paired([*asked, *hold_out], free, runs)
+    begun, data = _paired([*asked, *(_without_slopes(each, asked) for each in hold_out)], free, runs)
     fitted, predicted = data[: len(asked)], data[len(asked) :]
     parameters = (*free, *(rig_parameter(each, fitted) for each in rig))
     check_names(parameters)
@@ -94,6 +96,12 @@ def calibrate(
         objective = objective.reweighted(found.residuals)
         found = search(objective, found.at, before + most)
     return _calibration(objective, found, predicted, begun, before)
+
+
+def _without_slopes(held_out: Trial, fitted: Sequence[Trial]) -> Trial:
+    """Ask for no derivatives of what is predicted, unless the same run serves a trial that is fitted."""
+    shared = any(each.function is held_out.function and each.values == held_out.values for each in fitted)
+    return held_out if shared else replace(held_out, slopes={})
 
 
 def _paired(
@@ -133,7 +141,7 @@ def _calibration(
     return Calibration(
         parameters=parameters, values=values, estimate=known, fits=fits_, held_out=tuple(held_out), status=status,
         message=message, advice=advice, solves=len(own), computed=sum(not each.again for each in own),
-        failures=tuple(failures),
+        derivatives=objective.derivatives(found.at), failures=tuple(failures),
     )  # fmt: skip
 
 

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from turgor.calibration.curve import PathCurve
 from turgor.calibration.result import Calibration, Fitted
-from turgor.calibration.trial import curve_at
 from turgor.laboratory.compare import first_branch
 from turgor.response import Column, unit_text
 from turgor.results.plots.figures import PlotFigure
@@ -62,7 +62,7 @@ def _panel(upper: Any, lower: Any, each: Fitted, held_out: bool) -> None:
         at = np.linspace(
             np.nanmin(known), min(float(np.nanmax(known)), 1.1 * float(np.max(rows.columns[0].values))), POINTS
         )
-        curve = Column(data.y, y.unit, curve_at(response, data.x, data.y, at))
+        curve = Column(data.y, y.unit, PathCurve.of(response, data.x, data.y).at(at))
         ends[label] = curve.in_unit
         color = QUIET if style == "--" else BLUE
         upper.plot(Column(data.x, x.unit, at).in_unit, curve.in_unit, style, color=color, lw=1.8, label=label)

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable, Sequence
 
+from turgor.calibration.job_model import calibrated_job
 from turgor.calibration.objective import with_prior
 from turgor.calibration.parameter import Parameter
 from turgor.calibration.trial import Trial
 from turgor.errors import TurgorError, unknown
 from turgor.response import Response
-from turgor.study.job_runs import solved_job
 from turgor.study.jobs.job_file import JobFile, keys_of
 from turgor.study.jobs.job_numbers import JobNumber, find_number, read_number
 
@@ -19,7 +19,13 @@ MESHED_STEP, STEP = 0.03, 0.01
 
 
 def job_trial(
-    job: JobFile, measured: Response, *, y: str | None = None, x: str | None = None, spread: float | None = None
+    job: JobFile,
+    measured: Response,
+    *,
+    y: str | None = None,
+    x: str | None = None,
+    spread: float | None = None,
+    fitted: Sequence[Response] = (),
 ) -> Trial:
     """Return an experiment with a job as its model.
 
@@ -29,12 +35,20 @@ def job_trial(
     measured : Response
     y, x, spread
         Of `Trial`.
+    fitted : sequence of Response
+        All experiments that are fitted with the job, so that one run serves them all; by default this one alone.
 
     Returns
     -------
     Trial
     """
-    return Trial(measured=measured, function=solved_job, y=y, x=x, spread=spread, values=job.values, gather="numbers")
+    columns = list(dict.fromkeys(name for each in fitted or (measured,) for name in each.names))
+    drives = [x.partition("=")[0].strip()] if x else columns
+    names = [y.partition("=")[0].strip()] if y else columns
+    return Trial(
+        measured=measured, function=calibrated_job, y=y, x=x, spread=spread, values=job.values, gather="numbers",
+        slopes={"slopes": [drives, names]},
+    )  # fmt: skip
 
 
 def free_parameters(texts: Iterable[str], priors: Iterable[str], job: JobFile) -> tuple[Parameter, ...]:

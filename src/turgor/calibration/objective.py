@@ -1,4 +1,4 @@
-"""Objective: weighted differences of all trials and the priors, and their derivatives by finite differences."""
+"""Objective: weighted differences of all trials and the priors, and their derivatives."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -32,7 +32,7 @@ class Objective:
     parameters : tuple of Parameter
         Those of the model, then those of the rig.
     models : int
-        Number of those of the model; the others cost no run.
+        Number of those of the model; derivatives by the others cost no run.
     data : tuple of Data
         One for each trial.
     evaluations : Evaluations
@@ -69,9 +69,11 @@ class Objective:
         low, high = ([each.coordinate(each.bounds[side]) for each in self.parameters] for side in (0, 1))
         return np.array(low), np.array(high)
 
-    def ended(self, points: Sequence[Array]) -> list[list[Ended]]:
+    def ended(self, points: Sequence[Array], slopes: bool = True) -> list[list[Ended]]:
         """Return how the runs of the trials ended at each point; all points are one batch."""
-        runs = [each.trial.run(values_at(self.parameters, at), each.taken) for at in points for each in self.data]
+        runs = [
+            each.trial.run(values_at(self.parameters, at), each.taken, slopes) for at in points for each in self.data
+        ]
         found, count = self.evaluations.of(runs), len(self.data)
         return [found[k * count : (k + 1) * count] for k in range(len(points))]
 
@@ -84,33 +86,55 @@ class Objective:
         return self._weighted(at, self.responses(at))
 
     def jacobian(self, at: Array) -> Array:
-        """Return the derivatives of `residuals` at a point, (m, n): runs at once, for the parameters of the model."""
-        steps = [self._step(k, at) for k in range(self.models)]
-        moved = [at + step for step in steps]
-        batches = self.ended([at, *moved])
-        here = self._weighted(at, [_response(each) for each in batches[0]])
-        table = np.empty((len(here), len(self.parameters)))
-        for k, (step, batch) in enumerate(zip(steps, batches[1:], strict=True)):
-            to, responses = moved[k], [_response(each) for each in batch]
+        """Return the derivatives of `residuals` at a point, (m, n): what is not known costs runs, all at once."""
+        table = self.known_jacobian(at)
+        unknown = np.flatnonzero(~known_columns(table))
+        if not len(unknown):
+            return table
+        here, steps = self.residuals(at), [self._step(int(k), at) for k in unknown]
+        batches = self.ended([at + step for step in steps], slopes=False)
+        for k, step, batch in zip(unknown, steps, batches, strict=True):
+            to, responses = at + step, [_response(each) for each in batch]
             if any(each is None for each in responses):  # the other side may run
                 to = at - step
-                responses = self.responses(to)
-            table[:, k] = self._slope(at, here, to, responses) if all(responses) else 0.0
-        table[:, self.models :] = self.rig_jacobian(at)
+                responses = [_response(each) for each in self.ended([to], slopes=False)[0]]
+            known = all(each is not None for each in responses)
+            table[:, k] = (self._weighted(to, responses) - here) / (to - at).sum() if known else 0.0
         return table
 
-    def rig_jacobian(self, at: Array) -> Array:
-        """Return the derivatives by the parameters of the rig, (m, n); they cost no run."""
-        responses = self.responses(at)
-        here = self._weighted(at, responses)
-        columns = []
-        for k in range(self.models, len(self.parameters)):
-            to = at + self._step(k, at)
-            columns.append(self._slope(at, here, to, responses))
-        return np.array(columns).T.reshape(len(here), len(columns))
+    def known_jacobian(self, at: Array) -> Array:
+        """Return the derivatives that cost no run besides that at the point, (m, n); nan in columns that are unknown.
 
-    def _slope(self, at: Array, here: Array, to: Array, responses: Sequence[Response | None]) -> Array:
-        return np.asarray((self._weighted(to, responses) - here) / (to - at).sum())
+        Known are those by parameters of the rig, and by those of the model of which the responses have slopes.
+        """
+        values, names = values_at(self.parameters, at), [each.name for each in self.parameters]
+        by_coordinate = np.array([each.slope(values[each.name]) for each in self.parameters])
+        parts = []
+        for each, response in zip(self.data, self.responses(at), strict=True):
+            rows = np.zeros((len(each.value), len(names)))
+            if response is None:
+                rows[:, : self.models] = np.nan
+            else:
+                rows = each.slopes(response, values, names) / each.spread[:, None]
+                far = np.abs(each.differences(response, values) / each.spread) >= FAILED
+                rows[far] = np.where(np.isnan(rows[far]), np.nan, 0.0)
+            parts.append(rows)
+        priors = [(np.array(names) == each.name) / each.prior[1] for each in self.parameters if each.prior is not None]
+        return np.vstack([*parts, *priors]) * by_coordinate
+
+    def derivatives(self, at: Array) -> str:
+        """Say by which parameters of the model the derivatives at a point are exact, and why not by others."""
+        known = known_columns(self.known_jacobian(at))
+        names = [each.name for each in self.parameters[: self.models]]
+        exact = [name for name, is_known in zip(names, known, strict=False) if is_known]
+        others = [name for name in names if name not in exact]
+        notes = [note for each in self.ended([at])[0] if each.found is not None for note in each.found.notes]
+        if not others:
+            return "The derivatives are exact, from each run itself."
+        if not exact:
+            return " ".join(["The derivatives are differences of runs.", *dict.fromkeys(notes)])
+        mixed = f"The derivatives by {', '.join(exact)} are exact, those by {', '.join(others)} differences of runs."
+        return " ".join([mixed, *dict.fromkeys(notes)])
 
     def _step(self, k: int, at: Array) -> Array:
         """Step of the differences of one parameter, away from the nearer bound."""
@@ -131,6 +155,20 @@ class Objective:
             (values[each.name] - each.prior[0]) / each.prior[1] for each in self.parameters if each.prior is not None
         ]
         return np.concatenate([*parts, priors])
+
+
+def known_columns(table: Array) -> NDArray[np.bool_]:
+    """Return which columns of a Jacobian are known.
+
+    Parameters
+    ----------
+    table : (m, n) array
+
+    Returns
+    -------
+    (n,) array of bool
+    """
+    return np.asarray(~np.isnan(table).any(axis=0))
 
 
 def rig_parameter(asked: str | Parameter, data: Sequence[Data]) -> Parameter:

@@ -98,6 +98,8 @@ class Calibration:
         Number of runs of all functions.
     computed : int
         Those that were not read from disk.
+    derivatives : str
+        How the derivatives were found, and why.
     failures : tuple of str
         Runs that failed on the way, with the reasons.
     """
@@ -112,6 +114,7 @@ class Calibration:
     advice: str
     solves: int
     computed: int
+    derivatives: str = ""
     failures: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
@@ -168,6 +171,7 @@ class Calibration:
                     f"{each.shown(each.rms)} (RMS), {each.shown(each.rms_start)} at the start"
                 )
         lines += [*self._correlated(), *self.undetermined, *self.estimate.notes]
+        lines += [self.derivatives] if self.derivatives else []
         lines.append(f"{self.message} {self.advice}".strip())
         return "\n".join(lines)
 

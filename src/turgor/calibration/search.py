@@ -1,4 +1,4 @@
-"""Search: bounded least squares with few runs; Broyden updates stand in for finite differences between iterations."""
+"""Search: bounded least squares with few runs; Broyden updates stand in for derivatives that cost runs."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares, lsq_linear
 
-from turgor.calibration.objective import Objective
+from turgor.calibration.objective import Objective, known_columns
 
 Array = NDArray[np.float64]
 
@@ -43,7 +43,7 @@ class Found:
         Coordinates.
     residuals : (m,) array
     jacobian : (m, n) array
-        By finite differences at this point.
+        At this point: by slopes of the responses, else by finite differences.
     converged : bool
         False where the runs were used up.
     """
@@ -59,15 +59,15 @@ class _SpentError(Exception):
 
 
 class _IdleError(Exception):
-    """The last runs gained next to nothing."""
+    """The last runs gained next to nothing, or no further one would."""
 
 
 def search(objective: Objective, start: Array, most: int) -> Found:
     """Minimize half the sum of squares within the bounds.
 
-    Each round begins with a Jacobian by finite differences, goes on with Broyden updates of it, one run an iteration,
-    and ends where these find no lower point. The last round confirms with its Jacobian that no step is left, which the
-    standard errors need as well.
+    Each round begins with a Jacobian, by finite differences where the responses have no slopes. It goes on with one run
+    an iteration and ends where these find no lower point: slopes are fresh at every point, Broyden updates stand in for
+    differences. The last round confirms with its Jacobian that no step is left, which the standard errors need as well.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ def search(objective: Objective, start: Array, most: int) -> Found:
 
 
 def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> Array | None:
-    """Return the lowest point that Broyden updates of a Jacobian lead to; None where no run is left."""
+    """Return the lowest point that a Jacobian which follows leads to; None where no run is left."""
     low, high = objective.limits
     here = objective.residuals(at)
     best: dict[str, Any] = {"at": at, "cost": _cost(here), "idle": 0}
@@ -127,7 +127,7 @@ def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> A
         if np.any((full <= low) | (full >= high)):  # the search within the bounds only comes close to them
             residuals(np.clip(full, low, high))
             begun = best["at"]
-        follow = _Broyden(objective, at, jacobian)
+        follow = _Following(objective, at, jacobian)
         least_squares(
             residuals, np.clip(begun, low, high), jac=follow, bounds=(low, high),
             ftol=RELATIVE_GAIN, xtol=SMALLEST_STEP, gtol=None, max_nfev=8 + 2 * len(at),
@@ -139,24 +139,28 @@ def _one_round(objective: Objective, at: Array, jacobian: Array, most: int) -> A
     return None if spent and best["at"] is at else np.asarray(best["at"])
 
 
-class _Broyden:
-    """A Jacobian that follows the search: exact for the rig, updated by secants for the model."""
+class _Following:
+    """A Jacobian that follows the search: exact where it costs no runs, updated by secants elsewhere (Broyden)."""
 
     def __init__(self, objective: Objective, at: Array, jacobian: Array) -> None:
         self.objective, self.at, self.jacobian = objective, at.copy(), jacobian.copy()
 
     def __call__(self, to: Array) -> Array:
-        models, step = self.objective.models, to - self.at
+        step = to - self.at
         if not np.any(step):
             return self.jacobian
-        change = self.objective.residuals(to) - self.objective.residuals(self.at)
-        rig = self.objective.rig_jacobian(to)
-        mean = (rig + self.jacobian[:, models:]) / 2
-        missed = change - self.jacobian[:, :models] @ step[:models] - mean @ step[models:]
-        length = float(step[:models] @ step[:models])
+        exact = self.objective.known_jacobian(to)
+        known = known_columns(exact)
+        here = self.objective.residuals(to)
+        if known.all() and _no_step_left(self.objective, to, here, exact):
+            raise _IdleError
+        mean = (exact[:, known] + self.jacobian[:, known]) / 2
+        missed = here - self.objective.residuals(self.at) - mean @ step[known]
+        missed -= self.jacobian[:, ~known] @ step[~known]
+        length = float(step[~known] @ step[~known])
         if length > 0:
-            self.jacobian[:, :models] += np.outer(missed, step[:models]) / length
-        self.jacobian[:, models:] = rig
+            self.jacobian[:, ~known] += np.outer(missed, step[~known]) / length
+        self.jacobian[:, known] = exact[:, known]
         self.at = to.copy()
         return self.jacobian
 

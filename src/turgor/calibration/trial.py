@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import PchipInterpolator
 
+from turgor.calibration.curve import PathCurve
 from turgor.calibration.parameter import OFFSET, SCALE, Parameter
 from turgor.errors import TurgorError, unknown
 from turgor.laboratory.compare import compare, first_branch
@@ -43,6 +43,9 @@ class Trial:
         Further arguments of the function in this trial.
     gather : str
         Name of an argument of the function that takes all parameters as one mapping; by default each is a keyword.
+    slopes : mapping
+        Further arguments with which the function adds derivatives by the parameters (`turgor.studies.with_slopes`),
+        where they cost something. A function that adds them anyway needs none.
     name : str
         Short name; by default the source of the experiment.
     """
@@ -54,6 +57,7 @@ class Trial:
     spread: float | None = None
     values: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     gather: str = ""
+    slopes: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     name: str = ""
 
     def __post_init__(self) -> None:
@@ -70,12 +74,13 @@ class Trial:
         takes = signature(self.function).parameters
         return tuple(name for name in names if name in takes)
 
-    def run(self, values: Mapping[str, float], taken: Sequence[str]) -> Run:
-        """Return the run of the function with values of parameters."""
+    def run(self, values: Mapping[str, float], taken: Sequence[str], slopes: bool = True) -> Run:
+        """Return the run of the function with values of parameters, with or without its derivatives."""
         given = {name: values[name] for name in taken}
         shown = ", ".join(f"{name} {value:.5g}" for name, value in given.items())
+        asked = self.slopes if slopes else {}
         keywords: dict[str, Any] = {self.gather: given} if self.gather else given
-        return Run(name=f"{self.name}: {shown}", function=self.function, values={**self.values, **keywords})
+        return Run(name=f"{self.name}: {shown}", function=self.function, values={**self.values, **asked, **keywords})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -121,7 +126,25 @@ class Data:
     def differences(self, computed: Response, rig: Mapping[str, float]) -> Array:
         """Return computed minus measured, (n,) [SI]; beyond its ends the computed curve goes on straight."""
         drive, value = self.corrected(rig)
-        return curve_at(computed, self.x, self.y, drive) - value
+        return PathCurve.of(computed, self.x, self.y).at(drive) - value
+
+    def slopes(self, computed: Response, rig: Mapping[str, float], names: Sequence[str]) -> Array:
+        """Return the derivatives (n, k) [SI] of the differences by parameters of the model or the rig by name.
+
+        They are nan by a parameter of the model of which the response has no slopes.
+        """
+        drive, _ = self.corrected(rig)
+        curve = PathCurve.of(computed, self.x, self.y)
+        found = np.zeros((len(drive), len(names)))
+        taken = [k for k, name in enumerate(names) if name in self.taken]
+        found[:, taken] = curve.slopes(drive, computed, (self.x, self.y), [names[k] for k in taken])
+        one = np.ones(len(drive))
+        of_rig = {self.y + OFFSET: -one, self.y + SCALE: -self.value}  # of one name the drive comes first
+        of_rig |= {self.x + OFFSET: curve.rise(drive), self.x + SCALE: curve.rise(drive) * self.drive}
+        for k, name in enumerate(names):
+            if name in of_rig:
+                found[:, k] = of_rig[name]
+        return found
 
     def beyond(self, computed: Response, rig: Mapping[str, float]) -> int:
         """Count the measured rows beyond the computed range."""
@@ -174,38 +197,6 @@ def _spread(trial: Trial, name: str, values: Array, known: NDArray[np.bool_]) ->
         # where repeated runs meet, such as at zero, their spread says nothing about the gauge
         return np.maximum(np.nan_to_num(spread), 0.25 * float(np.nanmedian(spread)) or ASSUMED_SPREAD * reach), False
     return np.full(len(values), ASSUMED_SPREAD * reach), True
-
-
-def curve_at(response: Response, x: str, y: str, at: Array) -> Array:
-    """Interpolate a computed curve, smoothly where it is (PCHIP), and straight on beyond its ends.
-
-    Parameters
-    ----------
-    response : Response
-        Its part before the drive turns is taken.
-    x, y : str
-        Columns.
-    at : (n,) array [SI]
-
-    Returns
-    -------
-    (n,) array [SI]
-
-    Raises
-    ------
-    TurgorError
-        If the curve has fewer than two points.
-    """
-    curve, _ = first_branch(response, x)
-    known = np.isfinite(curve.column(x)) & np.isfinite(curve.column(y))
-    drive, places = np.unique(curve.column(x)[known], return_index=True)
-    values = curve.column(y)[known][places]
-    if len(drive) < 2:
-        raise TurgorError(f"the path has {len(drive)} states with '{x}' and '{y}'; two are needed. {response.message}")
-    inside = np.clip(at, drive[0], drive[-1])
-    found = np.asarray(PchipInterpolator(drive, values)(inside))
-    first, last = np.diff(values[[0, 1, -2, -1]])[[0, 2]] / np.diff(drive[[0, 1, -2, -1]])[[0, 2]]
-    return np.asarray(found + np.where(at < drive[0], first, last) * (at - inside))
 
 
 def check_taken(trials: Sequence[Trial], parameters: Sequence[Parameter]) -> None:

@@ -67,6 +67,7 @@ def as_numbers(found: Calibration) -> dict[str, Any]:
         "advice": found.advice,
         "solves": found.solves,
         "computed": found.computed,
+        "derivatives": found.derivatives,
         "parameters": [
             {
                 "name": each.name,

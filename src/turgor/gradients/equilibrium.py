@@ -1,7 +1,7 @@
 """Equilibrium: a state of a path as a solution of its equations, with the factors of their tangent at hand."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
 
@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.linear import SingularTangentError
-from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.chambers import Chambers
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import Evaluation, System
 from turgor.errors import TurgorError
 from turgor.gradients.refusals import limit_point
+from turgor.gradients.systems import Systems
 from turgor.solvers.constraints.cavities import CavityPressures, VolumeTarget
 from turgor.solvers.constraints.constraint import Conditions, Constraint, Target
 from turgor.solvers.constraints.loads import load_control
@@ -66,6 +66,8 @@ class Equilibrium:
     at : Evaluation
     scalars : (k,) array
         The pressures that are sought.
+    systems : Systems
+        Equations that were set up before.
     """
 
     state: State
@@ -75,6 +77,7 @@ class Equilibrium:
     constraint: Constraint
     at: Evaluation
     scalars: Array
+    systems: Systems
 
     @cached_property
     def conditions(self) -> Conditions:
@@ -140,7 +143,9 @@ def _refined(once: Callable[[Array, Array], Pair], left: Callable[[Array, Array]
     return unknowns, scalars
 
 
-def equilibrium_of(state: State, procedure: OneProcedure, options: EngineOptions) -> Equilibrium:
+def equilibrium_of(
+    state: State, procedure: OneProcedure, options: EngineOptions, systems: Systems | None = None
+) -> Equilibrium:
     """Find a state again, more accurately than a solve does, and factor the tangent there.
 
     Parameters
@@ -148,6 +153,8 @@ def equilibrium_of(state: State, procedure: OneProcedure, options: EngineOptions
     state : State
     procedure : OneProcedure
     options : EngineOptions
+    systems : Systems, optional
+        Where several states of a path are differentiated.
 
     Returns
     -------
@@ -158,21 +165,24 @@ def equilibrium_of(state: State, procedure: OneProcedure, options: EngineOptions
     TurgorError
         If Newton's method does not find the state, or the tangent is singular there.
     """
-    system = System(state.model, controlled_cavities(state, procedure))
+    systems = systems or Systems()
+    system = systems.of(state.model, controlled_cavities(state, procedure))
     constraint = constraint_of(system, state, procedure)
     try:
-        result, border = _found_again(state, constraint, options)
+        result, border = _found_again(state, constraint, options, systems)
     except (SingularTangentError, np.linalg.LinAlgError):
         raise limit_point(state) from None
     at = result.evaluation
     assert at is not None  # _found_again has it
     conditions = constraint.target.conditions(at.unknowns, state.load_factor, result.scalars)
-    if whole_residual(system, at, conditions) > ENOUGH:
+    if state.displacement.any() and whole_residual(system, at, conditions) > ENOUGH:
         raise limit_point(state)
-    return Equilibrium(state, procedure, system, border, constraint, at, result.scalars)
+    return Equilibrium(state, procedure, system, border, constraint, at, result.scalars, systems)
 
 
-def _found_again(state: State, constraint: Constraint, options: EngineOptions) -> tuple[NewtonResult, Border]:
+def _found_again(
+    state: State, constraint: Constraint, options: EngineOptions, systems: Systems
+) -> tuple[NewtonResult, Border]:
     """Newton's method from a state, with factors of the tangent where it begins, and the tangent where it ends.
 
     What a solve leaves takes one update as a rule, after which the factors are as good as new: answers are refined.
@@ -186,13 +196,14 @@ def _found_again(state: State, constraint: Constraint, options: EngineOptions) -
     if begin is None:
         raise limit_point(state)
     system.lay_out(begin)  # the tangent is analyzed once, with what touches
-    tangent = Tangent(system, options.linear_solver, options.threads)
-    tangent.use_double()  # a solution in single precision takes two or three refinements, and every answer five of them
+    tangent = systems.tangent_of(state.model, system, options)
     border = Border(constraint, tangent)
     if not len(scalars):
         border.factor(begin, None, np.zeros(int(system.held.sum())))
     start = Start(unknowns, None, scalars, begin, fresh=bool(len(scalars)))
-    result = newton_with_contact(constraint, tangent, start, state.load_factor, SETTINGS, silent)
+    loaded = bool(state.displacement.any())  # at rest there is nothing but round-off to compare a residual with
+    settings = SETTINGS if loaded else replace(SETTINGS, max_iterations=1)
+    result = newton_with_contact(constraint, tangent, start, state.load_factor, settings, silent)
     at = result.evaluation
     if at is None or not np.isfinite(result.residual):
         raise limit_point(state)

@@ -14,6 +14,7 @@ from turgor.gradients.keys import model_variation
 from turgor.gradients.measured import Reading, chosen_measures
 from turgor.gradients.refusals import check_state, procedures_before
 from turgor.gradients.result import Gradient, numbers_in
+from turgor.gradients.systems import Systems
 from turgor.gradients.variation import Variation
 from turgor.response import Column
 from turgor.results.measures.reading import Measure
@@ -61,6 +62,30 @@ def gradient(
         If the state depends on more than its equations (motion, friction, rubber that relaxes or softens), lies at a
         limit point, or a number is unknown or cannot change by little.
     """
+    return gradient_with(Systems(), solution, measures, wrt, state, options)
+
+
+def gradient_with(
+    systems: Systems,
+    solution: Solution,
+    measures: Measure | str | Sequence[Measure | str],
+    wrt: str | Sequence[str] | Variation,
+    state: int,
+    options: EngineOptions | None,
+) -> Gradient:
+    """Differentiate measures at one of several states; see `gradient`.
+
+    Parameters
+    ----------
+    systems : Systems
+        The same for all states.
+    solution, measures, wrt, state, options
+        Those of `gradient`. A `Variation` that gives the same model again for the same values spares its equations.
+
+    Returns
+    -------
+    Gradient
+    """
     began = perf_counter()
     options = options or EngineOptions()
     at = check_state(solution, state)
@@ -69,7 +94,7 @@ def gradient(
     variation = wrt if isinstance(wrt, Variation) else model_variation(at.model, [wrt] if isinstance(wrt, str) else wrt)
     threads = options.threads if at.model.mesh.unknown_count >= FEW_UNKNOWNS else 1
     with use_threads(threads):
-        base = equilibrium_of(at, procedure, replace(options, threads=threads))
+        base = equilibrium_of(at, procedure, replace(options, threads=threads), systems)
         reading = Reading(base, chosen)
         found = derived(base, reading, carried(variation, at.model.mesh))
         values = reading.along(solution, state % len(solution.states))

@@ -198,7 +198,8 @@ def _neighbor(base: Equilibrium, variation: Variation, name: str, steps: int) ->
     model = variation.model(values)
     procedure = base.procedure if variation.procedure is None else variation.procedure(values)
     _check_cells(base.state.model.mesh, model.mesh, name)
-    system = System(_touching(base, model), base.system.controlled, like=base.system)
+    asked, touching = _touching(base, model)
+    system = base.systems.near(model, asked, touching, base.system)
     if system.size != base.system.size or not np.array_equal(system.held, base.system.held):
         raise TurgorError(_other_unknowns(base, name))
     for part, known in zip(system.contact.parts, base.system.contact.parts, strict=False):
@@ -207,12 +208,12 @@ def _neighbor(base: Equilibrium, variation: Variation, name: str, steps: int) ->
     return system, model, constraint_of(system, base.state, procedure)
 
 
-def _touching(base: Equilibrium, model: Model) -> Model:
+def _touching(base: Equilibrium, model: Model) -> tuple[Model, bool]:
     """The model with what may touch at the state, none where nothing does: a third of the time went into finding it."""
     if not (base.at.contacts.touch or base.system.contact.bodies.names):
-        return replace(model, contact=Contact(self_contact=False))
+        return replace(model, contact=Contact(self_contact=False)), False
     known = base.state.model.contact.for_mesh(base.state.model.mesh)
-    return replace(model, contact=Contact(known or False, model.contact.obstacles, model.contact.tolerance))
+    return replace(model, contact=Contact(known or False, model.contact.obstacles, model.contact.tolerance)), True
 
 
 def _check_cells(known: Mesh, mesh: Mesh, name: str) -> None:

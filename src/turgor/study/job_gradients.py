@@ -1,21 +1,22 @@
 """Gradients of jobs: derivatives of measures by the numbers of a job file."""
 
 import tomllib
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from turgor.engine.runtime import EngineOptions
 from turgor.errors import TurgorError
-from turgor.gradients.gradient import gradient
+from turgor.gradients.gradient import gradient_with
 from turgor.gradients.result import Gradient
+from turgor.gradients.systems import Systems
 from turgor.gradients.variation import Variation
 from turgor.job.job import Job
 from turgor.job.meshes import new_mesh_of
 from turgor.job.prepare import model_of, prepare
 from turgor.job.read import read_job
-from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.response import COLUMN_UNITS
 from turgor.results.measures.reading import Measure
@@ -76,64 +77,121 @@ def gradient_of_job(
     """
     if not keys:
         raise TurgorError("a gradient needs a number of the job; name one or more, such as 'materials.body.C10'.")
+    solution = solution or solve(prepare(job)[0], job.procedure, options=options)
+    with nearby_jobs(job, solution) as nearby:
+        chosen = measures or [each for each in job.output.chosen() if each.along is None]
+        return nearby.gradient(keys, chosen, state, options)
+
+
+@contextmanager
+def nearby_jobs(job: Job, solution: Solution) -> Iterator["NearbyJobs"]:
+    """Give a job at nearby values of its numbers, with which several states are differentiated.
+
+    Parameters
+    ----------
+    job : Job
+    solution : Solution
+        The path of the job.
+
+    Yields
+    ------
+    NearbyJobs
+    """
     with TemporaryDirectory() as folder:
         file = Path(folder) / "job.toml"
-        numbers = write_whole_job(job, file)
-        values = {key: _value(numbers, key) for key in keys}
-        if solution is None:
-            solution = solve(prepare(job)[0], job.procedure, options=options)
-        stage = _stage(job, solution, state)
-        asked = _Asked(file, job, values, solution.states[0].model.mesh, stage)
-        units = {key: unit for key in keys if (unit := numbers[key.split(",")[0]].unit) in COLUMN_UNITS}
-        driven = any(single.split(".")[0] in _PATH for key in keys for single in key.split(","))
-        variation = Variation(asked.model, values, units, procedure=asked.procedure if driven else None)
-        chosen = measures or [each for each in job.output.chosen() if each.along is None]
-        return gradient(solution, chosen, variation, state=state, options=options)
+        yield NearbyJobs(file, job, write_whole_job(job, file), solution)
 
 
-@dataclass(frozen=True, slots=True)
-class _Asked:
-    """A job with other numbers: its model on the same or a moved mesh, and its procedure.
+@dataclass(frozen=True, slots=True, eq=False)
+class NearbyJobs:
+    """A job at nearby values of its numbers: its models on the same or a moved mesh, and its procedures.
 
     Parameters
     ----------
     file : Path
         The job with all its numbers.
     job : Job
-    values : mapping of str to float
-        What its numbers are.
-    mesh : Mesh
-        On which it was solved.
-    stage : int
-        Number of the stage; -1 where there is one procedure.
+    numbers : mapping of str to JobNumber
+        By key.
+    solution : Solution
+        Of the job.
     """
 
     file: Path
     job: Job
-    values: Mapping[str, float]
-    mesh: Mesh
-    stage: int
+    numbers: Mapping[str, JobNumber]
+    solution: Solution
+    _made: dict[tuple[tuple[tuple[str, float], ...], int], Model] = field(default_factory=dict)
+    _systems: Systems = field(default_factory=Systems)
 
-    def model(self, values: Mapping[str, float]) -> Model:
-        """The model that a state belongs to."""
+    def gradient(
+        self, keys: Sequence[str], measures: Sequence[Measure | str], state: int, options: EngineOptions | None = None
+    ) -> Gradient:
+        """Differentiate measures at a state by some of the numbers.
+
+        Parameters
+        ----------
+        keys : sequence of str
+        measures : sequence of Measure or str
+        state : int
+        options : EngineOptions, optional
+
+        Returns
+        -------
+        Gradient
+        """
+        stage = _stage(self.job, self.solution, state)
+        driven = any(is_of_path(key) for key in keys)
+        values = {key: _value(self.numbers, key) for key in keys}
+        units = {key: self.numbers[key.split(",")[0]].unit for key in keys}
+        variation = Variation(
+            lambda values: self._model(values, stage),
+            values,
+            {key: unit for key, unit in units.items() if unit in COLUMN_UNITS},
+            procedure=(lambda values: self._procedure(values, stage)) if driven else None,
+        )
+        return gradient_with(self._systems, self.solution, measures, variation, state, options)
+
+    def _model(self, values: Mapping[str, float], stage: int) -> Model:
+        """The model that a state belongs to; nearby ones are made once for all states of a stage.
+
+        That of the job itself is made each time, because what it is meshed of says how tetrahedra move.
+        """
         changed = self._changed(values)
-        job, made = self._job(changed), self.mesh
-        if any(key.split(".")[0] == _SHAPE for keys in changed or values for key in keys.split(",")):
+        known = tuple(sorted(changed.items())), stage
+        if not changed or known not in self._made:
+            self._made[known] = self._new_model(changed, changed or values, stage)
+        return self._made[known]
+
+    def _new_model(self, changed: Mapping[str, float], shaped: Mapping[str, float], stage: int) -> Model:
+        job, made = self._job(changed), self.solution.states[0].model.mesh
+        if any(key.split(".")[0] == _SHAPE for keys in shaped for key in keys.split(",")):
             made = new_mesh_of(replace(job, mesh=self.job.mesh_settings), job.geometry())
         model = with_setup(model_of(job, made), job.setup)
-        return questions(model, job.procedure)[self.stage] if isinstance(job.procedure, Stages) else model
+        return questions(model, job.procedure)[stage] if isinstance(job.procedure, Stages) else model
 
-    def procedure(self, values: Mapping[str, float]) -> OneProcedure:
+    def _procedure(self, values: Mapping[str, float], stage: int) -> OneProcedure:
         """The procedure that found a state."""
         procedure = self._job(self._changed(values)).procedure
-        return procedure.stages[self.stage].procedure if isinstance(procedure, Stages) else procedure
+        return procedure.stages[stage].procedure if isinstance(procedure, Stages) else procedure
 
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
-        return {key: value for key, value in values.items() if value != self.values[key]}
+        return {key: value for key, value in values.items() if value != _value(self.numbers, key)}
 
     def _job(self, changed: Mapping[str, float]) -> Job:
         content = tomllib.loads(self.file.read_text(encoding="utf-8"))
         return read_job(self.file, changes_of(content, changed, exact=True), like=self.job)
+
+
+def is_of_path(keys: str) -> bool:
+    """Return whether a number is one of the procedure.
+
+    Examples
+    --------
+    >>> is_of_path("procedure.volume"), is_of_path("materials.body.C10,materials.base.C10")
+    (True, False)
+    """
+    return any(key.split(".")[0] in _PATH for key in keys.split(","))
 
 
 def _value(numbers: Mapping[str, JobNumber], keys: str) -> float:

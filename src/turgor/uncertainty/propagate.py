@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import norm
 
-from turgor.calibration.trial import curve_at
+from turgor.calibration.curve import PathCurve
 from turgor.errors import unknown
 from turgor.response import Column, Response
 from turgor.results.drive import drive_of
@@ -108,7 +108,9 @@ def _cases(plan: Plan, nominal: Response, drive: str, at: Array, names: Sequence
             ended = plan.of_set(numbers)
             problem = plan.problem_of(ended, nominal, drive)
             found = ended.found
-            curves = {} if problem or found is None else {y: curve_at(found.response, drive, y, at) for y in names}
+            curves = (
+                {} if problem or found is None else {y: PathCurve.of(found.response, drive, y).at(at) for y in names}
+            )
             cases.append(Case(label=group.label, name=name, doubts=codes, problem=problem, curves=curves))
     return tuple(cases)
 
@@ -119,9 +121,9 @@ def _band(plan: Plan, nominal: Response, name: str, drive: str, at: Array) -> tu
     def curve(ended: Ended) -> Array | None:
         if ended.found is None or len(ended.found.response) < 2:
             return None
-        return curve_at(ended.found.response, drive, name, at)
+        return PathCurve.of(ended.found.response, drive, name).at(at)
 
-    middle = curve_at(nominal, drive, name, at)
+    middle = PathCurve.of(nominal, drive, name).at(at)
     surface, tables = _surface(plan, curve, middle), _tables(plan, curve, middle, drive)
     slope = np.gradient(middle, at)
     variance = _variance(plan, surface, tables, slope)

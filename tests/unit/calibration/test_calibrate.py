@@ -12,8 +12,9 @@ import pytest
 
 import calibration_cases as cases
 from turgor.calibration.calibrate import calibrate
+from turgor.calibration.curve import PathCurve
 from turgor.calibration.parameter import Parameter
-from turgor.calibration.trial import Trial, curve_at
+from turgor.calibration.trial import Trial
 from turgor.errors import TurgorError
 from turgor.response import Column, Response
 from turgor.source import Source
@@ -222,9 +223,10 @@ def test_a_computed_curve_is_smooth_and_goes_on_straight():
     x = np.linspace(0.0, 1.0, 6)
     curve = Response(columns=(Column("pressure", "", x), Column("y", "", x**2)), source=Source(text="a parabola"))
     at = np.array([0.5, 0.9])
-    smooth = np.abs(curve_at(curve, "pressure", "y", at) - at**2)
+    made = PathCurve.of(curve, "pressure", "y")
+    smooth = np.abs(made.at(at) - at**2)
     assert smooth.max() < 0.3 * np.abs(np.interp(at, x, x**2) - at**2).max()
-    assert curve_at(curve, "pressure", "y", np.array([1.5, -1.0])) == pytest.approx([1 + 1.8 * 0.5, -0.2])
+    assert made.at(np.array([1.5, -1.0])) == pytest.approx([1 + 1.8 * 0.5, -0.2])
 
 
 SCRIPT = """
@@ -232,6 +234,7 @@ import sys
 from pathlib import Path
 import calibration_cases as cases
 from turgor.calibration.calibrate import calibrate
+from turgor.calibration.curve import PathCurve
 from turgor.study.evaluations import kept_in
 from turgor.calibration.parameter import Parameter
 from turgor.calibration.trial import Trial

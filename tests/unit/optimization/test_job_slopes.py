@@ -5,12 +5,13 @@ import pytest
 
 import turgor as tg
 from calibration_cases import JOB
-from turgor.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes, refused_at_once
+from turgor.optimization.files.job_slopes import SOLID_VOLUME, asked_slopes
 from turgor.optimization.files.jobs import job_optimization, solved_design
 from turgor.optimization.files.study_files import read_study_file
 from turgor.optimization.slopes import slopes_of
 from turgor.study.evaluations import Evaluations
 from turgor.study.jobs.job_file import job_file
+from turgor.study.jobs.job_slopes import refused_at_once
 from turgor.study.running.ended import Ended
 from turgor.study.runs import Run
 from turgor.study.study import Row

@@ -97,8 +97,11 @@ def _run(asked: _Options) -> None:
         for note in left_as_they_are(free, base):
             typer.echo(note, err=True)
         pairs = zip(measured, _spreads(asked, measured), strict=True)
-        trials = [job_trial(base, each, y=asked.y, x=asked.x, spread=spread) for each, spread in pairs]
         count = len(asked.experiments)
+        trials = [
+            job_trial(base, each, y=asked.y, x=asked.x, spread=spread, fitted=measured[:count])
+            for each, spread in pairs
+        ]
         with kept_in_folder(folder):
             found = calibrate(
                 trials[:count],

@@ -23,6 +23,8 @@ class CalibrationResult:
         What happened, and what to do.
     solves, computed : int
         Number of runs, and of those that were not read from disk.
+    derivatives : str
+        How the derivatives were found, and why.
     parameters : list of tables
         ``name``, ``unit``, ``value``, ``standard_error``, ``low`` and ``high`` of the 95 % interval, ``at_bound``,
         ``start``, ``bounds``, ``prior``.
@@ -42,6 +44,7 @@ class CalibrationResult:
     advice: str
     solves: int
     computed: int
+    derivatives: str
     parameters: list[dict[str, Any]]
     correlation: list[list[float | None]]
     undetermined: list[str]
