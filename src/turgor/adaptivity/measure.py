@@ -4,6 +4,7 @@ from functools import partial
 
 from turgor.adaptivity.mesh_error import MeshError, estimate_mesh_error, procedure_of
 from turgor.engine.runtime import EngineOptions
+from turgor.errors import TurgorError
 from turgor.response import MESH_ERROR, Column, Response
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.measures.measures import as_measure, chosen_measures
@@ -14,9 +15,15 @@ from turgor.solvers.procedures.arc_length import ArcLength
 from turgor.solvers.procedures.auto import Auto
 from turgor.solvers.solution import Solution
 
+#: The estimate by one linear solve.
+LINEAR = "linear"
+
 
 def measure(
-    solution: Solution, *measures: Measure | str, mesh_error: bool = True, options: EngineOptions | None = None
+    solution: Solution,
+    *measures: Measure | str,
+    mesh_error: bool | str = True,
+    options: EngineOptions | None = None,
 ) -> Response:
     """Read measures off every state of a path, each with an estimate of its mesh error.
 
@@ -27,9 +34,10 @@ def measure(
     *measures : Measure or str
         What to read, such as `bending_angle` or its name; those of `STANDARD_MEASURES` that the part has, if none is
         given.
-    mesh_error : bool
+    mesh_error : bool or "linear"
         Whether the mesh error is estimated. It takes up to half the time of the solve, once for a solution: a few
-        states are solved for again on a second, finer mesh.
+        states are solved for again on a second, finer mesh. ``"linear"`` takes one linear solve there, at the last
+        state alone, where the loads are given.
     options : EngineOptions, optional
         How the engine runs on the second mesh.
 
@@ -47,13 +55,15 @@ def measure(
     Raises
     ------
     TurgorError
-        If a measure needs a face that the mesh does not have.
+        If a measure needs a face that the mesh does not have, or ``mesh_error`` is another word.
     """
+    if not isinstance(mesh_error, bool) and mesh_error != LINEAR:
+        raise TurgorError(f"mesh_error is {mesh_error!r}; allowed are True, False and '{LINEAR}'.")
     wanted = tuple(map(as_measure, measures))
     response = read(solution, *wanted)
     if not mesh_error:
         return response
-    return with_mesh_error(response, mesh_error_of(solution, wanted, options))
+    return with_mesh_error(response, mesh_error_of(solution, wanted, options, linear=mesh_error == LINEAR))
 
 
 def mesh_error_of(
@@ -61,6 +71,7 @@ def mesh_error_of(
     measures: tuple[Measure, ...] = (),
     options: EngineOptions | None = None,
     refined_before: bool = False,
+    linear: bool = False,
 ) -> MeshError:
     """Estimate the mesh error of all that `measure` reads, including the pressures that a procedure found.
 
@@ -72,13 +83,15 @@ def mesh_error_of(
     options : EngineOptions, optional
     refined_before : bool
         Whether the mesh was refined where the error comes from.
+    linear : bool
+        Whether one linear solve is enough.
 
     Returns
     -------
     MeshError
     """
     wanted = (*_found_pressures(solution), *chosen_measures(solution, measures))
-    return estimate_mesh_error(solution, wanted, options, refined_before)
+    return estimate_mesh_error(solution, wanted, options, refined_before, linear)
 
 
 def with_mesh_error(response: Response, estimate: MeshError) -> Response:

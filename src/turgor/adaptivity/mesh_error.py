@@ -88,7 +88,11 @@ class MeshError:
 
 
 def estimate_mesh_error(
-    solution: Solution, measures: Sequence[Measure], options: EngineOptions | None = None, refined_before: bool = False
+    solution: Solution,
+    measures: Sequence[Measure],
+    options: EngineOptions | None = None,
+    refined_before: bool = False,
+    linear: bool = False,
 ) -> MeshError:
     """Estimate the mesh error of measures at every state of a path.
 
@@ -100,6 +104,9 @@ def estimate_mesh_error(
         How the engine runs on the second mesh.
     refined_before : bool
         Whether the mesh was refined where the error comes from; the second mesh is finer then.
+    linear : bool
+        Whether one linear solve on the second mesh is enough, of all measures at the last state. What it gives is the
+        residual on that mesh, weighted with the adjoint of each measure there, since both follow from one tangent.
 
     Returns
     -------
@@ -107,7 +114,7 @@ def estimate_mesh_error(
         With nan and a finding (N03) where it cannot be estimated: motion and friction depend on all that was before.
     """
     reason = why_not(solution)
-    found = None if reason else _second(solution, options or EngineOptions(), refined_before)
+    found = None if reason else _second(solution, options or EngineOptions(), (refined_before, linear))
     if found is None or not found.pairs:
         unknown = {each.name: np.full(len(solution.states), np.nan) for each in measures}
         return MeshError(errors=unknown, finding=_not_estimated(reason or "no state was found on the second mesh"))
@@ -120,29 +127,32 @@ def estimate_mesh_error(
     return MeshError(errors=errors, unknowns=found.unknowns, states=tuple(found.pairs), seconds=found.seconds)
 
 
-def _second(solution: Solution, options: EngineOptions, refined_before: bool) -> FoundAgain | None:
+def _second(solution: Solution, options: EngineOptions, how: tuple[bool, bool]) -> FoundAgain | None:
     """States of a path on another mesh: those that led it on a coarser one, else some that are solved for again."""
-    return on_coarse_mesh(solution) or find_again(solution, options, refined_before)
+    return on_coarse_mesh(solution) or find_again(solution, options, *how)
 
 
 @lru_cache(maxsize=1)
-def find_again(solution: Solution, options: EngineOptions, refined_before: bool = False) -> FoundAgain | None:
+def find_again(
+    solution: Solution, options: EngineOptions, refined_before: bool = False, linear: bool = False
+) -> FoundAgain | None:
     """Solve for a few states of a path on a second mesh; on a coarser one where this fails because sheets wrinkle.
 
-    The last result is kept, because a solution may be measured more than once.
+    Only the last one, by a linear solve, if ``linear``. The last result is kept, because a solution may be measured
+    more than once.
     """
     began = perf_counter()
     count, growth = plan(solution, refined_before)
-    chosen = _chosen(solution, count)
+    chosen = _chosen(solution, 1 if linear else count)
     if not chosen:
         return None
     shares = np.mean([error_indicator(solution.states[number]) for number in chosen[:2]], axis=0)
-    found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options)
+    found = _on_second_mesh(solution, chosen, refined(solution.model.mesh, shares, growth), options, linear)
     least = LEAST_GROWTH[solution.model.mesh.cell_type.nodes]
     if not found.pairs:
         every = _chosen(solution, len(PLACES))
         coarser = refined(solution.model.mesh, shares, least)
-        found = _on_second_mesh(solution, every, coarser, options, enough=1)
+        found = _on_second_mesh(solution, every, coarser, options, linear, enough=1)
     return replace(found, seconds=perf_counter() - began)
 
 
@@ -151,6 +161,7 @@ def _on_second_mesh(
     chosen: list[int],
     second: tuple[Refinement, float],
     options: EngineOptions,
+    linear: bool,
     enough: int = len(PLACES),
 ) -> FoundAgain:
     """Solve for chosen states, until enough are found, on a refined mesh that captures a share of the error."""
@@ -164,7 +175,7 @@ def _on_second_mesh(
             if len(pairs) == enough:
                 break
             state = solution.states[number]
-            found = mesh.found_again(state, procedure_of(solution, state))
+            found = mesh.found_again(state, procedure_of(solution, state), linear=linear)
             if found is not None:
                 before = transfer.nodal(state.displacement)
                 pairs[number] = found

@@ -45,6 +45,9 @@ SETTINGS = NewtonSettings(tolerance=1e-4, max_iterations=12)
 ROUGH_SETTINGS = NewtonSettings(tolerance=1e-3, max_iterations=12)
 EXACT_SETTINGS = NewtonSettings(tolerance=1e-5, max_iterations=30)
 
+#: One update, whatever it leaves: an estimate by a linear solve.
+LINEAR_SETTINGS = NewtonSettings(tolerance=inf, max_iterations=1)
+
 #: Relative residual of a state that takes the place of the first one, as `Static` has it.
 TOLERANCE = 1e-6
 
@@ -80,19 +83,25 @@ class SecondMesh:
     options: EngineOptions
     _known: list[tuple[Model, tuple[str, ...], System, Tangent]] = field(default_factory=list)
 
-    def found_again(self, state: State, procedure: OneProcedure, exact: bool = False) -> State | None:
+    def found_again(
+        self, state: State, procedure: OneProcedure, exact: bool = False, linear: bool = False
+    ) -> State | None:
         """Find a state on the refined mesh under the constraint of its procedure; None where Newton's method fails.
 
-        ``exact`` asks for the tolerance of a solve, not only for a good estimate of the mesh error.
+        ``exact`` asks for the tolerance of a solve, not only for a good estimate of the mesh error; ``linear`` for one
+        linear solve alone, where the loads are given.
         """
         controlled = _controlled(state, procedure)
         system, tangent = self._equations(state.model, controlled)
         history = system.history(self.transfer.memory(state.memory), 0.0 if state.memory is not None else inf)
-        start = self._start(system, state)
+        start, equations = self._start(system, state), (system, tangent, history)
+        free = controlled or (isinstance(procedure, ArcLength | Auto) and state.model.pressures)
         try:
-            if controlled or isinstance(procedure, ArcLength | Auto):
-                return _at_volume((system, tangent, history), start, state, controlled)
-            return _at_load((system, tangent, history), start, state, exact)
+            if free:
+                return _at_volume(equations, start, state, controlled)
+            if linear:
+                return _linearly(equations, start, state)
+            return _at_load(equations, start, state, exact or isinstance(procedure, ArcLength | Auto))
         except (SingularTangentError, np.linalg.LinAlgError):
             return None
 
@@ -195,6 +204,20 @@ def _carefully(system: System, tangent: Tangent, at: Evaluation, state: State, e
     return _state(system, result.evaluation, state, result.unstable_modes)
 
 
+def _linearly(equations: Equations, unknowns: Array, state: State) -> State | None:
+    """The state after one update of Newton's method at its load factor; None where it leads far away."""
+    system, tangent, history = equations
+    start = Start(unknowns, None, np.zeros(0))
+    constraint = load_control(system, history=history)
+    found = newton(constraint, tangent, start, state.load_factor, LINEAR_SETTINGS, _unheard).evaluation
+    if found is None:
+        return None
+    moved = (found.unknowns - unknowns)[system.moving]
+    if np.linalg.norm(moved) > FAR * np.linalg.norm(unknowns[system.moving]):
+        return None
+    return _state(system, found, state)
+
+
 def _at_volume(equations: Equations, unknowns: Array, state: State, controlled: tuple[str, ...]) -> State | None:
     """Equilibrium with the volumes of the state; pressures, or the load factor, are unknown."""
     system, tangent, history = equations
@@ -207,8 +230,6 @@ def _at_volume(equations: Equations, unknowns: Array, state: State, controlled: 
         parameter = state.load_factor
     else:
         weights = {load.face: load.pressure for load in state.model.pressures}
-        if not weights:
-            return _at_load(equations, unknowns, state, exact=True)
         chambers = Chambers(system, tuple(weights))
         shares = np.array(list(weights.values())) / max(map(abs, weights.values()))
         now, rest = (float(shares @ chambers.volumes(x)) for x in (unknowns, np.zeros(system.size)))

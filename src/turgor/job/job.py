@@ -90,8 +90,9 @@ class Output:
         Whether to draw the actuator, undeformed and deformed.
     report : bool
         Whether to write the HTML report.
-    mesh_error : bool
-        Whether to estimate the mesh error of every measure, which takes up to half the time of the solve.
+    mesh_error : bool or "linear"
+        Whether to estimate the mesh error of every measure, which takes up to half the time of the solve; ``"linear"``
+        takes less.
     """
 
     measures: tuple[str, ...] = field(default_factory=standard_measures)
@@ -99,7 +100,7 @@ class Output:
     fields: bool = True
     pictures: bool = True
     report: bool = True
-    mesh_error: bool = True
+    mesh_error: bool | str = True
 
     def chosen(self) -> "tuple[Measure, ...]":
         """Return all that is measured: the measures, then the coordinates of the markers."""

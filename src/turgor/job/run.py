@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from turgor.adaptivity.findings import matter, mesh_error_findings
-from turgor.adaptivity.measure import mesh_error_of, with_mesh_error
+from turgor.adaptivity.measure import LINEAR, mesh_error_of, with_mesh_error
 from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding, by_weight, not_told
@@ -83,7 +83,7 @@ def run_job(
         files = GrowingFiles(folder, replace(job, threads=options.threads), notify or silent)
         options = replace(options, notify=files.say)
         record = _record(files, options, resume)
-        for each in matter(record.question.findings, job.output.mesh_error):
+        for each in matter(record.question.findings, bool(job.output.mesh_error)):
             (found or _unheard)(each)
         solution, response, findings = _solved(files, record, options, progress)
         return _written(files, solution, response, findings)
@@ -167,7 +167,7 @@ def _with_errors(
     if options.notify is not None:
         options.notify("estimating the mesh error")
     measures = job.output.chosen()
-    estimate = mesh_error_of(solution, measures, options, refined)
+    estimate = mesh_error_of(solution, measures, options, refined, job.output.mesh_error == LINEAR)
     if options.notify is not None and estimate.states:
         options.notify(
             f"mesh error: {len(estimate.states)} states found again on {estimate.unknowns} unknowns, "

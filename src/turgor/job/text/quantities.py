@@ -86,6 +86,16 @@ def _share(value: object) -> float:
 Share = Annotated[float, BeforeValidator(_share), Says("share in percent", '"2 %"')]
 
 
+def _mesh_error(value: object) -> bool | str:
+    """Read whether the mesh error is estimated, and how."""
+    if isinstance(value, bool) or value == "linear":
+        return value
+    raise TurgorError(f"{value!r} is not true, false or 'linear'.")
+
+
+MeshErrorWay = Annotated[bool | str, BeforeValidator(_mesh_error), Says("true, false or `linear`", '"linear"')]
+
+
 class Table(BaseModel):
     """A table whose keys are all known."""
 
@@ -172,7 +182,7 @@ class OutputTable(Table):
     fields: bool = True
     pictures: bool = True
     report: bool = True
-    mesh_error: bool = True
+    mesh_error: MeshErrorWay = True
 
 
 @cache

@@ -193,7 +193,7 @@ def _read(content: Mapping[str, Any], path: Path, base: JobBase, problems: Probl
     return StudyFile(
         name=str(content.get("name", name_of_file(path))), job=job, designs=designs,
         measures=tuple(each for each in measures if each is not None), at=at,
-        mesh_error=job.output.mesh_error if output.mesh_error is None else output.mesh_error,
+        mesh_error=bool(job.output.mesh_error) if output.mesh_error is None else output.mesh_error,
     )  # fmt: skip
 
 
