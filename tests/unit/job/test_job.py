@@ -373,6 +373,15 @@ def test_the_lock_file_states_every_default_with_its_unit(tmp_path: Path) -> Non
     assert content["written_by"] == {"turgor": "0.0"}
 
 
+def test_the_way_to_the_mesh_error_is_read_and_kept(tmp_path: Path) -> None:
+    measures = 'measures = ["bending_angle"]'
+    job = read(tmp_path, SMALL.replace(measures, f'{measures}\nmesh_error = "linear"'))
+    assert job.output.mesh_error == "linear"
+    assert tomllib.loads(lock(job))["output"]["mesh_error"] == "linear"
+    with pytest.raises(TurgorError, match=r"output.mesh_error: 'adjoint' is not true, false or 'linear'"):
+        read(tmp_path, SMALL.replace(measures, f'{measures}\nmesh_error = "adjoint"'))
+
+
 def test_requested_pressures_stay_pressures_in_the_lock_file(tmp_path: Path) -> None:
     job = read(tmp_path, SMALL.replace('"static"', '"static"\nat = ["3.3 kPa", "7 kPa"]'))
     assert tomllib.loads(lock(job))["procedure"]["at"] == ["3.3 kPa", "7 kPa"]
