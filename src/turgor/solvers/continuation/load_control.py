@@ -217,8 +217,8 @@ class LoadStrategy:
         system, now, why, rate, change = run.task.system, run.history[-1].parameter, None, inf, None
         if result.converged and result.evaluation is not None:
             change = response_in_step(run.constraint, run.task.tangent, result.evaluation, now)
-            known = change is not None and not others_move(system, now, parameter)
-            rate = float(np.linalg.norm(change[system.moving])) if known else inf
+            if change is not None and not others_move(system, now, parameter):
+                rate = float(np.linalg.norm(change[system.moving]))
             if run.stepping.failed(parameter - now) is not None:
                 why = why_rejected(system, run.states, run.history, result, (self.rate, rate))
         if not result.converged or result.evaluation is None or why is not None:

@@ -52,7 +52,7 @@ def response_in_step(constraint: Constraint, tangent: Tangent, at: Evaluation, b
     if not others_move(system, before, at.load_factor):
         return load_response(system, tangent, at.unknowns, before, at.load_factor)
     moved, force = push(constraint, at, at.load_factor, np.empty(0), NUDGE)
-    return None if force is None else tangent.solve(np.where(system.held, moved, force), rough=True)
+    return None if force is None else tangent.solve(np.where(system.held, moved, force), ROUGH)
 
 
 def others_move(system: System, before: float, after: float) -> bool:
