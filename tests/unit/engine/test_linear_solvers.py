@@ -96,6 +96,39 @@ def test_refinement_that_does_not_settle_turns_to_double_precision_for_good(monk
     assert factors.singles == [True, False, False]
 
 
+class Rough(Watched):
+    """Factors whose solutions are wrong in a few directions, so that a refinement makes them worse."""
+
+    def solve(self, right: np.ndarray) -> np.ndarray:
+        out = super().solve(right)
+        wrong = self.singles[-1]
+        out[:WRONG] *= 3.5 if wrong else 1.0
+        return out
+
+
+#: Unknowns in which they are.
+WRONG = 4
+
+
+@pytest.mark.usefixtures("large")
+@pytest.mark.parametrize("accelerated", [True, False], ids=["as large ones are", "as small ones are"])
+def test_large_systems_whose_refinement_does_not_settle_are_refined_by_gmres(
+    accelerated: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pattern, data, _ = saddle()
+    monkeypatch.setattr(linear, "ACCELERATED_FROM", 1 if accelerated else pattern.size + 1)
+    factors = Rough(Rslab(pattern, 1))
+    solver = MixedPrecision(factors, pattern)
+    solver.factor(data)
+    right = np.random.default_rng(4).normal(size=pattern.size)
+    solution = solver.solve(right)
+    assert np.linalg.norm(pattern.product(data, solution) - right) <= linear.REFINED * np.linalg.norm(right)
+    assert factors.singles == ([True] if accelerated else [True, False])
+    assert solver.double is not accelerated
+    if accelerated:
+        assert WRONG < factors.solves <= WRONG + 6
+
+
 @pytest.mark.usefixtures("large")
 def test_a_rough_solution_takes_fewer_solves(monkeypatch: pytest.MonkeyPatch) -> None:
     pattern, data, _ = saddle()
