@@ -103,6 +103,33 @@ def limit_point_findings(limits: Sequence[LimitPoint], severity: Severity) -> tu
     )
 
 
+def unwatched_stability(iterative: bool, unknowns: int) -> tuple[Finding, ...]:
+    """Say that unstable modes were not counted (L09), because nothing was factored.
+
+    Parameters
+    ----------
+    iterative : bool
+        Whether solutions were iterated to the end.
+    unknowns : int
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    if not iterative:
+        return ()
+    return (
+        Finding(
+            code="L09",
+            severity=Severity.NOTE,
+            message=f"Stability was not watched: the {unknowns:,} unknowns were solved for by iteration, without the "
+            "factors whose signs tell unstable states.",
+            advice="Where the actuator may buckle or jump, watch that on a coarser mesh, or ask for factors with "
+            'EngineOptions(linear_solver="rslab"), which take several times the memory.',
+        ),
+    )
+
+
 def _turns(limits: Sequence[LimitPoint]) -> str:
     if not limits:
         return ""

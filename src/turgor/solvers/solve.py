@@ -26,7 +26,7 @@ from turgor.solvers.coarse_path import COARSE, check_coarse, iterations_only, le
 from turgor.solvers.continuation.guide import check_guide
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.methods import method_of
-from turgor.solvers.path_outcomes import limit_point_findings
+from turgor.solvers.path_outcomes import limit_point_findings, unwatched_stability
 from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.procedures.static import Static
@@ -231,6 +231,7 @@ def _solved(
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
         *limit_point_findings(problem.limits, method.limit_points),
+        *unwatched_stability(tangent.iterative, system.size),
         *method.findings(problem.states),
         *too_long_steps(model, procedure, problem.states),
     )

@@ -11,7 +11,7 @@ from turgor.engine.algebra.iterative.levels import levels_of
 from turgor.engine.algebra.iterative.node_blocks import block_structure, node_blocks
 from turgor.engine.algebra.iterative.solver import IterativeSolver
 from turgor.engine.algebra.iterative.two_level import TwoLevels
-from turgor.engine.algebra.linear import linear_solver
+from turgor.engine.algebra.linear import available_solvers, linear_solver
 from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import System
 from turgor.units import kPa, mm
@@ -131,6 +131,15 @@ def test_the_path_is_that_of_factors(model: tg.Model) -> None:
     there, exact = states["iterative"].displacement, states["rslab"].displacement
     assert np.abs(there - exact).max() <= 1e-5 * np.abs(exact).max()
     assert states["iterative"].unstable_modes is None
+
+
+def test_it_is_the_choice_for_large_systems_and_that_is_said(model: tg.Model, monkeypatch: pytest.MonkeyPatch) -> None:
+    told = {}
+    for share in (1, 2):
+        monkeypatch.setattr("turgor.engine.algebra.tangent.ITERATIVE_FROM", System(model).size * share)
+        found = tg.solve(model, options=EngineOptions(threads=1))
+        told[share] = found.timing.linear_solver, [each.code for each in found.findings if each.code == "L09"]
+    assert told == {1: ("gmres, two levels", ["L09"]), 2: (available_solvers()[0], [])}
 
 
 def test_equations_of_another_kind_are_factored(model: tg.Model) -> None:

@@ -25,8 +25,12 @@ SINGLE_FROM = 10_000
 #: by a tenth at 67,000 and at 200,000, because the analysis is shorter and the fronts are larger.
 DISSECTED_FROM, DISSECTED_ALONE_FROM = 10_000, 40_000
 
-#: Name that asks for GMRES, of the equations that it is for; others are factored.
-ITERATIVE = "iterative"
+#: Name that leaves the choice, and the one that asks for GMRES, of the equations that it is for; others are factored.
+AUTO, ITERATIVE = "auto", "iterative"
+
+#: Unknowns from which GMRES is the choice. At 420,652 factors take half as long; at 1,038,164 they take three times as
+#: long and 13.6 instead of 4 GB.
+ITERATIVE_FROM = 800_000
 
 #: Size to which smaller scaled pivots are lifted in single precision. Incompressible rubber has zeros on the diagonal.
 #: What round-off made of them in bent states and beside paper spoiled the factors, so that double ones had to be made.
@@ -240,8 +244,8 @@ def available_solvers() -> tuple[str, ...]:
 
 def linear_solver(name: str, pattern: Pattern, threads: int) -> LinearSolver:
     """Make the named direct solver; others than a library's name take MKL Pardiso where installed, else rslab."""
-    if name in ("auto", ITERATIVE):
+    if name in (AUTO, ITERATIVE):
         name = available_solvers()[0]
     if name not in _LIBRARIES:
-        raise unknown("linear solver", name, [*_LIBRARIES, "auto", ITERATIVE])
+        raise unknown("linear solver", name, [*_LIBRARIES, AUTO, ITERATIVE])
     return MixedPrecision(_LIBRARIES[name](pattern, threads), pattern)

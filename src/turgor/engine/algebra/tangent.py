@@ -12,7 +12,15 @@ from scipy.sparse.linalg import LinearOperator, gmres
 from turgor.engine.algebra.free_solver import solver_of
 from turgor.engine.algebra.iterative.levels import levels_of
 from turgor.engine.algebra.iterative.solver import IterativeSolver
-from turgor.engine.algebra.linear import ITERATIVE, REFINED, LinearSolver, UnsymmetricSolver, linear_solver
+from turgor.engine.algebra.linear import (
+    AUTO,
+    ITERATIVE,
+    ITERATIVE_FROM,
+    REFINED,
+    LinearSolver,
+    UnsymmetricSolver,
+    linear_solver,
+)
 from turgor.engine.algebra.pattern import Pattern
 from turgor.engine.evaluation import Evaluation, Stresses
 from turgor.engine.runtime import MIXED, PLAIN
@@ -194,7 +202,8 @@ class Tangent:
         system, name = self._system, self._solver
         make = partial(linear_solver, name, threads=self._threads)
         direct = partial(solver_of, make, pattern, system.held)
-        levels = levels_of(system) if name == ITERATIVE else None
+        asked = name == ITERATIVE or (name == AUTO and pattern.size >= ITERATIVE_FROM)
+        levels = levels_of(system) if asked else None
         return direct() if levels is None else IterativeSolver(levels, pattern, self._threads, direct)
 
     def use_double(self) -> None:
