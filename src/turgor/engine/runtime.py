@@ -24,7 +24,7 @@ class EngineOptions:
     linear_solver : str
         ``"auto"`` factors with MKL Pardiso where it is installed and rslab elsewhere; either can be named.
         ``"iterative"`` does not factor tangents of tetrahedra with mean stress, but solves by GMRES; so does ``"auto"``
-        from 800,000 unknowns on. That takes less memory and time in large models; unstable modes are not counted.
+        where factors would not fit into the memory. Unstable modes are not counted then.
     threads : int
         Threads of the kernels and the linear solver; all processors by default, or ``NUMBA_NUM_THREADS`` of the
         environment where that is less.

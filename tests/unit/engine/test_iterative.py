@@ -1,10 +1,13 @@
 """GMRES for large tangents: its parts against their algebra, its answers against factors, and when it gives up."""
 
+import sys
+
 import numpy as np
 import pytest
 import scipy.sparse as sp
 
 import turgor as tg
+from turgor.engine.algebra import linear
 from turgor.engine.algebra.iterative import solver as module
 from turgor.engine.algebra.iterative.krylov import BASIS, gmres
 from turgor.engine.algebra.iterative.levels import levels_of
@@ -133,13 +136,22 @@ def test_the_path_is_that_of_factors(model: tg.Model) -> None:
     assert states["iterative"].unstable_modes is None
 
 
-def test_it_is_the_choice_for_large_systems_and_that_is_said(model: tg.Model, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_it_is_the_choice_where_factors_do_not_fit_and_that_is_said(
+    model: tg.Model, monkeypatch: pytest.MonkeyPatch
+) -> None:
     told = {}
-    for share in (1, 2):
-        monkeypatch.setattr("turgor.engine.algebra.tangent.ITERATIVE_FROM", System(model).size * share)
+    monkeypatch.setattr(linear, "LARGE", 1)
+    for memory in (10_000, 10**12, None):
+        monkeypatch.setattr(linear, "memory_of_machine", lambda memory=memory: memory)
         found = tg.solve(model, options=EngineOptions(threads=1))
-        told[share] = found.timing.linear_solver, [each.code for each in found.findings if each.code == "L09"]
-    assert told == {1: ("gmres, two levels", ["L09"]), 2: (available_solvers()[0], [])}
+        told[memory] = found.timing.linear_solver, [each.code for each in found.findings if each.code == "L09"]
+    factored = available_solvers()[0], []
+    assert told == {10_000: ("gmres, two levels", ["L09"]), 10**12: factored, None: factored}
+
+
+def test_the_memory_of_this_machine_is_known() -> None:
+    memory = linear.memory_of_machine()
+    assert memory is None if sys.platform == "win32" else memory is not None and 2**28 < memory < 2**50
 
 
 def test_equations_of_another_kind_are_factored(model: tg.Model) -> None:

@@ -1,5 +1,6 @@
 """Linear solvers for the symmetric indefinite tangent: analyze once, factor, solve, count negative pivots."""
 
+import os
 from collections.abc import Callable
 from typing import Protocol
 
@@ -28,9 +29,8 @@ DISSECTED_FROM, DISSECTED_ALONE_FROM = 10_000, 40_000
 #: Name that leaves the choice, and the one that asks for GMRES, of the equations that it is for; others are factored.
 AUTO, ITERATIVE = "auto", "iterative"
 
-#: Unknowns from which GMRES is the choice. At 420,652 factors take half as long; at 1,038,164 they take three times as
-#: long and 13.6 instead of 4 GB.
-ITERATIVE_FROM = 800_000
+#: Unknowns from which it is asked whether factors fit into the memory, and the share of it that they may take.
+LARGE, SHARE_OF_MEMORY = 300_000, 0.6
 
 #: Size to which smaller scaled pivots are lifted in single precision. Incompressible rubber has zeros on the diagonal.
 #: What round-off made of them in bent states and beside paper spoiled the factors, so that double ones had to be made.
@@ -172,6 +172,29 @@ def _analyzed(indptr: NDArray[np.int64], indices: NDArray[np.int32], threads: in
     return rslab.analyze(pattern.matrix(np.ones(len(indices))), path="ldlt", threads=threads, ordering=ordering)
 
 
+def _analysis_of(pattern: Pattern, threads: int) -> rslab.LdltSymbolic:
+    """The analysis of a pattern in the order that is best for its size."""
+    dissected = pattern.size >= (DISSECTED_FROM if threads > 1 else DISSECTED_ALONE_FROM)
+    return _analyzed(pattern.indptr, pattern.indices, threads, "metis" if dissected else "auto")
+
+
+def factors_fit(pattern: Pattern, threads: int) -> bool:
+    """Whether factors in single precision fit into the memory of this machine, as far as it tells how much there is."""
+    memory = memory_of_machine()
+    if pattern.size < LARGE or memory is None:
+        return True
+    needed = _analysis_of(pattern, threads).estimate_memory("float32")["transient_peak_bytes"]
+    return bool(needed <= SHARE_OF_MEMORY * memory)
+
+
+def memory_of_machine() -> int | None:
+    """Memory of this machine [bytes]; None where the system does not tell, as on Windows."""
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, ValueError, OSError):
+        return None
+
+
 class Rslab:
     """LDLᵀ by rslab: pure Rust, MIT, wheels for all systems."""
 
@@ -179,9 +202,7 @@ class Rslab:
 
     def __init__(self, pattern: Pattern, threads: int) -> None:
         self._settings = {"threads": threads, "scaling": "identity"}
-        dissected = pattern.size >= (DISSECTED_FROM if threads > 1 else DISSECTED_ALONE_FROM)
-        ordering = "metis" if dissected else "auto"
-        self._symbolic = _analyzed(pattern.indptr, pattern.indices, threads, ordering)
+        self._symbolic = _analysis_of(pattern, threads)
         self._factor: rslab.Ldlt | None = None
         self._precision: type = np.float64
 

@@ -15,10 +15,10 @@ from turgor.engine.algebra.iterative.solver import IterativeSolver
 from turgor.engine.algebra.linear import (
     AUTO,
     ITERATIVE,
-    ITERATIVE_FROM,
     REFINED,
     LinearSolver,
     UnsymmetricSolver,
+    factors_fit,
     linear_solver,
 )
 from turgor.engine.algebra.pattern import Pattern
@@ -202,7 +202,7 @@ class Tangent:
         system, name = self._system, self._solver
         make = partial(linear_solver, name, threads=self._threads)
         direct = partial(solver_of, make, pattern, system.held)
-        asked = name == ITERATIVE or (name == AUTO and pattern.size >= ITERATIVE_FROM)
+        asked = name == ITERATIVE or (name == AUTO and not factors_fit(pattern, self._threads))
         levels = levels_of(system) if asked else None
         return direct() if levels is None else IterativeSolver(levels, pattern, self._threads, direct)
 

@@ -4,15 +4,18 @@ from collections.abc import Sequence
 from math import inf
 
 import numpy as np
+from numpy.typing import NDArray
 
-from turgor.engine.system import System
+from turgor.engine.system import Evaluation, System
 from turgor.solvers.continuation.branch_jump import move_ratio
 from turgor.solvers.continuation.path_points import Point
-from turgor.solvers.continuation.tangent_response import exceeds_tangent
+from turgor.solvers.continuation.tangent_response import exceeds_tangent, others_move
 from turgor.solvers.continuation.thresholds import JUMP_RATIO, STILL_SHARE, SUPPORT_ASIDE
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.solution import State
+
+Array = NDArray[np.float64]
 
 
 def turns_aside(system: System, before: float, after: float) -> bool:
@@ -45,9 +48,20 @@ def why_rejected(
     moved = system.moving
     points = [(point.parameter, point.unknowns[moved]) for point in history[-2:]]
     ratio = move_ratio([*points, (at.load_factor, at.unknowns[moved])])
-    if ratio > JUMP_RATIO:
-        return Reason(Cause.LONG_MOVE, ratio)
     change = at.unknowns - history[-1].unknowns
+    if ratio > JUMP_RATIO and not _pushed(system, history[-1], at, change):
+        return Reason(Cause.LONG_MOVE, ratio)
     still = np.linalg.norm(change[moved]) <= STILL_SHARE * np.linalg.norm(at.unknowns[moved])
     jumped = not still and exceeds_tangent(system, change, at.load_factor - history[-1].parameter, rates)
     return Reason(Cause.BRANCH_JUMP) if jumped else None
+
+
+def _pushed(system: System, last: Point, at: Evaluation, change: Array) -> bool:
+    """Whether supports or obstacles move a body no farther than the tangent at the last state foresees.
+
+    An obstacle that reaches the body in one step moves it many times as far in the next one.
+    """
+    if last.change is None or not others_move(system, last.parameter, at.load_factor):
+        return False
+    rate = float(np.linalg.norm(last.change[system.moving]))
+    return not exceeds_tangent(system, change, at.load_factor - last.parameter, (rate, rate))

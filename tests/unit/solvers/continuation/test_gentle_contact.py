@@ -70,9 +70,13 @@ def test_a_step_that_brings_no_wall_to_another_is_taken_whole(path: tuple[System
     assert gentle_share(system, points[:1], BEYOND) == 1.0  # nothing to extrapolate
 
 
-@pytest.mark.parametrize("model", [lambda: finger(HARDER), block_under_a_ball], ids=["walls", "a moving obstacle"])
+@pytest.mark.parametrize(
+    ("model", "off"),
+    [(lambda: finger(HARDER), 0.02), (block_under_a_ball, 0.1)],  # the factors are those of an earlier iterate
+    ids=["walls", "a moving obstacle"],
+)
 def test_what_touches_moves_on_along_the_tangent(
-    model: Callable[[], tg.Model], monkeypatch: pytest.MonkeyPatch
+    model: Callable[[], tg.Model], off: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     starts = {}
 
@@ -89,5 +93,5 @@ def test_what_touches_moves_on_along_the_tangent(
     along = last.unknowns + (NEXT - TOUCHING) * last.change
     assert np.allclose(start.unknowns, along, rtol=0, atol=1e-12)
     moved = np.linalg.norm((there - last.unknowns)[system.moving])
-    assert np.linalg.norm((along - there)[system.moving]) < 0.02 * moved
+    assert np.linalg.norm((along - there)[system.moving]) < off * moved
     assert start.evaluation is not None and start.evaluation.contacts.touch_as(system.contacts(there, NEXT))

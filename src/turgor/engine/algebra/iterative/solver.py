@@ -1,7 +1,8 @@
 """Iterative: GMRES for large tangents, preconditioned with two levels for displacement and a mass for mean stress.
 
 The time of factors grows with the power 1.8 of the unknowns beyond 100,000. That of a cycle and the memory of what is
-here grow in proportion, and the iterations grow slowly; `benchmarks/results.md` tells where it pays.
+here grow in proportion, and the iterations grow slowly. So it is for models whose factors do not fit into the memory;
+up to a million unknowns it is not faster (`docs/architecture.md`).
 
 The tangent is [A Bᵀ; B −C]. Its preconditioner is the upper triangle of blocks [A' Bᵀ; 0 −S'], with one cycle of two
 levels for A and S' = 2 M/μ + C for the Schur complement, where M/μ is the mass of mean stress over the shear modulus
