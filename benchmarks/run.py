@@ -133,9 +133,7 @@ def growth() -> str:
     fits = [np.polyfit(np.log(size[upper]), np.log(columns[key][upper]), 1)[0] for key in columns]
     rows.append((f"exponent from {size[upper][0]:,} on", "", "", *(f"{fit:.2f}" for fit in fits)))
     head = ("unknowns", "solver", "iterations", "set-up", "assembly/it", "residual/it", "factor/it", "solve/it", "all")
-    text = (
-        "Six-chamber fast PneuNet, first load step of 1 kPa, wall seconds, linear solver chosen by itself,"
-    )
+    text = "Six-chamber fast PneuNet, first load step of 1 kPa, wall seconds, linear solver chosen by itself,"
     return f"## Growth\n\n{text} {TWO} threads.\n\n{table((*head, 'MiB above start'), rows)}\n"
 
 

@@ -95,3 +95,10 @@ def test_what_touches_moves_on_along_the_tangent(
     moved = np.linalg.norm((there - last.unknowns)[system.moving])
     assert np.linalg.norm((along - there)[system.moving]) < off * moved
     assert start.evaluation is not None and start.evaluation.contacts.touch_as(system.contacts(there, NEXT))
+
+
+def test_an_obstacle_that_reaches_a_body_cuts_no_step() -> None:
+    ball = tg.obstacles.Sphere(center=(5 * mm, 5 * mm, 9.235 * mm), radius=4 * mm)
+    model = contact_cases.standing(contact_cases.block((3, 3, 2)), contact_cases.pushed(ball, (0.0, 0.0, -1.2)))
+    steps = tg.solve(model, tg.Static(first_step=0.2, max_step=0.2)).steps
+    assert [step.load_factor for step in steps] == pytest.approx([0.2, 0.4, 0.6, 0.8, 1.0])
