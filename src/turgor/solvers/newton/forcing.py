@@ -38,8 +38,8 @@ def forcing(fresh: bool, iterative: bool, residuals: Sequence[float], tolerance:
     --------
     >>> forcing(fresh=True, iterative=False, residuals=[1.0], tolerance=1e-6)
     1e-05
-    >>> forcing(fresh=True, iterative=True, residuals=[1.0, 0.07], tolerance=1e-6)
-    0.0049
+    >>> forcing(fresh=True, iterative=True, residuals=[1.0, 0.0625], tolerance=1e-6)
+    0.00390625
     >>> forcing(fresh=True, iterative=True, residuals=[1.0, 1e-6], tolerance=1e-6)  # the last one
     0.1
     """
