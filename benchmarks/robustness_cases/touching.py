@@ -72,6 +72,14 @@ def gap(first: float, second: float, along: int = 8) -> Callable[[], tg.Model]:
     return model
 
 
+def blocked() -> tg.Model:
+    """Three chambers of the demo with paper, whose tip meets a plate 1 mm below it."""
+    mesh = tg.mesh(tg.FastPneuNet(chambers=3, length=30 * MM, wall=1 * MM, gap=1 * MM).build(), size=2.4 * MM)
+    materials = dict.fromkeys(mesh.regions, ELASTOSIL) | {"strain_limiting_layer": PAPER}
+    free = tg.Model(mesh, materials, [tg.Fixed("fixed")], [tg.Pressure("cavity", 15 * KPA)])
+    return tg.setups.blocked_force(free, distance=1 * MM)
+
+
 def against(shape: Any, pressure: float) -> Callable[[], tg.Model]:
     """A bender with paper that bends onto an obstacle below it."""
 
@@ -115,5 +123,7 @@ CASES = (
              tg.Model(mesh := tg.mesh(BENDER.build(), size=6 * MM),
                       dict.fromkeys(mesh.regions, ELASTOSIL) | {"strain_limiting_layer": PAPER},
                       [tg.Fixed("fixed")], [tg.Pressure("cavity", 50 * KPA)])),
+         check=checks.not_through),
+    Case(name="blocked finger with paper", hard="tip stopped while three walls meet", model=blocked,
          check=checks.not_through),
 )  # fmt: skip
