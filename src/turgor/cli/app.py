@@ -5,6 +5,7 @@ Heavy imports stand inside the commands, so that help and error messages appear 
 """
 
 import gc
+import os
 import sys
 from collections.abc import Sequence
 from typing import Annotated
@@ -41,6 +42,9 @@ from turgor.cli.run import run_command
 #: drawing make millions of objects that stay; with Python's own numbers the searches take a tenth of the time.
 PATIENT = (100_000, 20, 50)
 
+#: Variables that say how many threads OpenBLAS has, the linear algebra of NumPy and SciPy.
+BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
+
 app = typer.Typer(
     add_completion=True,
     rich_markup_mode=None,
@@ -52,9 +56,28 @@ app = typer.Typer(
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit code."""
-    if arguments is None:  # a process of our own
-        gc.set_threshold(*PATIENT)
-    given = list(sys.argv[1:] if arguments is None else arguments)
+    if arguments is not None:
+        return _run(list(arguments))
+    settle()
+    try:
+        return _run(sys.argv[1:])
+    finally:
+        gc.freeze()  # no search for garbage as Python ends: up to half a second, for memory that goes anyway
+
+
+def settle() -> None:
+    """Set what a process of our own needs before it loads anything heavy: few searches for garbage, one BLAS thread.
+
+    The engine and what fits surrogates limit OpenBLAS to one thread; other products are small. Further threads would
+    only spin as they start. What the user has set stays; MKL, which factors tangents, has variables of its own.
+    """
+    gc.set_threshold(*PATIENT)
+    if not any(name in os.environ for name in BLAS_THREADS):
+        os.environ[BLAS_THREADS[0]] = "1"
+
+
+def _run(given: list[str]) -> int:
+    """Run a command and return the exit code."""
     try:
         code = app(given or ["--help"], prog_name="turgor", standalone_mode=False)
     except typer.Abort:
