@@ -43,9 +43,9 @@ def one() -> None:
         setattr(owner, name, timed)
 
     from turgor.cli.app import main as command
+    from turgor.cli.app import settle
 
-
-    pass
+    settle()
     from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
     from turgor.job import ahead, meshes, prepare, read, run  # noqa: F401
     from turgor.job.output import tables
