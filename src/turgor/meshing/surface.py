@@ -1,5 +1,7 @@
 """The surface of a mesh, from the connectivity of its cells, and checks of it."""
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -41,6 +43,7 @@ def cell_sides(cells: NDArray[np.int64]) -> Triangles:
     return np.asarray(cells[:, np.array(kind.sides)].reshape(-1, kind.side.nodes))
 
 
+@lru_cache(maxsize=4)  # asked by every check, by measures and by contact
 def outer_triangles(mesh: Mesh) -> Triangles:
     """Find the whole surface of the mesh: the cell sides that no other cell shares.
 
@@ -51,7 +54,8 @@ def outer_triangles(mesh: Mesh) -> Triangles:
     Returns
     -------
     (f, 6), (f, 8) or (f, 9) int array
-        Sides of cells, normals pointing out of the solid, in the order of the cells.
+        Sides of cells, normals pointing out of the solid, in the order of the cells. All callers share them: change
+        a copy.
 
     Examples
     --------
@@ -70,6 +74,19 @@ def outer_triangles(mesh: Mesh) -> Triangles:
     if mesh.revolved:  # the wall of the pinhole is no surface of the body
         outer = outer[~mesh.on_axis[outer].all(axis=1)]
     return np.asarray(outer)
+
+
+def among(keys: NDArray[np.int64], known: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether each key is among others that are sorted: `numpy.isin` sorts them for every question.
+
+    Examples
+    --------
+    >>> among(np.array([3, 4]), np.array([1, 3])).tolist(), among(np.array([3]), np.array([], dtype=int)).tolist()
+    ([True, False], [False])
+    """
+    if not len(known):
+        return np.zeros(len(keys), dtype=bool)
+    return np.asarray(known[np.minimum(np.searchsorted(known, keys), len(known) - 1)] == keys)
 
 
 def rim_edges(triangles: Triangles) -> NDArray[np.int64]:
@@ -117,14 +134,14 @@ def _unnamed(mesh: Mesh, surface: Triangles) -> list[Finding]:
 
 def _misplaced(mesh: Mesh, surface: Triangles) -> list[Finding]:
     count = len(mesh.points)
-    sides = corner_keys(cell_sides(mesh.cells), count)
-    surface_keys, outward = corner_keys(surface, count), _oriented_keys(surface, count)
+    sides = np.sort(corner_keys(cell_sides(mesh.cells), count))
+    surface_keys, outward = np.sort(corner_keys(surface, count)), np.sort(_oriented_keys(surface, count))
     findings = []
     for name, triangles in mesh.faces.items():
         keys = corner_keys(triangles, count)
-        strays = int((~np.isin(keys, sides)).sum())
-        outer = triangles[np.isin(keys, surface_keys)]
-        inward = int((~np.isin(_oriented_keys(outer, count), outward)).sum())
+        strays = int((~among(keys, sides)).sum())
+        outer = triangles[among(keys, surface_keys)]
+        inward = int((~among(_oriented_keys(outer, count), outward)).sum())
         if strays or inward:
             shape = _plural(triangles)
             what = f"{strays} {shape} that are no side of a cell" if strays else f"{inward} {shape} facing inward"

@@ -9,7 +9,7 @@ from turgor.finding import Finding, Severity
 from turgor.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.quality.facing import OPPOSED, unit_normals
-from turgor.meshing.surface import check_surface, outer_triangles
+from turgor.meshing.surface import among, check_surface, outer_triangles
 from turgor.units import mm
 
 Array = NDArray[np.float64]
@@ -68,26 +68,33 @@ def crossings(mesh: Mesh) -> tuple[Ints, Array]:
     for name in mesh.cut_faces:  # a cut is not a surface of the whole actuator
         on_mirror |= np.isin(surface, mesh.face_nodes(name)).all(axis=1)
     surface = surface[~on_mirror]
-    edges = np.sort(np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges]), axis=1)
-    edges = np.unique(edges, axis=0)
-    flat = np.sort(np.concatenate([surface[:, e] for e in TRIANGLE_EDGES]), axis=1)
     n = len(mesh.points)
-    within = ~np.isin(edges[:, 0] * n + edges[:, 1], flat[:, 0] * n + flat[:, 1])
-    edges = edges[within & np.isin(edges, surface[:, :3]).all(axis=1)]
+    on_surface = np.zeros(n, dtype=bool)
+    on_surface[surface[:, :3]] = True
+    edges = np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges])
+    keys = np.unique(_edge_keys(edges[on_surface[edges].all(axis=1)], n))
+    flat = np.sort(_edge_keys(np.concatenate([surface[:, e] for e in TRIANGLE_EDGES]), n))
+    edges = np.stack(np.divmod(keys[~among(keys, flat)], n), axis=1)
     # every triangle at the first end against every triangle at the second
     owner, first = _triangles_at(surface, edges[:, 0])
     pair, second = _triangles_at(surface, edges[owner, 1])
     owner, first = owner[pair], first[pair]
     normal, span = unit_normals(mesh.points, surface), mesh.points[edges[:, 1]] - mesh.points[edges[:, 0]]
+    opposed = np.einsum("pi,pi->p", normal[first], normal[second]) < -OPPOSED
+    owner, first, second = owner[opposed], first[opposed], second[opposed]
     leaving = -np.einsum("pi,pi->p", span[owner], normal[first])
     arriving = np.einsum("pi,pi->p", span[owner], normal[second])
     depth = np.minimum(leaving, arriving)
-    opposed = np.einsum("pi,pi->p", normal[first], normal[second]) < -OPPOSED
-    through = opposed & (depth > STEEP * np.linalg.norm(span, axis=1)[owner])
+    through = depth > STEEP * np.linalg.norm(span, axis=1)[owner]
     thickness = np.full(len(edges), np.inf)
     np.minimum.at(thickness, owner[through], depth[through])
     crossing = np.isfinite(thickness)
     return edges[crossing], thickness[crossing]
+
+
+def _edge_keys(edges: Ints, node_count: int) -> Ints:
+    """One number for each edge (e, 2), the same for both directions."""
+    return np.asarray(edges.min(axis=1) * node_count + edges.max(axis=1))
 
 
 def _triangles_at(surface: Ints, vertices: Ints) -> tuple[Ints, Ints]:

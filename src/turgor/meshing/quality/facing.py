@@ -23,6 +23,10 @@ CONTINUED = 0.94
 #: Rays evaluated together, to bound the memory.
 CHUNK = 2_000
 
+#: Factor of distances that are compared with a bound to leave out what lies too far away: above round-off, and above
+#: the tolerance of a ray at the edge of a triangle.
+ROUND_OFF = 1 + 1e-6
+
 
 def unit_normals(points: Array, triangles: Ints) -> Array:
     """Return the unit normals of the flat triangles between the corners, (f, 3)."""
@@ -31,7 +35,7 @@ def unit_normals(points: Array, triangles: Ints) -> Array:
     return np.asarray(normal / np.linalg.norm(normal, axis=1, keepdims=True))
 
 
-def first_hits(points: Array, triangles: Ints, reach: float) -> Ints:
+def first_hits(points: Array, triangles: Ints, reach: float, rays: NDArray[np.bool_] | None = None) -> Ints:
     """Find the first triangle that the ray from each triangle along its outward normal hits.
 
     The rays start at the centroids. They leave the solid there, so only air lies between a triangle and its hit.
@@ -43,36 +47,50 @@ def first_hits(points: Array, triangles: Ints, reach: float) -> Ints:
         The whole surface, normals pointing out of the solid.
     reach : float [m]
         Length of the rays.
+    rays : (f,) bool array, optional
+        Triangles whose ray is followed; all by default.
 
     Returns
     -------
     (f,) int array
-        Triangle that is hit first, -1 where there is none within reach.
+        Triangle that is hit first, -1 where there is none within reach, or no ray.
     """
     corners = points[triangles[:, :3]]
     origin, normal = corners.mean(axis=1), unit_normals(points, triangles)
-    radius = float(np.linalg.norm(corners - origin[:, None], axis=2).max())
+    radii = np.linalg.norm(corners - origin[:, None], axis=2).max(axis=1)
+    radius = float(radii.max())
     tree, stride = cKDTree(origin), 2 * radius
-    low, high = points.min(axis=0) - stride, points.max(axis=0) + stride
+    low, high = points.min(axis=0), points.max(axis=0)
     hit = np.full(len(triangles), -1, dtype=np.int64)
-    active = np.arange(len(triangles))
+    active = np.arange(len(triangles)) if rays is None else np.flatnonzero(rays)
     for k in range(int(np.ceil(reach / stride))):
-        middle = origin[active] + (k + 0.5) * stride * normal[active]
-        active = active[((middle >= low) & (middle <= high)).all(axis=1)]  # the other rays have left the bounding box
+        begin, along = origin[active] + k * stride * normal[active], normal[active]
+        inside = ((begin < high) | (along <= 0)) & ((begin > low) | (along >= 0))
+        active = active[inside.all(axis=1)]  # the other rays leave the bounding box, or have left it
         for start in range(0, len(active), CHUNK):
             part = active[start : start + CHUNK]
             middle = origin[part] + (k + 0.5) * stride * normal[part]
             # a hit in this stride is at most stride / 2 from the middle, the centroid of its triangle radius further
-            near = tree.query_ball_point(middle, stride / 2 + radius)
-            ray = np.repeat(part, [len(n) for n in near])
-            target = np.array([i for n in near for i in n], dtype=np.int64)
+            near = cKDTree(middle).sparse_distance_matrix(tree, stride / 2 + radius, output_type="ndarray")
+            near = near[near["v"] <= (stride / 2 + radii[near["j"]]) * ROUND_OFF]
+            ray, target = part[near["i"]], near["j"]
+            close = _passing(origin, normal, radii, ray, target)
+            ray, target = ray[close], target[close]
             distance = _ray_distances(origin[ray], normal[ray], corners[target])
             kept = np.flatnonzero((ray != target) & (distance <= min((k + 1) * stride, reach)))
-            order = kept[np.lexsort((distance[kept], ray[kept]))]
+            order = kept[np.lexsort((target[kept], distance[kept], ray[kept]))]
             first = order[np.flatnonzero(np.diff(ray[order], prepend=-1))]
             hit[ray[first]] = target[first]
         active = active[hit[active] < 0]
     return hit
+
+
+def _passing(origin: Array, direction: Array, radii: Array, ray: Ints, target: Ints) -> NDArray[np.bool_]:
+    """Which rays pass a triangle no further from its centroid than its corners, as one that hits it does."""
+    away = origin[target] - origin[ray]
+    along = np.einsum("ij,ij->i", away, direction[ray])
+    aside = np.einsum("ij,ij->i", away, away) - along * along
+    return np.asarray(aside <= (radii[target] * ROUND_OFF) ** 2)
 
 
 def _ray_distances(origin: Array, direction: Array, corners: Array) -> Array:

@@ -128,14 +128,14 @@ def faces_its_image(mesh: Mesh) -> bool:
     reach = REACH * float(np.ptp(mesh.points, axis=0).max()) / 2
     surface = six_node_triangles(outer_triangles(mesh))
     normal, center = unit_normals(mesh.points, surface), mesh.points[surface[:, :3]].mean(axis=1)
-    free = first_hits(mesh.points, surface, reach) < 0
+    facing, offs = [], []
     for each in planes:
         away = each.side * (center[:, each.axis] - each.level)
-        off = np.isin(surface[:, :3], each.nodes)
-        sees = free & (each.side * normal[:, each.axis] < -OPPOSED) & (away < reach) & off.any(axis=1)
-        if _apart(surface[sees, :3], off[sees]):
-            return True
-    return False
+        offs.append(np.isin(surface[:, :3], each.nodes))
+        facing.append((each.side * normal[:, each.axis] < -OPPOSED) & (away < reach) & offs[-1].any(axis=1))
+    free = first_hits(mesh.points, surface, reach, np.any(facing, axis=0)) < 0
+    sees = [free & faces for faces in facing]
+    return any(_apart(surface[seen, :3], off[seen]) for seen, off in zip(sees, offs, strict=True))
 
 
 def _apart(triangles: Ints, off: NDArray[np.bool_]) -> bool:

@@ -104,13 +104,15 @@ def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[
     a, b = x[edges[edge, 0]], x[edges[edge, 1]]
     corners, normal = x[triangles[triangle]], normals[triangle]
     above, below = (np.einsum("pi,pi->p", end - corners[:, 0], normal) for end in (a, b))
-    crossing = above * below < 0
-    share = np.where(crossing, above / np.where(crossing, above - below, 1.0), 0.0)
-    place = a + share[:, None] * (b - a)
+    crossing = np.flatnonzero(above * below < 0)  # few do
+    edge, triangle, corners, normal = edge[crossing], triangle[crossing], corners[crossing], normal[crossing]
+    share = above[crossing] / (above[crossing] - below[crossing])
+    place = a[crossing] + share[:, None] * (b[crossing] - a[crossing])
+    within = np.ones(len(edge), dtype=bool)
     for k in range(3):
         side = corners[:, (k + 1) % 3] - corners[:, k]
-        crossing &= np.einsum("pi,pi->p", np.cross(side, place - corners[:, k]), normal) >= 0
-    return edge[crossing], triangle[crossing], place[crossing]
+        within &= np.einsum("pi,pi->p", np.cross(side, place - corners[:, k]), normal) >= 0
+    return edge[within], triangle[within], place[within]
 
 
 def _near(x: Array, edges: Ints, triangles: Ints) -> tuple[Ints, Ints]:
