@@ -54,6 +54,8 @@ HOME = {
     "netgen": ("geometry", "meshing"),
     "netgen.occ": ("geometry",),
     "netgen.meshing": ("meshing",),
+    "turgor.geometry.occ": ("geometry",),
+    "turgor.meshing.netgen": ("meshing",),
     "embreex": ("results",),
     "jinja2": ("results",),
     "matplotlib": ("results",),

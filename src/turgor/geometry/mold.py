@@ -5,9 +5,8 @@ from dataclasses import dataclass, replace
 from math import pi
 from typing import Any
 
-from netgen.occ import Cylinder, Pnt, Z
-
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 from turgor.geometry.actuators.fast_pneunet import FastPneuNet
 from turgor.geometry.actuators.slow_pneunet import SlowPneuNet
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
@@ -133,7 +132,7 @@ def _pins(sizes: _Sizes, mold: MoldSettings, radius: float, height: float) -> li
     ends = (-mold.wall / 2, sizes.length + mold.wall / 2)
     low = (sizes.floor_top - height) / scale
     return [
-        Cylinder(Pnt(x / scale, y / scale, low), Z, r=radius / scale, h=height / scale)
+        occ.Cylinder(occ.Pnt(x / scale, y / scale, low), occ.Z, r=radius / scale, h=height / scale)
         for x in ends
         for y in (-half, half)
     ]

@@ -5,7 +5,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from netgen.occ import OCCGeometry
+from turgor.geometry import occ
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,7 +29,7 @@ class PackedShape:
         with TemporaryDirectory() as folder:
             path = Path(folder) / "shape.brep"
             path.write_bytes(self.brep)
-            shape = OCCGeometry(str(path)).shape
+            shape = occ.OCCGeometry(str(path)).shape
         for parts, names in ((shape.faces, self.faces), (shape.solids, self.solids)):
             for part, name in zip(parts, names, strict=True):
                 if name is not None:

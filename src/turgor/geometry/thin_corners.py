@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from netgen.occ import Pnt, Vertex
 from numpy.typing import NDArray
 
+from turgor.geometry import occ
 from turgor.geometry.geometry import Geometry
 
 Array = NDArray[np.float64]
@@ -115,7 +115,7 @@ class _Walls:
         if depth[2] <= 1e-6 * depth[0]:
             return False
         middles = [_samples(edge)[0][2] for edge in edges if not _is_straight(edge)]
-        return all(self._is_thin_at(Vertex(Pnt(*middle))) for middle in middles)
+        return all(self._is_thin_at(occ.Vertex(occ.Pnt(*middle))) for middle in middles)
 
     def _is_thin_at(self, place: Any) -> bool:
         """Whether the outside or another cavity is closer than the limit of a thin wall."""

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from netgen.meshing import IdentificationType, MeshingParameters, NgException, Pnt, SetMessageImportance
 
 from turgor.errors import TurgorError
 from turgor.geometry.cad.symmetry.sector import cut_pairs, cut_turn
 from turgor.geometry.geometry import Geometry
+from turgor.meshing import netgen
 from turgor.meshing.bodies.assemble import Raw
 from turgor.meshing.quiet import captured_output
 from turgor.meshing.sizing.local_sizes import LocalSizes
@@ -70,7 +70,7 @@ def join_cuts(geometry: Geometry) -> None:
         return
     turn = cut_turn(geometry.wedge, geometry.length_scale)
     for low, high in cut_pairs(geometry._shape, geometry.wedge, geometry.length_scale):
-        low.Identify(high, "cyclic", IdentificationType.PERIODIC, turn)
+        low.Identify(high, "cyclic", netgen.IdentificationType.PERIODIC, turn)
 
 
 def generated_cells(geometry: Geometry, sizes: GeneratorSizes) -> Raw:
@@ -86,7 +86,7 @@ def generated_cells(geometry: Geometry, sizes: GeneratorSizes) -> Raw:
     TurgorError
         If the generator gives up, with its own words.
     """
-    before = SetMessageImportance(0)
+    before = netgen.SetMessageImportance(0)
     with captured_output() as text:  # at level 0 its warnings and errors still go to stdout, line after line
         try:
             # the generator takes sizes from a triangulation stored with the shape; making it here gives the same mesh
@@ -101,28 +101,28 @@ def generated_cells(geometry: Geometry, sizes: GeneratorSizes) -> Raw:
                 ngs_mesh=False,
             )
             netgen_mesh.SecondOrder()
-        except NgException as error:
+        except netgen.NgException as error:
             causes = [line.strip() for line in text().splitlines() if " error: " in line.lower()]
             raise TurgorError(
                 f"'{geometry.name}' could not be meshed at size {sizes.size / mm:.4g} mm; use a smaller one. "
                 f"The mesh generator says: {causes[-1] if causes else error}"
             ) from error
         finally:
-            SetMessageImportance(before)
+            netgen.SetMessageImportance(before)
     return _read(netgen_mesh, geometry.length_scale)
 
 
-def _local_sizes(sizes: GeneratorSizes, scale: float) -> MeshingParameters | None:
-    """Smaller sizes at points and along lines, as the generator takes them."""
+def _local_sizes(sizes: GeneratorSizes, scale: float) -> Any:
+    """Smaller sizes at points and along lines, as the generator takes them; None without any."""
     features = sizes.features
     if not sizes.places and not len(sizes.local.lines) and features is None:
         return None
-    parameters = MeshingParameters()
+    parameters = netgen.MeshingParameters()
     for start, end in sizes.local.lines / scale:
-        parameters.RestrictHLine(Pnt(*start), Pnt(*end), sizes.local.line_size / scale)
+        parameters.RestrictHLine(netgen.Pnt(*start), netgen.Pnt(*end), sizes.local.line_size / scale)
     if features is not None:
         for (start, end), size in zip(features.lines / scale, features.line_sizes / scale, strict=True):
-            parameters.RestrictHLine(Pnt(*start), Pnt(*end), size)
+            parameters.RestrictHLine(netgen.Pnt(*start), netgen.Pnt(*end), size)
     for rounds, walls in enumerate(sizes.places):
         for (x, y, z), size in zip(walls.points / scale, walls.sizes(rounds) / scale, strict=True):
             parameters.RestrictH(x, y, z, size)

@@ -64,6 +64,7 @@ def test_the_page_on_the_architecture_shows_the_same_order():
         ("turgor.solvers.newton.newton", "import ctypes", "ctypes may be imported in engine and geometry only"),
         ("turgor.meshing.generate", "from netgen.occ import Box", "netgen.occ may be imported in geometry only"),
         ("turgor.meshing.generate", "from netgen import occ", "netgen.occ may be imported in geometry only"),
+        ("turgor.meshing.generate", "from turgor.geometry import occ", "geometry.occ may be imported in geometry only"),
         ("turgor.engine.cells", "import netgen", "netgen may be imported in geometry and meshing only"),
         ("turgor", "import numba", "numba may be imported in engine only"),
         ("turgor.solvers.newton.newton", "def step():\n    print('hello')", "line 2: print"),

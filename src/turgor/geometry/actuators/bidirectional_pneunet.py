@@ -3,8 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from netgen.occ import Axes, Pnt, X, Z
-
+from turgor.geometry import occ
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.parts.chamber_row import ChamberRow, check_row, row_of
 from turgor.geometry.parts.pneunet import check_envelope, copies, finished
@@ -118,7 +117,7 @@ height of 13.5 mm.
         TurgorError
             If the CAD volumes are not those of the dimensions.
         """
-        row, plane = self._row, Axes(Pnt(0, 0, 0), Z, X)
+        row, plane = self._row, occ.Axes(occ.Pnt(0, 0, 0), occ.Z, occ.X)
         above, air = cut(row.slab((0.0, self.height)), row.gaps()), row.cavity()
         blocks = [("body", above), ("body", above.Mirror(plane))]
         cavities = {"cavity_1": air, "cavity_2": air.Mirror(plane)}

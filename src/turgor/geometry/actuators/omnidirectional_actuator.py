@@ -4,8 +4,7 @@ from dataclasses import dataclass
 from math import pi, sin, sqrt
 from typing import Any
 
-from netgen.occ import Fuse
-
+from turgor.geometry import occ
 from turgor.geometry.geometry import Geometry, check_volume
 from turgor.geometry.parts.chambers import SHAPES, ChamberSection, arrangement, largest_size
 from turgor.geometry.parts.ends import name_faces
@@ -168,7 +167,7 @@ of 0.01 mm between them.
             tools.append(prism(self._part(disc(self.bore_radius)), (0.0, self._end)))
         outside, clamp = self._part(disc(self.outer_radius)), self.clamp_length
         solids = [prism(outside, (clamp, self._end)), *([prism(outside, (0.0, clamp))] if clamp else [])]
-        shape = cut(Fuse(solids) if clamp else solids[0], tools)
+        shape = cut(occ.Fuse(solids) if clamp else solids[0], tools)
         shape.mat("body")
         check_volume("solid", volume(shape), self.solid_volume)
         name_faces(shape, end=self._end, clamp=self.clamp_length, mirrors="y" if self.symmetric else "")

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from math import pi, sqrt
 from typing import Any
 
-from netgen.occ import Glue
-
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 from turgor.geometry.actuators.three_extenders import triangle_corner
 from turgor.geometry.geometry import Geometry, check_volume
 from turgor.geometry.parts.chambers import arrangement
@@ -194,7 +193,7 @@ class ParallelBellows:
         for solids, region in ((bodies, "body"), (plates, "plate")):
             for solid in solids:
                 solid.mat(region)
-        shape = Glue([*bodies, *plates])
+        shape = occ.Glue([*bodies, *plates])
         check_volume("solid", volume(shape), self.solid_volume)
         name_faces(shape, end=self.length, mirrors="y" if self.symmetric else "")
         kind = "constrained" if self.constrained and self.ribs else "unconstrained"

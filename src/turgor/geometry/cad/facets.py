@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from netgen.occ import OCCGeometry
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -71,9 +71,9 @@ def find_facets(shape: Any, faces: list[Any]) -> Facets:
     TurgorError
         If a body is not closed.
     """
-    data = OCCGeometry(shape)._visualizationData()
+    data = occ.OCCGeometry(shape)._visualizationData()
     number = {face: i for i, face in enumerate(faces)}
-    drawn = np.array([number[face] for face in _unique(OCCGeometry(shape).faces)], dtype=np.int64)
+    drawn = np.array([number[face] for face in _unique(occ.OCCGeometry(shape).faces)], dtype=np.int64)
     corners = data["vertices"].reshape(-1, 3).astype(np.float64)
     face = drawn[data["indices"].astype(np.int64)]
     points, triangles = weld(corners)
@@ -101,10 +101,10 @@ def named_facets(shape: Any) -> list[tuple[str, Array]]:
     """
     if hasattr(shape, "corners"):  # facets are all there is
         return [(face.name, shape.corners[shape.face == i]) for i, face in enumerate(shape.faces)]
-    data = OCCGeometry(shape)._visualizationData()
+    data = occ.OCCGeometry(shape)._visualizationData()
     corners = data["vertices"].reshape(-1, 3, 3).astype(np.float64)
     number = data["indices"].astype(np.int64)
-    return [(str(face.name), corners[number == i]) for i, face in enumerate(_unique(OCCGeometry(shape).faces))]
+    return [(str(face.name), corners[number == i]) for i, face in enumerate(_unique(occ.OCCGeometry(shape).faces))]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -146,7 +146,7 @@ class RoundFacets:
 
 def round_facets(shape: Any) -> RoundFacets:
     """Return the triangles of the display of a shape, with the normals of the true surface at their corners."""
-    geometry = OCCGeometry(shape)
+    geometry = occ.OCCGeometry(shape)
     data = geometry._visualizationData()
     return RoundFacets(
         corners=data["vertices"].reshape(-1, 3, 3).astype(np.float64),

@@ -8,10 +8,9 @@ from shutil import copyfile
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from netgen.occ import OCCGeometry, Pnt
-
 from turgor.errors import TurgorError, near_match
 from turgor.finding import Finding
+from turgor.geometry import occ
 from turgor.geometry.cad.stl import stl_bodies
 from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.child import Work
@@ -95,7 +94,7 @@ def load_file(path: str | Path, unit: str | None = None) -> FileContents:
 
 
 def _scaled(body: Any, factor: float) -> Any:
-    return body.scaled(factor) if isinstance(body, SurfaceShape) else body.Scale(Pnt(0, 0, 0), factor)
+    return body.scaled(factor) if isinstance(body, SurfaceShape) else body.Scale(occ.Pnt(0, 0, 0), factor)
 
 
 def reading(path: str | Path) -> Work:
@@ -151,7 +150,7 @@ def _read(path: Path, kind: str) -> tuple[list[Any], list[str]]:
         try:
             if path.suffix not in (".step", ".stp", ".brep"):  # the kernel accepts only these suffixes, in lower case
                 path = Path(copyfile(path, Path(folder) / f"part.{kind.lower()}"))
-            geometry = OCCGeometry(str(path))
+            geometry = occ.OCCGeometry(str(path))
             shape = geometry.shape
             bodies = list(shape.solids)
             names = _assembly_names(geometry, bodies) if kind == "STEP" else [""] * len(bodies)

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from netgen.occ import Glue
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 from turgor.geometry.cad.colors import shown_color
 from turgor.geometry.cad.facets import Facets, find_facets
 from turgor.geometry.cad.files import FileContents, load_file
@@ -100,7 +100,7 @@ def load_part(
         bodies, names = split_bodies(bodies, names, split)
     for body, name in zip(bodies, names, strict=True):
         body.name = name
-    shape = Glue(bodies)
+    shape = occ.Glue(bodies)
     solids = list(shape.solids)
     if len(solids) != len(bodies) or abs(sum(s.mass for s in solids) - before) > OVERLAP * before:
         lost = before - sum(solid.mass for solid in solids)

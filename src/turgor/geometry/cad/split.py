@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from netgen.occ import HalfSpace, Pnt, Vec
 
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 from turgor.geometry.cad.facets import find_facets
 from turgor.geometry.cad.selectors import direction
 from turgor.geometry.directions import Vector
@@ -93,7 +93,7 @@ def split_bodies(bodies: list[Any], names: list[str], split: SplitPlane) -> tupl
             f"where the part is along {tuple(split.normal)}."
         )
     point = up * at
-    half = HalfSpace(Pnt(*map(float, point)), Vec(*map(float, up)))
+    half = occ.HalfSpace(occ.Pnt(*map(float, point)), occ.Vec(*map(float, up)))
     pieces: list[Any] = []
     regions: list[str] = []
     for body, name in zip(bodies, names, strict=True):

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from netgen.occ import Face, Pnt, Segment, Sew, Solid, Wire
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding
+from turgor.geometry import occ
 from turgor.geometry.cad.facets import find_facets, flux
 from turgor.geometry.cad.surface.crossing import winding
 from turgor.geometry.cad.surface.orientation import shells_of
@@ -96,7 +96,7 @@ def _check_single(path: Path, shape: SurfaceShape) -> None:
 
 def _sewn(points: Array, triangles: Ints) -> list[Any]:
     """CAD solids of plane triangles; none where the CAD kernel cannot sew them."""
-    shells = list(Sew([_face(points[triangle]) for triangle in triangles]).shells)
+    shells = list(occ.Sew([_face(points[triangle]) for triangle in triangles]).shells)
     return _nested(sorted((_positive(shell) for shell in shells), key=lambda solid: -solid.mass)) if shells else []
 
 
@@ -123,15 +123,15 @@ def read_stl(path: Path) -> Array:
 
 
 def _face(corners: Array) -> Any:
-    a, b, c = (Pnt(*map(float, corner)) for corner in corners)
-    return Face(Wire([Segment(a, b), Segment(b, c), Segment(c, a)]))
+    a, b, c = (occ.Pnt(*map(float, corner)) for corner in corners)
+    return occ.Face(occ.Wire([occ.Segment(a, b), occ.Segment(b, c), occ.Segment(c, a)]))
 
 
 def _positive(shell: Any) -> Any:
     """Body within a shell, for either orientation of its triangles, with one face for each plane wall."""
-    solid = Solid(shell)
+    solid = occ.Solid(shell)
     if solid.mass < 0:
-        solid = Solid(shell.Reversed())
+        solid = occ.Solid(shell.Reversed())
     return solid.UnifySameDomain()
 
 

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from netgen.occ import OCCException, Sew, Solid
 from numpy.typing import NDArray
 
+from turgor.geometry import occ
 from turgor.geometry.cad.cavities import Hollow, Opening, chains, rim
 from turgor.geometry.cad.facets import Facets, Mirror, flux
 from turgor.geometry.cad.surface.shape import SurfaceFace
@@ -127,10 +127,10 @@ def _mean_vertex(chosen: Sequence[Any]) -> Array:
 def _kernel_flux(chosen: Sequence[Any]) -> float | None:
     """⅓ ∫ (x − mean vertex)·n da over the true faces, up to its sign; None if they are not connected."""
     try:
-        shell = Sew(list(chosen))
+        shell = occ.Sew(list(chosen))
         whole = len(list(shell.shells)) == 1 or (not list(shell.shells) and len(chosen) == 1)
-        return float(Solid(shell).mass) if whole else None
-    except (OCCException, RuntimeError, ValueError):
+        return float(occ.Solid(shell).mass) if whole else None
+    except (occ.OCCException, RuntimeError, ValueError):
         return None
 
 

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from math import cos, pi, sin
 from typing import Any
 
-from netgen.occ import Cylinder, Pnt, Z
-
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.rules import check_option
 from turgor.geometry.shapes.arcs import split_edge
@@ -59,7 +58,9 @@ class Duct:
         """Build the CAD shape: the part of the hole within the solids around it and outside the cavity."""
         scale, low = METERS_PER_CAD_UNIT, self.below.centroid[1]
         length = 2 * (top(self.above, 0.0) - low)
-        hole = Cylinder(Pnt(self.x / scale, 0, low / scale), Z, r=self.diameter / 2 / scale, h=length / scale)
+        hole = occ.Cylinder(
+            occ.Pnt(self.x / scale, 0, low / scale), occ.Z, r=self.diameter / 2 / scale, h=length / scale
+        )
         within = [part for part in (hole * solid for solid in around) if len(part.solids)]
         return union(within) - cavity
 

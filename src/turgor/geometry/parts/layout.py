@@ -4,9 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from netgen.occ import Compound, Fuse, Glue
-
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.geometry import Geometry, check_volume
 from turgor.geometry.names import INTERFACE
@@ -113,17 +112,17 @@ class Layout:
             check_volume(name, volume(union([solid for owner, solid in air if owner == name])), expected)
         solids = []
         for group in self._groups():
-            solid = Fuse([piece.solid() for piece in group]) if len(group) > 1 else group[0].solid()
+            solid = occ.Fuse([piece.solid() for piece in group]) if len(group) > 1 else group[0].solid()
             solid = cut(solid, [made for _, made in air])
             solid.mat(group[0].name)
             solids.append(solid)
         for name, solid in air:
             solid.mat(name)
-        glued = Glue([*solids, *(solid for _, solid in air)])
+        glued = occ.Glue([*solids, *(solid for _, solid in air)])
         for solid in glued.solids:
             if solid.name in self.cavity_volumes:
                 solid.faces.name = solid.name
-        shape = Compound([solid for solid in glued.solids if solid.name not in self.cavity_volumes])
+        shape = occ.Compound([solid for solid in glued.solids if solid.name not in self.cavity_volumes])
         check_volume("solid", volume(shape), self.solid_volume)
         return shape
 

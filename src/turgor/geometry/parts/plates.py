@@ -4,8 +4,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from netgen.occ import Face, Pnt, Segment, Vec, Wire
-
+from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.solids import Range
 
@@ -49,12 +48,12 @@ def profile(corners: Sequence[Point], across: Range) -> Any:
 
 
 def _swept(corners: Sequence[tuple[float, ...]], by: tuple[float, ...]) -> Any:
-    points = [Pnt(*(value / METERS_PER_CAD_UNIT for value in corner)) for corner in corners]
-    edges = [Segment(a, b) for a, b in zip(points, [*points[1:], points[0]], strict=True)]
-    return Face(Wire(edges)).Extrude(Vec(*(value / METERS_PER_CAD_UNIT for value in by)))
+    points = [occ.Pnt(*(value / METERS_PER_CAD_UNIT for value in corner)) for corner in corners]
+    edges = [occ.Segment(a, b) for a, b in zip(points, [*points[1:], points[0]], strict=True)]
+    return occ.Face(occ.Wire(edges)).Extrude(occ.Vec(*(value / METERS_PER_CAD_UNIT for value in by)))
 
 
 def wire(corners: Sequence[tuple[float, float, float]]) -> Any:
     """Make a polyline through points [m]; glued to a solid, it splits the faces below it."""
-    points = [Pnt(*(value / METERS_PER_CAD_UNIT for value in corner)) for corner in corners]
-    return Wire([Segment(a, b) for a, b in pairwise(points)])
+    points = [occ.Pnt(*(value / METERS_PER_CAD_UNIT for value in corner)) for corner in corners]
+    return occ.Wire([occ.Segment(a, b) for a, b in pairwise(points)])

@@ -4,10 +4,9 @@ from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from typing import Any, Protocol
 
-from netgen.occ import Cylinder, Glue, Pnt, X
-
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
+from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.geometry import Geometry, check_volume
 from turgor.geometry.parts.plates import wire
@@ -162,7 +161,7 @@ def copies(part: Part) -> int:
 def inlet(diameter: float, end: float, height: float, half: bool) -> Any:
     """The air duct along x from the plane x = 0 to ``end``, in the middle at ``height`` [m]."""
     scale = METERS_PER_CAD_UNIT
-    duct = Cylinder(Pnt(0, 0, height / scale), X, r=diameter / 2 / scale, h=end / scale)
+    duct = occ.Cylinder(occ.Pnt(0, 0, height / scale), occ.X, r=diameter / 2 / scale, h=end / scale)
     return duct * box((0, end), (0, diameter), (height - diameter, height + diameter)) if half else duct
 
 
@@ -210,7 +209,7 @@ def finished(
             solid.mat(region)
             solids.append(solid)
     is_open = any(in_plane(face, 2, layer) for inside in cavities.values() for face in inside.faces)
-    shape = Glue([*solids, *_end_of_clamp(actuator, blocks)])
+    shape = occ.Glue([*solids, *_end_of_clamp(actuator, blocks)])
     check_volume("solid", volume(shape), actuator.solid_volume)
     _name_faces(actuator, shape, layer)
     return Geometry(

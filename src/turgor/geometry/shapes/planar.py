@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from netgen.occ import ArcOfCircle, Face, Glue, Pnt, Segment, Wire
-
+from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.sections import Outline, Point, edge_middle
 
@@ -28,16 +27,16 @@ def planar_faces(outlines: Sequence[Outline]) -> Any:
     >>> len(planar_faces([disc(2e-3), disc(1e-3)]).faces)
     2
     """
-    return Glue([_face(outline) for outline in outlines])
+    return occ.Glue([_face(outline) for outline in outlines])
 
 
 def _face(outline: Outline) -> Any:
     edges = []
     for start, end, arc in outline.edges:
         a, b = _point(start), _point(end)
-        edges.append(ArcOfCircle(a, _point(edge_middle(start, end, arc)), b) if arc else Segment(a, b))
-    return Face(Wire(edges))
+        edges.append(occ.ArcOfCircle(a, _point(edge_middle(start, end, arc)), b) if arc else occ.Segment(a, b))
+    return occ.Face(occ.Wire(edges))
 
 
 def _point(point: Point) -> Any:
-    return Pnt(point[0] / METERS_PER_CAD_UNIT, point[1] / METERS_PER_CAD_UNIT, 0)
+    return occ.Pnt(point[0] / METERS_PER_CAD_UNIT, point[1] / METERS_PER_CAD_UNIT, 0)

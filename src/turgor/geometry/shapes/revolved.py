@@ -3,8 +3,7 @@
 from math import degrees, pi
 from typing import Any
 
-from netgen.occ import ArcOfCircle, Axis, Face, Pnt, Segment, Wire, X
-
+from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.arcs import Point, edge_middle
 from turgor.geometry.shapes.sections import Outline
@@ -43,13 +42,13 @@ def revolved(outline: Outline, turn: float = WHOLE, center: Point = (0.0, 0.0)) 
     def place(point: Point) -> Any:
         scale = METERS_PER_CAD_UNIT
         y, z = (center[i] + across[i] * point[1] for i in (0, 1))
-        return Pnt(point[0] / scale, y / scale, z / scale)
+        return occ.Pnt(point[0] / scale, y / scale, z / scale)
 
     edges = []
     for start, end, arc in outline.edges:
         a, b = place(start), place(end)
-        edges.append(ArcOfCircle(a, place(edge_middle(start, end, arc)), b) if arc else Segment(a, b))
-    return Face(Wire(edges)).Revolve(Axis(place((0.0, 0.0)), X), degrees(turn))
+        edges.append(occ.ArcOfCircle(a, place(edge_middle(start, end, arc)), b) if arc else occ.Segment(a, b))
+    return occ.Face(occ.Wire(edges)).Revolve(occ.Axis(place((0.0, 0.0)), occ.X), degrees(turn))
 
 
 def revolved_volume(outline: Outline, turn: float = WHOLE) -> float:

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from math import atan2, ceil, cos, hypot, pi, sin, tan
 from typing import Any
 
-from netgen.occ import ArcOfCircle, Face, Pnt, Segment, Vec, Wire
-
+from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.arcs import (
     SAME_POINT,
@@ -243,8 +242,8 @@ def prism(outline: Outline, along: Range) -> Any:
     edges = []
     for start, end, arc in outline.edges:
         a, b = _point(x, start), _point(x, end)
-        edges.append(ArcOfCircle(a, _point(x, edge_middle(start, end, arc)), b) if arc else Segment(a, b))
-    return Face(Wire(edges)).Extrude(Vec((along[1] - along[0]) / METERS_PER_CAD_UNIT, 0, 0))
+        edges.append(occ.ArcOfCircle(a, _point(x, edge_middle(start, end, arc)), b) if arc else occ.Segment(a, b))
+    return occ.Face(occ.Wire(edges)).Extrude(occ.Vec((along[1] - along[0]) / METERS_PER_CAD_UNIT, 0, 0))
 
 
 def tube(outer: Outline, inner: Outline, along: Range) -> Any:
@@ -253,7 +252,7 @@ def tube(outer: Outline, inner: Outline, along: Range) -> Any:
 
 
 def _point(x: float, point: Point) -> Any:
-    return Pnt(x, point[0] / METERS_PER_CAD_UNIT, point[1] / METERS_PER_CAD_UNIT)
+    return occ.Pnt(x, point[0] / METERS_PER_CAD_UNIT, point[1] / METERS_PER_CAD_UNIT)
 
 
 def _without_empty_edges(outline: Outline) -> Outline:

@@ -5,8 +5,7 @@ from functools import reduce
 from operator import add, sub
 from typing import Any
 
-from netgen.occ import Box, Glue, Pnt
-
+from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 
 Range = tuple[float, float]
@@ -18,7 +17,7 @@ PLANE_TOLERANCE = 1e-6
 def box(x: Range, y: Range, z: Range) -> Any:
     """Make a box from its ranges in meters."""
     scale = METERS_PER_CAD_UNIT
-    return Box(Pnt(x[0] / scale, y[0] / scale, z[0] / scale), Pnt(x[1] / scale, y[1] / scale, z[1] / scale))
+    return occ.Box(occ.Pnt(x[0] / scale, y[0] / scale, z[0] / scale), occ.Pnt(x[1] / scale, y[1] / scale, z[1] / scale))
 
 
 def union(shapes: Sequence[Any]) -> Any:
@@ -35,7 +34,7 @@ def glue(regions: Mapping[str, Any]) -> Any:
     """Join solids so that they share the faces where they touch; each keeps its name as a region."""
     for name, shape in regions.items():
         shape.mat(name)
-    return Glue(list(regions.values()))
+    return occ.Glue(list(regions.values()))
 
 
 def name_plane(shape: Any, axis: int, position: float, name: str, keep: Collection[str] = ()) -> None:

@@ -5,11 +5,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from netgen.meshing import Element2D, FaceDescriptor, MeshPoint, NgException, Pnt, SetMessageImportance
-from netgen.meshing import Mesh as NetgenMesh
 
 from turgor.errors import TurgorError
 from turgor.geometry.child import in_child
+from turgor.meshing import netgen
 from turgor.meshing.exchange.formats.raw import KINDS, Block, RawMesh
 from turgor.meshing.exchange.formats.stl import Triangles, read_stl
 from turgor.meshing.exchange.frame import Frame
@@ -90,20 +89,20 @@ def _wound(shell: Triangles, outward: bool) -> Triangles:
 
 
 def _filled(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh:
-    before = SetMessageImportance(0)
+    before = netgen.SetMessageImportance(0)
     with captured_output() as text:
-        made = NetgenMesh(dim=3)
-        made.Add(FaceDescriptor(surfnr=1, domin=1, domout=0, bc=1))
+        made = netgen.Mesh(dim=3)
+        made.Add(netgen.FaceDescriptor(surfnr=1, domin=1, domout=0, bc=1))
         for shell in shells:
-            numbers = [made.Add(MeshPoint(Pnt(*position))) for position in shell.points.tolist()]
+            numbers = [made.Add(netgen.MeshPoint(netgen.Pnt(*position))) for position in shell.points.tolist()]
             for triangle in shell.triangles.tolist():
-                made.Add(Element2D(1, [numbers[i] for i in triangle]))
+                made.Add(netgen.Element2D(1, [numbers[i] for i in triangle]))
         try:
             made.GenerateVolumeMesh()
-        except NgException:
+        except netgen.NgException:
             pass  # no cells were made, which is told below with the places
         finally:
-            SetMessageImportance(before)
+            netgen.SetMessageImportance(before)
         said = text()
     cells = made.Elements3D().NumPy()["nodes"]
     if not len(cells):

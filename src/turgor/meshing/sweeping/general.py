@@ -5,13 +5,13 @@ from math import hypot
 from typing import Any
 
 import numpy as np
-from netgen.meshing import NgException, SetMessageImportance
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.planar import planar_faces
 from turgor.geometry.shapes.sections import Outline
+from turgor.meshing import netgen
 from turgor.meshing.places import same_places
 from turgor.meshing.quiet import captured_output
 from turgor.meshing.sweeping.pairing import corner_sines, paired
@@ -81,7 +81,7 @@ def _quadrilaterals(outlines: Sequence[Outline], fine: Fineness, close: bool) ->
 def _generate(outlines: Sequence[Outline], fine: Fineness, close: bool) -> tuple[Array, Ints, Ints]:
     """Points [m], triangles, counterclockwise, and the segments of the outlines."""
     options = {"closeedgefac": 1 / LONGEST_PER_GAP} if close else {}
-    before = SetMessageImportance(0)
+    before = netgen.SetMessageImportance(0)
     with captured_output():
         try:
             mesh: Any = planar_faces(outlines).GenerateMesh(
@@ -93,11 +93,11 @@ def _generate(outlines: Sequence[Outline], fine: Fineness, close: bool) -> tuple
                 ngs_mesh=False,
                 **options,
             )
-        except NgException as error:
+        except netgen.NgException as error:
             size = f"{fine.size / mm:.4g} mm"
             raise TurgorError(f"a section could not be meshed at size {size}; use a smaller one.") from error
         finally:
-            SetMessageImportance(before)
+            netgen.SetMessageImportance(before)
     points = np.array(mesh.Coordinates(), dtype=np.float64)[:, :2] * METERS_PER_CAD_UNIT
     triangles = mesh.Elements2D().NumPy()["nodes"][:, :3].astype(np.int64) - 1
     clockwise = corner_sines(points, triangles)[:, 0] < 0

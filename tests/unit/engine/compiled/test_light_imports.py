@@ -19,9 +19,10 @@ def loaded(script: str) -> set[str]:
     [
         ("from turgor.cli.run import run; from turgor.loops import begin_early", HEAVY),
         ("import turgor.engine.warmup.compiling", {"netgen", "netgen.occ", "typer"}),
+        ("import turgor.job.run; from turgor.job.job import ACTUATORS; list(ACTUATORS.values())", {"netgen"}),
         ("from turgor.results.measures.measures import find_measure as f; f('reaction')", {"scipy.optimize"}),
     ],
-    ids=["before a command compiles", "the process that compiles", "the list of measures"],
+    ids=["before a command compiles", "the process that compiles", "a run and all families", "the list of measures"],
 )
 def test_is_light(script, refused):
     modules = loaded(script)

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from netgen.occ import Face, Pnt, Segment, Vertex, Wire
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 from turgor.geometry.cad.planes.tracing import loops_of, outline_of, samples
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.sweep import Fill
@@ -85,13 +85,13 @@ def _plane(geometry: Geometry, at: float) -> Any:
     """A square across x that is larger than the part, in CAD units."""
     x, reach = at / geometry.length_scale, 2 * geometry.extent / geometry.length_scale
     (_, y, z), _ = ((value / geometry.length_scale for value in corner) for corner in geometry.bounds)
-    corners = [Pnt(x, y + a * reach, z + b * reach) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-    return Face(Wire([Segment(corners[i], corners[(i + 1) % 4]) for i in range(4)]))
+    corners = [occ.Pnt(x, y + a * reach, z + b * reach) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    return occ.Face(occ.Wire([occ.Segment(corners[i], corners[(i + 1) % 4]) for i in range(4)]))
 
 
 def _name_at(edge: Any, solid: Any) -> str:
     """Name of the face of a solid on which the middle of an edge lies."""
     low, high = edge.parameter_interval
-    middle = Vertex(edge.Value((low + high) / 2))
+    middle = occ.Vertex(edge.Value((low + high) / 2))
     face = min(solid.faces, key=lambda each: float(middle.Distance(each)))
     return str(face.name or "outside")

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from netgen.occ import Glue, HalfSpace, Pnt, Vec
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
+from turgor.geometry import occ
 from turgor.geometry.cad.facets import find_facets
 from turgor.geometry.cad.part import Part, with_shape
 from turgor.geometry.cad.surface.shape import SurfaceShape
@@ -111,7 +111,7 @@ def _half(part: Part, names: Sequence[str], plane: MirrorPlane) -> tuple[Part, t
     point[axis], normal[axis] = plane.position, 1.0
     for face, name in zip(part.faces, names, strict=True):
         face.name = name
-    below = HalfSpace(Pnt(*map(float, point)), Vec(*map(float, normal)))
+    below = occ.HalfSpace(occ.Pnt(*map(float, point)), occ.Vec(*map(float, normal)))
     pieces: list[Any] = []
     for solid in part.shape.solids:
         kept = list((solid - below).solids)
@@ -124,7 +124,7 @@ def _half(part: Part, names: Sequence[str], plane: MirrorPlane) -> tuple[Part, t
             f"symmetry: the sides of the plane {plane.normal} = {plane.position:.6g} mm of '{part.path}' have "
             f"{after:.6g} and {before - after:.6g} mm³; they are not mirror images."
         )
-    return _named(part, Glue(pieces), axis, plane)
+    return _named(part, occ.Glue(pieces), axis, plane)
 
 
 def _named(part: Part, shape: Any, axis: int, plane: MirrorPlane) -> tuple[Part, tuple[str, ...]]:

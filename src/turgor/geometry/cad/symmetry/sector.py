@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from netgen.occ import Axis, Glue, HalfSpace, Pnt, Vec, X, Y, Z, gp_Trsf
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.geometry import occ
 from turgor.geometry.cad.facets import find_facets
 from turgor.geometry.cad.part import Part, with_shape
 from turgor.geometry.wedge import HIGH, LOW, Wedge
@@ -72,7 +72,7 @@ def sector(part: Part, names: Sequence[str], wedge: Wedge) -> tuple[Part, tuple[
             f"symmetry: a sector of 1/{wedge.fold} of '{part.path}' about {wedge.axis} has {own:.6g} mm³, which is not "
             f"1/{wedge.fold} of {whole:.6g} mm³; the part is not the same after such a turn."
         )
-    return _named(part, Glue(pieces), wedge, start)
+    return _named(part, occ.Glue(pieces), wedge, start)
 
 
 def cut_angle(part: Part, wedge: Wedge) -> float:
@@ -144,7 +144,7 @@ def cut_pairs(shape: Any, wedge: Wedge, scale: float) -> list[tuple[Any, Any]]:
 def cut_turn(wedge: Wedge, scale: float) -> Any:
     """The turn from the lower cut to the higher one, as the CAD kernel takes it; one CAD unit has ``scale`` meters."""
     x, y, z = (value / scale for value in wedge.center)
-    return gp_Trsf.Rotation(Axis(Pnt(x, y, z), (X, Y, Z)[wedge.number]), 360 / wedge.fold)
+    return occ.gp_Trsf.Rotation(occ.Axis(occ.Pnt(x, y, z), (occ.X, occ.Y, occ.Z)[wedge.number]), 360 / wedge.fold)
 
 
 def _same_area(face: Any, other: Any) -> bool:
@@ -157,7 +157,7 @@ def _half_spaces(wedge: Wedge, center: Array, start: float) -> list[Any]:
     for angle, side in ((start, 1.0), (start + wedge.angle, -1.0)):
         normal = np.zeros(3)
         normal[list(wedge.across)] = -side * np.sin(angle), side * np.cos(angle)
-        beyond.append(HalfSpace(Pnt(*map(float, center)), Vec(*map(float, normal))))
+        beyond.append(occ.HalfSpace(occ.Pnt(*map(float, center)), occ.Vec(*map(float, normal))))
     return beyond[:1] if wedge.fold == 2 else beyond
 
 

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from netgen.meshing import MeshingStep, SetMessageImportance
 from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.wedge import Wedge
+from turgor.meshing import netgen
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.exchange.formats.raw import Array, Ints
 from turgor.meshing.exchange.formats.stl import Triangles, stl_bytes
@@ -116,15 +116,15 @@ def _flat(sides: Ints) -> Ints:
 
 
 def _of_geometry(geometry: Geometry) -> _Surface:
-    before = SetMessageImportance(0)
+    before = netgen.SetMessageImportance(0)
     with captured_output():
         try:
             size = LONGEST_SHARE * geometry.extent / geometry.length_scale
             made = geometry._shape.GenerateMesh(
-                maxh=size, curvaturesafety=3.0, grading=0.9, perfstepsend=MeshingStep.MESHSURFACE, ngs_mesh=False
+                maxh=size, curvaturesafety=3.0, grading=0.9, perfstepsend=netgen.MeshingStep.MESHSURFACE, ngs_mesh=False
             )
         finally:
-            SetMessageImportance(before)
+            netgen.SetMessageImportance(before)
     table, descriptors = made.Elements2D().NumPy(), made.FaceDescriptors()
     triangles, place = table["nodes"][:, :3].astype(np.int64) - 1, table["index"].astype(np.int64) - 1
     faces: dict[str, list[Ints]] = {}
