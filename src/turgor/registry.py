@@ -14,7 +14,8 @@ Found = TypeVar("Found")
 class Registry(Mapping[str, Found], Generic[Found]):
     """What the files of a folder define, by name.
 
-    The files are imported when a name is first asked for, and again looked through once the folder has another path.
+    A name that a file has too is looked for in that file. All files are imported when another name is asked for, and
+    again looked through once the folder has another path.
 
     Parameters
     ----------
@@ -37,13 +38,21 @@ class Registry(Mapping[str, Found], Generic[Found]):
         self._held: dict[str, Found] = {}
 
     def __getitem__(self, name: str) -> Found:
-        return self._found()[name]
+        own = self._of_its_file(name)
+        return self._found()[name] if own is None else own
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._found())
 
     def __len__(self) -> int:
         return len(self._found())
+
+    def _of_its_file(self, name: str) -> Found | None:
+        """What the file of this name defines under it: most names are found without importing the other files."""
+        places = tuple(import_module(self._package).__path__)
+        if places == self._places or all(module.name != name for module in iter_modules(places)):
+            return None
+        return dict(self._listed(import_module(f"{self._package}.{name}"))).get(name)
 
     def _found(self) -> dict[str, Found]:
         places = tuple(import_module(self._package).__path__)
@@ -93,4 +102,7 @@ def name_in(registry: Mapping[str, type], value: object) -> str | None:
     -------
     str or None
     """
+    own = type(value).__module__.rpartition(".")[2]
+    if registry.get(own) is type(value):
+        return own  # known by the name of its file, without a look at the others
     return next((name for name, kind in registry.items() if type(value) is kind), None)

@@ -5,8 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from turgor.adaptivity.findings import matter, mesh_error_findings
-from turgor.adaptivity.measure import LINEAR, mesh_error_of, with_mesh_error
-from turgor.adaptivity.mesh_to import refine_to
 from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding, by_weight, not_told
 from turgor.job.ahead import compile_for
@@ -146,6 +144,8 @@ def _refined(job: Job, solution: Solution, options: EngineOptions) -> tuple[Solu
     """Refine the mesh to the target of a job, if it has one and the path is complete."""
     if job.mesh_target is None or not solution.complete:
         return solution, ()
+    from turgor.adaptivity.mesh_to import refine_to  # here: few jobs ask for it
+
     wanted = find_measure(job.mesh_target_measure or job.output.measures[0])
     found = refine_to(
         solution,
@@ -164,6 +164,8 @@ def _with_errors(
     """Add the mesh errors to a response if the job asks for them, and a finding where these are unknown."""
     if not job.output.mesh_error or len(solution.states) < 2:
         return response, ()
+    from turgor.adaptivity.measure import LINEAR, mesh_error_of, with_mesh_error  # here: not needed before a solve
+
     if options.notify is not None:
         options.notify("estimating the mesh error")
     measures = job.output.chosen()

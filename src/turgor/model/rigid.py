@@ -1,19 +1,20 @@
 """Rigid bodies from STL files."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, near_match
-from turgor.geometry.cad.facets import WELD, weld
-from turgor.geometry.cad.stl import read_stl
 from turgor.geometry.cad.surface.crossing import crossings, winding
-from turgor.meshing.exchange.formats.stl import Triangles
 from turgor.model.obstacles import RigidSurface
 from turgor.units import UNITS
+
+if TYPE_CHECKING:
+    from turgor.meshing.exchange.formats.stl import Triangles
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -96,6 +97,10 @@ def read_rigid(path: str | Path, unit: str = "mm") -> RigidSurface:
     Traceback (most recent call last):
     turgor.errors.TurgorError: there is no STL file 'mug.stl'.
     """
+    from turgor.geometry.cad.facets import weld  # here: they load the CAD kernel, and every job loads this file
+    from turgor.geometry.cad.stl import read_stl
+    from turgor.meshing.exchange.formats.stl import Triangles
+
     file, lengths = Path(path), UNITS["length"]
     if unit not in lengths:
         hint = near_match(str(unit), lengths) or "."
@@ -132,6 +137,8 @@ def _check(file: Path, points: Array, triangles: Ints) -> None:
             f"'{file}' has triangles that are wound against their neighbors along {int((forward != 1).sum())} edges, "
             f"{_around(points[edges[forward != 1]])}; make its normals consistent and export it again."
         )
+    from turgor.geometry.cad.facets import WELD
+
     flat = _heights(points[triangles]) <= WELD * float(np.ptp(points, axis=0).max())
     if flat.any():
         raise TurgorError(
@@ -158,7 +165,7 @@ def _heights(corners: Array) -> Array:
     return np.asarray(twice / np.linalg.norm(sides, axis=2).max(axis=1))
 
 
-def _outward(file: Path, surface: Triangles) -> Triangles:
+def _outward(file: Path, surface: "Triangles") -> "Triangles":
     """Turn each shell outwards, those within an odd number of others inwards."""
     shells = surface.shells()
     corners = [shell.points[shell.triangles] for shell in shells]
@@ -170,4 +177,4 @@ def _outward(file: Path, surface: Triangles) -> Triangles:
         wanted = -1 if inside % 2 else 1
         turned.append(start + (shell.triangles if wanted * shell.volume > 0 else shell.triangles[:, ::-1]))
         start += len(shell.points)
-    return Triangles(points=np.concatenate([shell.points for shell in shells]), triangles=np.concatenate(turned))
+    return replace(surface, points=np.concatenate([s.points for s in shells]), triangles=np.concatenate(turned))

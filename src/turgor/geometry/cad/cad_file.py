@@ -7,7 +7,6 @@ from hashlib import sha256
 from pathlib import Path
 
 from turgor.errors import TurgorError
-from turgor.geometry.cad.read import read_cad
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.symmetry.wanted import NONE, WantedSymmetry
@@ -95,5 +94,7 @@ def _built(
     symmetry: tuple[str, Reasons, Reasons],
 ) -> Geometry:
     """Read a file; the checksum makes another call of it when its content changes."""
+    from turgor.geometry.cad.read import read_cad  # here: it loads much, and every job loads this file
+
     wanted = WantedSymmetry(symmetry[0], dict(symmetry[1]), dict(symmetry[2]))
     return read_cad(file, unit=unit, faces=dict(faces), regions=dict(regions), split=split, symmetry=wanted)

@@ -9,7 +9,6 @@ from pydantic import Field, model_validator
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry.cad.cad_file import CadFile
-from turgor.geometry.cad.files import SUFFIXES
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.symmetry.wanted import NONE
@@ -116,6 +115,8 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | No
         return None
     file = Path(problems.file).parent / table.file
     if not file.is_file():
+        from turgor.geometry.cad.files import SUFFIXES  # here: it loads the CAD kernel
+
         there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in SUFFIXES)
         listed = f" CAD files there: {', '.join(there)}." if there else ""
         problems.add((*key, "file"), f"there is no file '{file}'{near_match(file.name, there) or '.'}{listed}")

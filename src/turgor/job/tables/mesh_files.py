@@ -14,14 +14,10 @@ from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table
 from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.meshing.exchange.read import READERS
 from turgor.meshing.exchange.selectors import Choice
 
 #: The type of an actuator that comes from a mesh file.
 MESH_FILE = "mesh_file"
-
-#: Suffixes of mesh files and of surfaces that can be filled with a mesh.
-SUFFIXES = (*READERS, ".stl")
 
 
 class MeshFileTable(Table):
@@ -75,7 +71,10 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
     paths |= {(*key, "cavities", name): folder / file for name, file in table.cavities.items()}
     for place, file in paths.items():
         if not file.is_file():
-            there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in SUFFIXES)
+            from turgor.meshing.exchange.read import READERS  # here: it loads all readers
+
+            suffixes = (*READERS, ".stl")  # surfaces can be filled with a mesh
+            there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in suffixes)
             listed = f" Mesh files there: {', '.join(there)}." if there else ""
             problems.add(place, f"there is no file '{file}'{near_match(file.name, there) or '.'}{listed}")
     if problems.found:

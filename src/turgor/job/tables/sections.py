@@ -35,7 +35,7 @@ def read_actuator(values: Any, problems: Problems) -> Actuator | None:
         return read_cad_file(values, problems)
     if isinstance(values, Mapping) and values.get("type") == MESH_FILE:
         return read_mesh_file(values, problems)
-    family = chosen_kind({**ACTUATORS, CAD_FILE: None, MESH_FILE: None}, "actuator type", values, key, problems)
+    family = chosen_kind(ACTUATORS, "actuator type", values, key, problems, (CAD_FILE, MESH_FILE))
     table = read_table(dataclass_table(family), values, key, problems) if family else None
     if family is None or table is None:
         return None

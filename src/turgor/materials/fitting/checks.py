@@ -1,14 +1,16 @@
 """Checks of fitted laws: range (M01), undetermined constants (M02), stretch for the order (M03), stability (M06)."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from turgor.finding import Finding, Severity
-from turgor.materials.experiments.material_test import MaterialTest
-from turgor.materials.fitting.result import Fit
 from turgor.materials.laws.laws import StretchLaw
 from turgor.materials.library.doubt_checks import unstable_law
 from turgor.materials.material import Material
+
+if TYPE_CHECKING:  # a job loads this file, and its laws are fitted already
+    from turgor.materials.experiments.material_test import MaterialTest
+    from turgor.materials.fitting.result import Fit
 
 #: Advice of M02. The numbers come from ``tests/validation/fits/test_fit_one_mode.py``.
 _MORE_MODES = (
@@ -98,7 +100,7 @@ def _left_open(message: str) -> Finding:
     return Finding(code="M02", severity=Severity.WARNING, message=message, advice=_MORE_MODES)
 
 
-def _check_determined(found: Fit) -> tuple[Finding, ...]:
+def _check_determined(found: "Fit") -> tuple[Finding, ...]:
     """Check whether the tests determine the law and each of its constants (M02)."""
     message = _one_mode(found.law, [test.mode for test in found.tests])
     if found.left_open:
@@ -109,7 +111,7 @@ def _check_determined(found: Fit) -> tuple[Finding, ...]:
     return (_left_open(message),) if message else ()
 
 
-def _check_stability(found: Fit) -> tuple[Finding, ...]:
+def _check_stability(found: "Fit") -> tuple[Finding, ...]:
     """Check whether the nominal stress rises in the usual range of soft actuators, as for records (M06)."""
     return tuple(
         Finding(
@@ -158,7 +160,7 @@ def check_order(law: Any, stretch: float, *, reinforced: bool = False) -> tuple[
     )
 
 
-def covered_range(tests: Sequence[MaterialTest], stretch: tuple[float, float]) -> tuple[float, float]:
+def covered_range(tests: "Sequence[MaterialTest]", stretch: tuple[float, float]) -> tuple[float, float]:
     """Return the part of a range that tests cover, extended to the undeformed state [-].
 
     Parameters
@@ -173,7 +175,7 @@ def covered_range(tests: Sequence[MaterialTest], stretch: tuple[float, float]) -
     return min(max(low, stretch[0]), 1.0), max(min(high, stretch[1]), 1.0)
 
 
-def fit_findings(found: Fit, tests: Sequence[MaterialTest]) -> tuple[Finding, ...]:
+def fit_findings(found: "Fit", tests: "Sequence[MaterialTest]") -> tuple[Finding, ...]:
     """Return the findings of all checks about a fit.
 
     Parameters

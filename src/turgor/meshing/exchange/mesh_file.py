@@ -10,9 +10,7 @@ import numpy as np
 from turgor.errors import TurgorError
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.geometry import Geometry
-from turgor.meshing.exchange.fill import mesh_surfaces
 from turgor.meshing.exchange.formats.raw import Ints
-from turgor.meshing.exchange.read import DEFAULT_UNIT, read_mesh
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import outer_triangles
@@ -91,6 +89,9 @@ class MeshFile:
 
     def read(self) -> Mesh:
         """Read the mesh."""
+        from turgor.meshing.exchange.fill import mesh_surfaces  # here: readers load much, and every job loads this file
+        from turgor.meshing.exchange.read import DEFAULT_UNIT, read_mesh
+
         surface = Path(self.file).suffix.lower() == ".stl"
         reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
         return reader(

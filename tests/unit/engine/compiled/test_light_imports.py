@@ -2,10 +2,39 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
+DEMO = Path(__file__).parents[4] / "examples" / "fast_pneunet.toml"
+
 HEAVY = {"numpy", "numba", "scipy", "pydantic", "netgen"}
+
+#: What a plain run may not load before its solve: it may be needed afterwards, or by other jobs.
+LATER = {
+    "matplotlib",
+    "scipy.interpolate",
+    "scipy.optimize",
+    "sympy",
+    "turgor.adaptivity.mesh_error",
+    "turgor.adaptivity.mesh_to",
+    "turgor.geometry.actuators.manta_fin",
+    "turgor.geometry.cad.read",
+    "turgor.job.output.write",
+    "turgor.laboratory",
+    "turgor.materials.experiments.material_test",
+    "turgor.materials.fitting.fit_laws",
+    "turgor.meshing.exchange.fill",
+    "turgor.meshing.exchange.read",
+    "turgor.results.pictures",
+    "turgor.rod",
+    "turgor.section",
+}
+
+READING = (
+    "from turgor.cli.console import PlainDisplay; from turgor.job.run import run_job; "
+    f"from turgor.job.read import read_job; read_job({str(DEMO)!r})"
+)
 
 
 def loaded(script: str) -> set[str]:
@@ -21,8 +50,15 @@ def loaded(script: str) -> set[str]:
         ("import turgor.engine.warmup.compiling", {"netgen", "netgen.occ", "typer"}),
         ("import turgor.job.run; from turgor.job.job import ACTUATORS; list(ACTUATORS.values())", {"netgen"}),
         ("from turgor.results.measures.measures import find_measure as f; f('reaction')", {"scipy.optimize"}),
+        (READING, LATER),
     ],
-    ids=["before a command compiles", "the process that compiles", "a run and all families", "the list of measures"],
+    ids=[
+        "before a command compiles",
+        "the process that compiles",
+        "a run and all families",
+        "the list of measures",
+        "before a plain solve",
+    ],
 )
 def test_is_light(script, refused):
     modules = loaded(script)
