@@ -44,12 +44,14 @@ def one() -> None:
 
     from turgor.cli.app import main as command
     from turgor.cli.app import settle
+    from turgor.cli.run import loading
 
     settle()
-    from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
-    from turgor.job import ahead, meshes, prepare, read, run  # noqa: F401
-    from turgor.job.output import tables
-    from turgor.solvers import solve
+    with loading():
+        from turgor.cli.console import PlainDisplay  # noqa: F401  what the command loads
+        from turgor.job import ahead, meshes, prepare, read, run  # noqa: F401
+        from turgor.job.output import tables
+        from turgor.solvers import solve
 
     spent["Python and imports"] = process_time()
     clock(read, "_build", "shape")

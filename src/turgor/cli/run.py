@@ -1,5 +1,8 @@
 """Command ``turgor run``: check, build, mesh, solve, measure, and write everything into a folder."""
 
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -63,12 +66,27 @@ def run(chosen: RunOptions) -> None:
 run_command = command_of(RunOptions, run)
 
 
+@contextmanager
+def loading() -> Iterator[None]:
+    """Load code without searches for garbage; later searches leave out what it has made, because that stays."""
+    searching = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        if searching:
+            gc.enable()
+
+
 def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
     """Run a job; return the outcome, and the findings that were printed before the solve."""
-    from turgor.cli.console import LiveDisplay, PatientConsole, PlainDisplay
-    from turgor.job.run import run_job
+    with loading():
+        from turgor.cli.console import LiveDisplay, PatientConsole, PlainDisplay
+        from turgor.job.run import run_job
 
-    job, quiet = asked_job(chosen.job, chosen.changes), chosen.quiet or chosen.as_json
+        job = asked_job(chosen.job, chosen.changes)
+    quiet = chosen.quiet or chosen.as_json
     console = PatientConsole(quiet=quiet)
     with LiveDisplay(console) if console.is_terminal and not quiet else PlainDisplay(console) as show:
         outcome = run_job(
