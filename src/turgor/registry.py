@@ -36,9 +36,13 @@ class Registry(Mapping[str, Found], Generic[Found]):
         self._listed = listed
         self._places: tuple[str, ...] = ()
         self._held: dict[str, Found] = {}
+        self._own: dict[tuple[str, tuple[str, ...]], Found | None] = {}
 
     def __getitem__(self, name: str) -> Found:
-        own = self._of_its_file(name)
+        places = self._now()
+        if places == self._places:
+            return self._held[name]
+        own = self._of_its_file(name, places)
         return self._found()[name] if own is None else own
 
     def __iter__(self) -> Iterator[str]:
@@ -47,15 +51,19 @@ class Registry(Mapping[str, Found], Generic[Found]):
     def __len__(self) -> int:
         return len(self._found())
 
-    def _of_its_file(self, name: str) -> Found | None:
+    def _now(self) -> tuple[str, ...]:
+        return tuple(import_module(self._package).__path__)
+
+    def _of_its_file(self, name: str, places: tuple[str, ...]) -> Found | None:
         """What the file of this name defines under it: most names are found without importing the other files."""
-        places = tuple(import_module(self._package).__path__)
-        if places == self._places or all(module.name != name for module in iter_modules(places)):
-            return None
-        return dict(self._listed(import_module(f"{self._package}.{name}"))).get(name)
+        if (name, places) not in self._own:
+            there = any(module.name == name for module in iter_modules(places))
+            listed = self._listed(import_module(f"{self._package}.{name}")) if there else ()
+            self._own[name, places] = dict(listed).get(name)
+        return self._own[name, places]
 
     def _found(self) -> dict[str, Found]:
-        places = tuple(import_module(self._package).__path__)
+        places = self._now()
         if places != self._places:
             held: dict[str, Found] = {}
             for each in sorted(module.name for module in iter_modules(places)):

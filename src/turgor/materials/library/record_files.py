@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from turgor.errors import TurgorError, near_match
@@ -86,6 +87,7 @@ def read_records(path: str | Path) -> tuple[Record, ...]:
     return _read(text, str(path))
 
 
+@cache  # every file of the library cites them
 def references() -> Mapping[int, str]:
     """Return the references of Xavier, Fleming and Yong 2021 that the library cites, by their number there.
 
@@ -95,7 +97,7 @@ def references() -> Mapping[int, str]:
     'F. Connolly, P. Polygerinos, C. Walsh, K. Bertoldi, Soft Robot. 2015, 2, 26'
     """
     text = files("turgor.materials.library").joinpath("references.toml").read_text(encoding="utf-8")
-    return {int(number): reference for number, reference in tomllib.loads(text).items()}
+    return MappingProxyType({int(number): reference for number, reference in tomllib.loads(text).items()})
 
 
 @cache
