@@ -3,9 +3,10 @@
 Names are those of ``netgen.occ``.
 """
 
-from importlib import import_module
 from typing import Any
 
 
 def __getattr__(name: str) -> Any:
-    return getattr(import_module("netgen.occ"), name)
+    import netgen.occ
+
+    return getattr(netgen.occ, name)

@@ -3,9 +3,10 @@
 Names are those of ``netgen.meshing``.
 """
 
-from importlib import import_module
 from typing import Any
 
 
 def __getattr__(name: str) -> Any:
-    return getattr(import_module("netgen.meshing"), name)
+    import netgen.meshing
+
+    return getattr(netgen.meshing, name)
