@@ -23,12 +23,9 @@ def touch_pattern() -> None:
     scatter_add(np.zeros(1), np.zeros(1, dtype=np.int32), np.ones(1))
 
 
-def touch_cells(nodes: int, mixed: bool) -> None:
-    """Call the loops for cells of ``nodes`` nodes, but that of `touch_updates`."""
+def touch_tangent(nodes: int, mixed: bool) -> None:
+    """Call the loop of the tangents of cells."""
     loops, u, p, laws = _cell(nodes, mixed)
-    kernels_geometry.kinematics(loops.shape, loops.nodes, u, loops.dN, loops.Jinv)
-    kernels_geometry.deformation_gradients(loops.shape, loops.nodes, u, loops.dN, loops.Jinv)
-    kernels.residual(loops, u, p, laws)
     kernels.tangent(loops, u, p, laws, np.zeros((1, 1, 6)), False)
 
 
@@ -38,14 +35,34 @@ def touch_updates(nodes: int, mixed: bool) -> None:
     kernels.extrapolated_stress(loops, u, p, u, p, laws)
 
 
-def _cell(nodes: int, mixed: bool) -> tuple[kernels.Cells, Array, Array, kernels.Response]:
-    """One cell with displacements, mean stresses and what its law says."""
-    kind = cell_type(nodes)
+def touch_residual(nodes: int, mixed: bool) -> None:
+    """Call the loop of the residuals of cells."""
+    loops, u, p, laws = _cell(nodes, mixed)
+    kernels.residual(loops, u, p, laws)
+
+
+def touch_geometry(nodes: int, mixed: bool) -> None:
+    """Call the loops of cells at rest and of their invariants."""
     points, cells = _one_cell(nodes)
+    r = reference_cell(nodes, _degree(nodes, mixed))
+    Jinv, _ = kernels_geometry.reference_geometry((0,) * nodes, points, cells, r.dN, r.weights)
+    kernels_geometry.kinematics((0,) * nodes, cells, np.zeros((nodes, 3)), r.dN, Jinv)
+
+
+def touch_gradients(nodes: int, mixed: bool) -> None:
+    """Call the loop of deformation gradients, which laws in stretches and results need."""
+    loops, u, _, _ = _cell(nodes, mixed)
+    kernels_geometry.deformation_gradients(loops.shape, loops.nodes, u, loops.dN, loops.Jinv)
+
+
+def _cell(nodes: int, mixed: bool) -> tuple[kernels.Cells, Array, Array, kernels.Response]:
+    """One cell with displacements, mean stresses and what its law says, made without a compiled loop."""
+    kind = cell_type(nodes)
+    cells = _one_cell(nodes)[1]
     shape, modes = (0,) * nodes, (0,) * kind.corners if mixed else ()
     mean = np.arange(len(modes), dtype=np.int64)[None]
     r = reference_cell(nodes, _degree(nodes, mixed))
-    Jinv, dV = kernels_geometry.reference_geometry(shape, points, cells, r.dN, r.weights)
+    Jinv, dV = np.tile(np.eye(3), (1, len(r.weights), 1, 1)), r.weights[None].copy()
     W = np.ones((5, *dV.shape))
     loops = kernels.Cells(shape, modes, cells, mean, r.dN, r.M, Jinv, dV, np.ones(1), np.zeros((*dV.shape, 0)))
     rows = np.zeros(1, dtype=np.int64)

@@ -10,6 +10,7 @@ Loops that no first step needs come last, and a process that has another one bes
 
 import gc
 import json
+import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -21,11 +22,14 @@ from time import perf_counter
 from filelock import FileLock, Timeout
 
 from turgor.engine.warmup.cell_loops import (
-    touch_cells,
+    touch_geometry,
+    touch_gradients,
     touch_pattern,
     touch_pressure,
+    touch_residual,
     touch_sheets,
     touch_stretches,
+    touch_tangent,
     touch_updates,
 )
 from turgor.engine.warmup.contact_loops import touch_press, touch_search
@@ -56,6 +60,9 @@ QUIET_SECONDS = 1.5
 
 #: No group takes longer [s]; who waits longer for another process compiles it himself.
 LONGEST = 120.0
+
+#: By how much the process beside lowers its priority once all that a first step needs is compiled.
+KINDNESS = 15
 
 
 def compile_ahead(needs: Needs) -> None:
@@ -100,26 +107,47 @@ def compile_beside() -> None:
             return
         groups = _groups(Needs(**json.loads(told)))
         soon = [group for group in reversed(groups) if group.soon]
-        for group in (*soon, *(group for group in groups if not group.soon)):
+        for group in soon:
             _alone(group, 0.0)
+        _step_back()
+        for group in groups:
+            if not group.soon:
+                _alone(group, 0.0)
+
+
+def _step_back() -> None:
+    """Leave the processors to others: the run has begun to solve, and needs what comes now later or never."""
+    if hasattr(os, "nice"):  # not on Windows
+        os.nice(KINDNESS)
 
 
 def _groups(needs: Needs) -> Sequence[Group]:
-    """Groups that share no functions, so that none is compiled twice, or that one process is likely to take in turn."""
-    kind = f"{needs.nodes}-{needs.mixed}"
+    """Groups that share no functions, so that none is compiled twice, or that one process is likely to take in turn.
+
+    One process takes them from the front, another from the back. Large groups stand at the ends and small ones
+    between, so that the two end at about the same time.
+    """
+    kind, cell = f"{needs.nodes}-{needs.mixed}", (needs.nodes, needs.mixed)
+    gradients = Group(f"gradients-{kind}", partial(touch_gradients, *cell), soon=needs.stretches)
     groups = [
-        Group(f"cells-{kind}", partial(touch_cells, needs.nodes, needs.mixed)),
-        Group(f"updates-{kind}", partial(touch_updates, needs.nodes, needs.mixed)),
+        Group(f"tangent-{kind}", partial(touch_tangent, *cell)),
+        Group(f"updates-{kind}", partial(touch_updates, *cell)),
     ]
     if needs.stretches:
-        groups.append(Group(f"stretches-{kind}", partial(touch_stretches, needs.nodes, needs.mixed)))
-    groups.append(Group(FIRST, touch_pattern))
+        groups += [Group(f"stretches-{kind}", partial(touch_stretches, *cell)), gradients]
+    groups += [
+        Group(f"residual-{kind}", partial(touch_residual, *cell)),
+        Group(f"geometry-{kind}", partial(touch_geometry, *cell)),
+        Group(FIRST, touch_pattern),
+    ]
     if needs.sheets:
         groups.append(Group("sheets", partial(touch_sheets, needs.nodes)))
     groups.append(_pressure())
     if needs.sides:
         groups.append(Group("search", partial(touch_search, needs.sides)))
         groups.append(Group("press", partial(touch_press, needs.sides), soon=False))
+    if not needs.stretches:
+        groups.append(gradients)
     return groups
 
 

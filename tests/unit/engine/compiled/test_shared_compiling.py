@@ -32,6 +32,7 @@ def done(tmp_path, monkeypatch):
     monkeypatch.setattr(compiling, "kept", lambda name: tmp_path / f"{name}.compiled")
     monkeypatch.setattr(loops, "beside", lambda: None)
     monkeypatch.setattr("sys.stdin", io.StringIO(TOLD))
+    monkeypatch.setattr(compiling.os, "nice", lambda more: noted.append(f"nice {more > 0}"), raising=False)
     return noted
 
 
@@ -51,7 +52,8 @@ def test_a_group_that_another_process_compiles_comes_last(done, tmp_path):
 def test_the_process_beside_begins_at_the_other_end_and_leaves_what_others_compile(done, tmp_path):
     with FileLock(tmp_path / "a.lock"):
         compile_beside()
-    assert done == ["b", "c", "b", "d"]  # b before it is told what is needed; it only loads that again
+    # b before it is told what is needed, which it only loads again; what no first step needs with a low priority
+    assert done == ["b", "c", "b", "nice True", "d"]
 
 
 def test_the_process_beside_ends_where_it_is_told_nothing(done, monkeypatch):
@@ -150,7 +152,16 @@ def test_groups_are_those_that_a_model_needs():
     def names(needs):
         return [group.name for group in compiling._groups(needs)]
 
-    assert names(Needs()) == ["cells-10-True", "updates-10-True", "pattern", "pressure"]
+    ends = ["pattern", "pressure"]
+    cells = ["tangent-10-True", "updates-10-True", "residual-10-True", "geometry-10-True"]
+    assert names(Needs()) == [*cells, *ends, "gradients-10-True"]
     every = Needs(nodes=27, sides=9, stretches=True, sheets=True)
-    cells = ["cells-27-True", "updates-27-True", "stretches-27-True"]
+    first, last = ["tangent-27-True", "updates-27-True"], ["residual-27-True", "geometry-27-True"]
+    cells = [*first, "stretches-27-True", "gradients-27-True", *last]
     assert names(every) == [*cells, "pattern", "sheets", "pressure", "search", "press"]
+
+
+@pytest.mark.parametrize("stretches", [True, False])
+def test_deformation_gradients_are_compiled_soon_where_a_law_takes_them(stretches):
+    groups = {group.name: group.soon for group in compiling._groups(Needs(stretches=stretches))}
+    assert groups["gradients-10-True"] is stretches
