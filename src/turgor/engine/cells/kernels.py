@@ -29,7 +29,9 @@ from turgor.engine.cells.kernels_point import (
     stress_at,
 )
 from turgor.engine.cells.kernels_volume import (
+    PENALIZED,
     Cell,
+    add_moment_gradients,
     bulk_modulus,
     lost_moments,
     lost_volume_at,
@@ -131,7 +133,7 @@ def _residual(begin, end, out, cells, u, p, laws):
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
             strain_at(J, F, Cof, C, Ci)
             lost = lost_volume_at(modes, J, pq, compliance[c])
-            extra = penalty_stress_at(penalty[c, q], moments)
+            extra = penalty_stress_at(shape, penalty[c, q], moments)
             stress_at(C, Ci, (J, W1[c, q], W2[c, q], pq + extra), s1, s2, T, S)
             if rows[c] >= 0:
                 add_stress(stress[rows[c], q], S)
@@ -196,8 +198,8 @@ def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
             dpq = 0.0
             for m in range(len(modes)):
                 dpq += M[q, m] * dp[mean[c, m]]
-            pq += penalty_stress_at(penalty[c, q], moments)
-            dpq += penalty_stress_at(penalty[c, q], changes)
+            pq += penalty_stress_at(shape, penalty[c, q], moments)
+            dpq += penalty_stress_at(shape, penalty[c, q], changes)
             strain_at(J, F, Cof, C, Ci)
             scalars = stress_at(C, Ci, (J, W[0, c, q], W[1, c, q], pq), s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
@@ -259,6 +261,8 @@ def _block(i, k, pad):
 @njit(**INNER, fastmath=FAST)
 def _add_penalty(shape, modes, u_part, p_part, K, Kup, Kpp):
     """Add Σ gₖ gₖᵀ with the gradients gₖ of the moments by displacements (k, 3, nodes) and mean stresses (k, m)."""
+    if len(shape) != PENALIZED:
+        return
     pad = K.shape[1] // 6
     for k in range(len(u_part)):
         for i in range(3):
@@ -303,26 +307,26 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W, rows, stress, moduli = laws
     pad = (len(shape) + 3) // 4 * 4
-    ue, G, T9 = np.empty((3, len(shape))), np.zeros((3, pad)), np.empty((3, len(shape)))
+    ue, G, T9 = np.empty((3, len(shape))), np.empty((3, pad)), np.empty((3, len(shape)))
     F, Cof = np.empty((3, 3)), np.empty((3, 3))
     C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
     s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
     D, A, AG = np.empty((6, 6)), np.empty((9, 9)), np.empty((3, 6 * pad))
     K, Kpp = np.empty((len(shape), 6 * pad)), np.empty((len(modes), len(modes)))
     Kup = np.empty((len(modes), 3, len(shape)))
+    u_part, p_part = np.empty((penalty.shape[2], 3, len(shape))), np.empty((penalty.shape[2], len(modes)))
+    G[:] = 0.0
     for c in range(begin, end):
-        K[:], Kpp[:], Kup[:] = 0.0, 0.0, 0.0
+        K[:], Kpp[:], Kup[:], u_part[:], p_part[:] = 0.0, 0.0, 0.0, 0.0, 0.0
         cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
         load_cell(shape, nodes[c], u, ue)
         moments = lost_moments(shape, modes, ue, p, (dN, M), cell)
-        u_part = np.zeros((len(moments), 3, len(shape)))
-        p_part = np.zeros((len(moments), len(modes)))
         for q in range(len(dN)):
             gradient_at(shape, dN[q], Jinv[c, q], G)
             deformation_gradient_at(shape, ue, G, F)
             J = cofactor_at(F, Cof)
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
-            pq += penalty_stress_at(penalty[c, q], moments)
+            pq += penalty_stress_at(shape, penalty[c, q], moments)
             strain_at(J, F, Cof, C, Ci)
             scalars = stress_at(C, Ci, (J, W[0, c, q], W[1, c, q], pq), s1, s2, T, S)
             derivatives = (W[0, c, q], W[1, c, q], W[2, c, q], W[3, c, q], W[4, c, q])
@@ -339,12 +343,7 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
             for i in range(3):
                 for a in range(len(shape)):
                     T9[i, a] = w * (Cof[i, 0] * G[0, a] + Cof[i, 1] * G[1, a] + Cof[i, 2] * G[2, a])
-            for k in range(len(moments)):
-                for i in range(3):
-                    for a in range(len(shape)):
-                        u_part[k, i, a] += penalty[c, q, k] * T9[i, a]
-                for m in range(len(modes)):
-                    p_part[k, m] -= penalty[c, q, k] * w * compliance[c] * M[q, m]
+            add_moment_gradients(shape, modes, penalty[c, q], T9, (w, compliance[c], M[q]), u_part, p_part)
             for m in range(len(modes)):
                 for i in range(3):
                     for a in range(len(shape)):
