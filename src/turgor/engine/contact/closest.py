@@ -60,15 +60,16 @@ def place(corners, N, D, H, x, d, h):
 @njit(**INNER)
 def curvature(apart, d, h):
     """Second derivatives (rr, rs, ss) of half the squared distance; ``apart`` is the point minus the foot."""
-    rr = d[0, 0] * d[0, 0] + d[0, 1] * d[0, 1] + d[0, 2] * d[0, 2]
-    rs = d[0, 0] * d[1, 0] + d[0, 1] * d[1, 1] + d[0, 2] * d[1, 2]
-    ss = d[1, 0] * d[1, 0] + d[1, 1] * d[1, 1] + d[1, 2] * d[1, 2]
-    bent = (
-        apart[0] * h[0, 0] + apart[1] * h[0, 1] + apart[2] * h[0, 2],
-        apart[0] * h[1, 0] + apart[1] * h[1, 1] + apart[2] * h[1, 2],
-        apart[0] * h[2, 0] + apart[1] * h[2, 1] + apart[2] * h[2, 2],
-    )
-    full = (rr - bent[0], rs - bent[1], ss - bent[2])
+    rr, rs, ss = 0.0, 0.0, 0.0
+    bent_rr, bent_rs, bent_ss = 0.0, 0.0, 0.0
+    for i in range(3):
+        rr += d[0, i] * d[0, i]
+        rs += d[0, i] * d[1, i]
+        ss += d[1, i] * d[1, i]
+        bent_rr += apart[i] * h[0, i]
+        bent_rs += apart[i] * h[1, i]
+        bent_ss += apart[i] * h[2, i]
+    full = (rr - bent_rr, rs - bent_rs, ss - bent_ss)
     if full[0] > 0.1 * rr and full[0] * full[2] - full[1] * full[1] > 0.1 * (rr * ss - rs * rs):
         return full
     return rr, rs, ss  # far from the surface: Gauss–Newton
@@ -88,11 +89,12 @@ def foot_point(point, corners, guess, values, frame):
         place(corners, N, D, H, x, d, h)
         if last or step == STEPS:
             break
+        f, g = 0.0, 0.0
         for i in range(3):
             apart[i] = point[i] - x[i]
+            f += apart[i] * d[0, i]
+            g += apart[i] * d[1, i]
         rr, rs, ss = curvature(apart, d, h)
-        f = apart[0] * d[0, 0] + apart[1] * d[0, 1] + apart[2] * d[0, 2]
-        g = apart[0] * d[1, 0] + apart[1] * d[1, 1] + apart[2] * d[1, 2]
         determinant = rr * ss - rs * rs
         if determinant <= 0.0:
             break

@@ -76,38 +76,40 @@ class Grid:
 def centers_of(position, sides, corners):
     """Centers (s, 3) of the corners of sides, radii (s,) about them that hold all nodes, and unit normals (s, 3)."""
     count, nodes = sides.shape
-    center, radius, normal = np.zeros((count, 3)), np.zeros(count), np.empty((count, 3))
+    center, radius, normal = np.empty((count, 3)), np.empty(count), np.empty((count, 3))
+    p, q = np.empty(3), np.empty(3)
+    begin, end, other = (0, 2, 1) if corners == 4 else (0, 1, 0)  # diagonals of a quadrilateral, edges of a triangle
     for k in range(count):
-        for a in range(corners):
-            for i in range(3):
+        for i in range(3):
+            center[k, i] = 0.0
+            for a in range(corners):
                 center[k, i] += position[sides[k, a], i] / corners
+            p[i] = position[sides[k, end], i] - position[sides[k, begin], i]
+            q[i] = position[sides[k, corners - 1], i] - position[sides[k, other], i]
+        largest = 0.0
         for a in range(nodes):
             away = 0.0
             for i in range(3):
                 away += (position[sides[k, a], i] - center[k, i]) ** 2
-            radius[k] = max(radius[k], away)
-        radius[k] = np.sqrt(radius[k])
-        p, q = np.empty(3), np.empty(3)
-        for i in range(3):  # diagonals of a quadrilateral, two edges of a triangle
-            if corners == 4:
-                p[i] = position[sides[k, 2], i] - position[sides[k, 0], i]
-                q[i] = position[sides[k, 3], i] - position[sides[k, 1], i]
-            else:
-                p[i] = position[sides[k, 1], i] - position[sides[k, 0], i]
-                q[i] = position[sides[k, 2], i] - position[sides[k, 0], i]
+            largest = max(largest, away)
+        radius[k] = np.sqrt(largest)
         _unit_cross(p, q, normal[k])
     return center, radius, normal
 
 
 @njit(**INNER)
 def _unit_cross(a, b, out):
-    out[0] = a[1] * b[2] - a[2] * b[1]
-    out[1] = a[2] * b[0] - a[0] * b[2]
-    out[2] = a[0] * b[1] - a[1] * b[0]
-    length = np.sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2])
+    """Fill the unit vector along a × b, and return the length of the product."""
+    square = 0.0
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        out[i] = a[j] * b[k] - a[k] * b[j]
+        square += out[i] * out[i]
+    length = np.sqrt(square)
     if length > 0:
         for i in range(3):
             out[i] /= length
+    return length
 
 
 @njit(**LOOP)
@@ -115,24 +117,19 @@ def points_of(position, sides, N, dN):
     """Positions and unit normals (s, q, 3) at the quadrature points of sides, and how much their area has grown."""
     count, nodes = sides.shape
     points = len(N)
-    x, n, area = np.zeros((count, points, 3)), np.zeros((count, points, 3)), np.zeros((count, points))
-    t = np.empty((2, 3))
+    x, n, area = np.empty((count, points, 3)), np.empty((count, points, 3)), np.empty((count, points))
+    r, s = np.empty(3), np.empty(3)
     for k in range(count):
         for q in range(points):
-            t[:] = 0.0
-            for a in range(nodes):
-                for i in range(3):
-                    c = position[sides[k, a], i]
-                    x[k, q, i] += N[q, a] * c
-                    t[0, i] += dN[q, a, 0] * c
-                    t[1, i] += dN[q, a, 1] * c
-            n[k, q, 0] = t[0, 1] * t[1, 2] - t[0, 2] * t[1, 1]
-            n[k, q, 1] = t[0, 2] * t[1, 0] - t[0, 0] * t[1, 2]
-            n[k, q, 2] = t[0, 0] * t[1, 1] - t[0, 1] * t[1, 0]
-            size = np.sqrt(n[k, q, 0] ** 2 + n[k, q, 1] ** 2 + n[k, q, 2] ** 2)
-            area[k, q] = size
             for i in range(3):
-                n[k, q, i] /= max(size, 1e-300)
+                at, along, across = 0.0, 0.0, 0.0
+                for a in range(nodes):
+                    c = position[sides[k, a], i]
+                    at += N[q, a] * c
+                    along += dN[q, a, 0] * c
+                    across += dN[q, a, 1] * c
+                x[k, q, i], r[i], s[i] = at, along, across
+            area[k, q] = _unit_cross(r, s, n[k, q])
     return x, n, area
 
 
@@ -197,13 +194,9 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
                 key = (i0 * counts[1] + i1) * counts[2] + i2
                 for o in range(start[key], start[key + 1]):
                     j = order[o]
-                    if normals[j, 0] * u[0] + normals[j, 1] * u[1] + normals[j, 2] * u[2] > 0.3:
-                        continue
-                    a0, a1, a2 = others[j, 0] - p[0], others[j, 1] - p[1], others[j, 2] - p[2]
+                    facing, square, ahead = _towards(p, u, others[j], normals[j])
                     limit = reach + radii[j] + radius[k]
-                    if a0 * a0 + a1 * a1 + a2 * a2 > limit * limit:
-                        continue
-                    if a0 * u[0] + a1 * u[1] + a2 * u[2] < -depth[j] - radii[j] - radius[k]:
+                    if facing > 0.3 or square > limit * limit or ahead < -depth[j] - radii[j] - radius[k]:
                         continue
                     if found == len(near) or _listed(j, first[k], first[k + 1], never):
                         continue
@@ -213,19 +206,27 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
 
 
 @njit(**INNER)
+def _towards(p, u, center, normal):
+    """Cosine between two normals, squared distance of two points, and how far the second lies along the first normal."""
+    facing, square, ahead = 0.0, 0.0, 0.0
+    for i in range(3):
+        away = center[i] - p[i]
+        facing += normal[i] * u[i]
+        square += away * away
+        ahead += away * u[i]
+    return facing, square, ahead
+
+
+@njit(**INNER)
 def _near_point(p, u, other, depth, reach, near, some, far):
     """Keep the near sides that a point may touch, with center distances; return their number and the smallest."""
     others, radii, normals = other
     few, bound = 0, np.inf
     for m in range(len(near)):
         j = near[m]
-        if normals[j, 0] * u[0] + normals[j, 1] * u[1] + normals[j, 2] * u[2] > 0.0:
-            continue
-        a0, a1, a2 = others[j, 0] - p[0], others[j, 1] - p[1], others[j, 2] - p[2]
-        if a0 * u[0] + a1 * u[1] + a2 * u[2] < -depth[j] - radii[j]:
-            continue
-        distance = np.sqrt(a0 * a0 + a1 * a1 + a2 * a2)
-        if distance > reach + radii[j]:
+        facing, square, ahead = _towards(p, u, others[j], normals[j])
+        distance = np.sqrt(square)
+        if facing > 0.0 or ahead < -depth[j] - radii[j] or distance > reach + radii[j]:
             continue
         some[few], far[few] = j, distance
         few += 1
@@ -310,7 +311,9 @@ def _follow_partners(begin, end, out, looking, position, sides, partner, at, aro
                     r, s = foot_point(p, corners, (0.33, 0.33), (N, D, H), (y, d, h))
                     out, over = overhang(nodes, r, s)
                     _unit_cross(d[0], d[1], unit)
-                    opposed = unit[0] * n[k, q, 0] + unit[1] * n[k, q, 1] + unit[2] * n[k, q, 2]
+                    opposed = 0.0
+                    for i in range(3):
+                        opposed += unit[i] * n[k, q, i]
                     if out < least - 1e-12 and opposed < OPPOSED:
                         least, best, edge = out, m, over
                         place[k, q, 0], place[k, q, 1] = r, s
@@ -352,4 +355,7 @@ def _corners(position, side, corners):
 
 @njit(**INNER)
 def _along(p, y, unit):
-    return (p[0] - y[0]) * unit[0] + (p[1] - y[1]) * unit[1] + (p[2] - y[2]) * unit[2]
+    distance = 0.0
+    for i in range(3):
+        distance += (p[i] - y[i]) * unit[i]
+    return distance
