@@ -58,9 +58,9 @@ def build_pattern(cell_unknowns: Ints, size: int, *more: Ints) -> Pattern:
     first = np.concatenate([[0], np.cumsum(widths)]).astype(np.int64)
     of_first, of = _transposed(members, size)
     piece = np.repeat(np.arange(len(first) - 1), np.diff(first))[of]  # pieces of each unknown
-    count = np.empty(size, dtype=np.int64)
-    over(size, _count_column, count, (first, members), (of_first, piece))
-    indptr = np.concatenate([[0], np.cumsum(count)]).astype(np.int64)
+    indptr = np.zeros(size + 1, dtype=np.int64)
+    over(size, _fill_column, indptr, np.empty(0, dtype=np.int32), (first, members), (of_first, piece))
+    np.cumsum(indptr, out=indptr)
     indices = np.empty(int(indptr[-1]), dtype=np.int32)
     over(size, _fill_column, indptr, indices, (first, members), (of_first, piece))
     return Pattern(size, indptr, indices)
@@ -81,13 +81,16 @@ def cell_places(pattern: Pattern, unknowns: Ints) -> NDArray[np.int32]:
 @njit(**LOOP)
 def _transposed(members, size):
     """Places of every unknown in a flat list, (size + 1,) and (k,); −1 in the list is no unknown."""
-    first = np.zeros(size + 1, dtype=np.int64)
+    first, free = np.empty(size + 1, dtype=np.int64), np.empty(size + 1, dtype=np.int64)
+    for unknown in range(size + 1):
+        first[unknown] = 0
     for k in range(len(members)):
         if members[k] >= 0:
             first[members[k] + 1] += 1
+    free[0] = 0
     for unknown in range(size):
         first[unknown + 1] += first[unknown]
-    free = first[:-1].copy()
+        free[unknown + 1] = first[unknown + 1]
     places = np.empty(first[size], dtype=np.int64)
     for k in range(len(members)):
         if members[k] >= 0:
@@ -97,40 +100,33 @@ def _transposed(members, size):
 
 
 @njit(**LOOP)
-def _count_column(begin, end, count, pieces, of):
-    """Entries on and below the diagonal of each column: the unknowns that a piece has beside it."""
-    (first, members), (of_first, piece) = pieces, of
-    seen = np.full(len(count), -1, dtype=np.int64)
-    for column in range(begin, end):
-        seen[column] = column
-        found = 1
-        for e in range(of_first[column], of_first[column + 1]):
-            for k in range(first[piece[e]], first[piece[e] + 1]):
-                row = members[k]
-                if row > column and seen[row] != column:
-                    seen[row] = column
-                    found += 1
-        count[column] = found
-
-
-@njit(**LOOP)
 def _fill_column(begin, end, indptr, indices, pieces, of):
-    """Rows of each column, rising."""
+    """Rows of each column, rising: the unknowns on and below the diagonal that a piece has beside it.
+
+    Where ``indices`` has no place, it only counts them, into the place in ``indptr`` after that of the column.
+    """
     (first, members), (of_first, piece) = pieces, of
-    seen = np.full(len(indptr) - 1, -1, dtype=np.int64)
+    counts = len(indices) == 0
+    seen = np.empty(len(indptr) - 1, dtype=np.int64)
+    for column in range(len(seen)):
+        seen[column] = -1
     for column in range(begin, end):
         seen[column] = column
-        free = indptr[column]
-        indices[free] = column
-        free += 1
+        start = 0 if counts else indptr[column]
+        free = start + 1
         for e in range(of_first[column], of_first[column + 1]):
             for k in range(first[piece[e]], first[piece[e] + 1]):
                 row = members[k]
                 if row > column and seen[row] != column:
                     seen[row] = column
-                    indices[free] = row
+                    if not counts:
+                        indices[free] = row
                     free += 1
-        _sort(indices, indptr[column], free)
+        if counts:
+            indptr[column + 1] = free
+        else:
+            indices[start] = column
+            _sort(indices, start, free)
 
 
 @njit(**INNER)
@@ -159,7 +155,7 @@ def _place_column(begin, end, out, indptr, indices, of, unknowns):
             for other in range(width):
                 row = unknowns[cell, other]
                 if row >= column:
-                    high, low = max(own, other), min(own, other)
+                    high, low = (own, other) if own > other else (other, own)
                     out[cell, high * (high + 1) // 2 + low] = spot[row]
 
 

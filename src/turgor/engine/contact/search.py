@@ -207,7 +207,7 @@ def _near_sides(k, own, other, grid, depth, reach, apart, near):
 
 @njit(**INNER)
 def _towards(p, u, center, normal):
-    """Cosine between two normals, squared distance of two points, and how far the second lies along the first normal."""
+    """Cosine between two normals, squared distance of two points, how far the second lies along the first normal."""
     facing, square, ahead = 0.0, 0.0, 0.0
     for i in range(3):
         away = center[i] - p[i]

@@ -14,7 +14,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import reference_cell
-from turgor.engine.compiled import LOOP
+from turgor.engine.compiled import INNER, LOOP
 from turgor.materials.laws.laws import Hooke
 from turgor.meshing.cells import side_type
 
@@ -74,22 +74,27 @@ def surface_gradients(points: Array, triangles: NDArray[np.int64]) -> tuple[Arra
     return frames.gradients, frames.areas
 
 
+@njit(**INNER)
+def _tangents(x, nodes, gradients, t):
+    """Derivatives (2, 3) of the positions of a side along its reference frame."""
+    for k in range(2):
+        for i in range(3):
+            total = 0.0
+            for a in range(len(nodes)):
+                total += gradients[a, k] * x[nodes[a], i]
+            t[k, i] = total
+
+
 @njit(**LOOP)
 def membrane_stress(x, dx, triangles, gradients, areas, moduli):
     """Stress S + ℂ : ΔE linearized about nodal positions ``x`` for an update ``dx``, (f, q, 3)."""
     out = np.empty((len(triangles), areas.shape[1], 3))
+    t, d, E = np.empty((2, 3)), np.empty((2, 3)), np.empty(3)
     for f in range(len(triangles)):
         for q in range(areas.shape[1]):
-            t = np.zeros((2, 3))
-            d = np.zeros((2, 3))
-            for a in range(triangles.shape[1]):
-                for k in range(2):
-                    for i in range(3):
-                        t[k, i] += gradients[f, q, a, k] * x[triangles[f, a], i]
-                        d[k, i] += gradients[f, q, a, k] * dx[triangles[f, a], i]
-            E = np.zeros(3)
-            E[0] = -0.5
-            E[1] = -0.5
+            _tangents(x, triangles[f], gradients[f, q], t)
+            _tangents(dx, triangles[f], gradients[f, q], d)
+            E[0], E[1], E[2] = -0.5, -0.5, 0.0
             for i in range(3):
                 E[0] += t[0, i] * (0.5 * t[0, i] + d[0, i])
                 E[1] += t[1, i] * (0.5 * t[1, i] + d[1, i])
@@ -102,14 +107,12 @@ def membrane_stress(x, dx, triangles, gradients, areas, moduli):
 @njit(**LOOP)
 def membrane_forces(x, triangles, gradients, areas, stress):
     """Nodal forces (f, n, 3) of a stress (f, q, 3) at nodal positions ``x``."""
-    out = np.zeros((len(triangles), triangles.shape[1], 3))
+    out = np.empty((len(triangles), triangles.shape[1], 3))
+    out[:] = 0.0  # np.zeros takes longer to compile
+    t = np.empty((2, 3))
     for f in range(len(triangles)):
         for q in range(areas.shape[1]):
-            t = np.zeros((2, 3))
-            for a in range(triangles.shape[1]):
-                for k in range(2):
-                    for i in range(3):
-                        t[k, i] += gradients[f, q, a, k] * x[triangles[f, a], i]
+            _tangents(x, triangles[f], gradients[f, q], t)
             S0, S1, S2 = stress[f, q, 0], stress[f, q, 1], stress[f, q, 2]
             w = areas[f, q]
             for a in range(triangles.shape[1]):
@@ -122,16 +125,13 @@ def membrane_forces(x, triangles, gradients, areas, stress):
 @njit(**LOOP)
 def membrane_tangents(x, triangles, gradients, areas, moduli, stress):
     """Stiffness (f, 3n, 3n) at nodal positions ``x``: moduli (f, q, 3, 3), stress (f, q, 3) in the geometric part."""
-    out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
+    out = np.empty((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
+    out[:] = 0.0
+    t, B = np.empty((2, 3)), np.empty((3, 3 * triangles.shape[1]))
     for f in range(len(triangles)):
-        B = np.zeros((3, 3 * triangles.shape[1]))
         for q in range(areas.shape[1]):
             g, C = gradients[f, q], moduli[f, q]
-            t = np.zeros((2, 3))
-            for a in range(triangles.shape[1]):
-                for k in range(2):
-                    for i in range(3):
-                        t[k, i] += g[a, k] * x[triangles[f, a], i]
+            _tangents(x, triangles[f], g, t)
             for a in range(triangles.shape[1]):
                 for i in range(3):
                     B[0, 3 * a + i] = g[a, 0] * t[0, i]

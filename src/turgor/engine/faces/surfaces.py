@@ -73,7 +73,8 @@ def nodal_weights(points: Array, triangles: Triangles) -> Array:
 @njit(**LOOP)
 def pressure_forces(x, triangles, N, dN, weights):
     """Unit pressure on each triangle: ∫ N n da per node, (f, n, 3); n points out of the solid."""
-    out = np.zeros((len(triangles), triangles.shape[1], 3))
+    out = np.empty((len(triangles), triangles.shape[1], 3))
+    out[:] = 0.0  # np.zeros takes longer to compile
     r, s = np.empty(3), np.empty(3)
     for f in range(len(triangles)):
         for q in range(len(weights)):
@@ -92,7 +93,8 @@ def pressure_forces(x, triangles, N, dN, weights):
 @njit(**LOOP)
 def pressure_tangents(x, triangles, N, dN, weights):
     """Derivative of `pressure_forces` by the nodal positions, (f, 3n, 3n); it is not symmetric triangle by triangle."""
-    out = np.zeros((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
+    out = np.empty((len(triangles), 3 * triangles.shape[1], 3 * triangles.shape[1]))
+    out[:] = 0.0
     r, s, v = np.empty(3), np.empty(3), np.empty(3)
     for f in range(len(triangles)):
         for q in range(len(weights)):
