@@ -12,12 +12,8 @@ from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.meshing.bodies.bodies import find_bodies
 from turgor.model.model import Model
-from turgor.solvers.continuation.branch_switch import follow_auto
 from turgor.solvers.continuation.load_control import follow_load
-from turgor.solvers.continuation.scalar_control.arc_length import follow_arc
 from turgor.solvers.continuation.scalar_control.cavity_control import controlled_faces, follow_gas, follow_volume
-from turgor.solvers.dynamics.stabilization import follow_viscously
-from turgor.solvers.dynamics.time_stepping import follow_motion
 from turgor.solvers.energies import too_viscous, unbalanced
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.problem import Problem
@@ -46,6 +42,31 @@ def _always(model: Model) -> bool:
 def _can_come_to_rest(model: Model) -> bool:
     """Whether there is an obstacle or another body at which a free body can come to rest."""
     return bool(model.contact.obstacles) or len(find_bodies(model.mesh)) > 1
+
+
+def _follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
+    """As `follow_arc`; this import and those below stand here because a path needs the code of one procedure."""
+    from turgor.solvers.continuation.scalar_control.arc_length import follow_arc
+
+    return follow_arc(problem, procedure)
+
+
+def _follow_auto(problem: Problem, procedure: Auto) -> Outcome:
+    from turgor.solvers.continuation.branch_switch import follow_auto
+
+    return follow_auto(problem, procedure)
+
+
+def _follow_motion(problem: Problem, procedure: Dynamic) -> Outcome:
+    from turgor.solvers.dynamics.time_stepping import follow_motion
+
+    return follow_motion(problem, procedure)
+
+
+def _follow_viscously(problem: Problem, procedure: Stabilized) -> Outcome:
+    from turgor.solvers.dynamics.stabilization import follow_viscously
+
+    return follow_viscously(problem, procedure)
 
 
 def _nothing(states: Sequence[State]) -> tuple[Finding, ...]:
@@ -83,10 +104,10 @@ METHODS: Mapping[type, Method] = MappingProxyType(
         Static: Method(follow=follow_load),
         VolumeControl: Method(follow=follow_volume, controlled=controlled_faces),
         GasMass: Method(follow=follow_gas, controlled=controlled_faces),
-        ArcLength: Method(follow=follow_arc),
-        Auto: Method(follow=follow_auto, limit_points=Severity.WARNING),
-        Dynamic: Method(follow=follow_motion, may_be_free=_always, findings=unbalanced),
-        Stabilized: Method(follow=follow_viscously, may_be_free=_can_come_to_rest, findings=too_viscous),
+        ArcLength: Method(follow=_follow_arc),
+        Auto: Method(follow=_follow_auto, limit_points=Severity.WARNING),
+        Dynamic: Method(follow=_follow_motion, may_be_free=_always, findings=unbalanced),
+        Stabilized: Method(follow=_follow_viscously, may_be_free=_can_come_to_rest, findings=too_viscous),
     }
 )
 

@@ -18,7 +18,8 @@ from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.sizes import check_target
 from turgor.units import parse_quantity
 
-CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
+#: How tables are checked. What checks one is made when it is first read: a job has few of the tables that there are.
+CONFIG = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, defer_build=True)
 
 
 @dataclass(frozen=True, slots=True)

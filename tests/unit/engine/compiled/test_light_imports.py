@@ -29,6 +29,7 @@ LATER = {
     "turgor.results.pictures",
     "turgor.rod",
     "turgor.section",
+    "turgor.solvers.dynamics",
 }
 
 READING = (
