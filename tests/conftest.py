@@ -22,6 +22,7 @@ def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Keep meshes in a folder of the test run, so that no test depends on what an earlier run left."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TURGOR_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("TURGOR_CACHE_MB", "0")  # a test that counts or replaces what makes meshes finds none
         yield
 
 

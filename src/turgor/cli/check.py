@@ -12,6 +12,7 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
         from turgor.adaptivity.findings import ONLY_WITH_ERROR
         from turgor.cli.answers.results import CheckResult
         from turgor.finding import Severity
+        from turgor.job.meshes import keep_mesh_of
         from turgor.job.prepare import prepare
         from turgor.results.report.describe import contact
         from turgor.results.report.describe_procedure import procedure
@@ -19,6 +20,7 @@ def check_command(job: JobFile, changes: Changes = None, as_json: Json = False, 
 
         asked = asked_job(job, changes)
         model, findings = prepare(asked)
+        keep_mesh_of(asked)
         mesh = model.mesh
         typer.echo(f"{job} is a valid job: {mesh.name}; {len(mesh.cells)} cells, {mesh.unknown_count} unknowns.")
         for sentence in contact(model):

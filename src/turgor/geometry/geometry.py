@@ -7,6 +7,7 @@ from typing import Any
 from turgor.errors import TurgorError
 from turgor.finding import Finding
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.late import LateShape
 from turgor.geometry.packing import PackedShape, packed
 from turgor.geometry.sweep import Sweep
 from turgor.geometry.wedge import Wedge
@@ -87,6 +88,11 @@ regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symme
     def cavity_volume(self) -> float:
         """Volume of all cavities together [m³]."""
         return sum(self.cavity_volumes.values())
+
+    @property
+    def _cad(self) -> Any:
+        """The CAD shape; it is made now where the geometry was found on disk."""
+        return self._shape.shape() if isinstance(self._shape, LateShape) else self._shape
 
     @property
     def bounds(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:

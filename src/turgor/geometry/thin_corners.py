@@ -69,7 +69,7 @@ def find_thin_corners(geometry: Geometry) -> tuple[ThinCorners, ...]:
     >>> find_thin_corners(ExtendingCylinder().build())
     ()
     """
-    faces, scale = list(geometry._shape.faces), geometry.length_scale
+    faces, scale = list(geometry._cad.faces), geometry.length_scale
     thin, found = THIN * geometry.smallest_wall / scale, []
     for name in geometry.cavity_volumes:
         walls = _Walls(faces=faces, name=name, thin=thin)

@@ -35,6 +35,6 @@ def write_step(geometry: Geometry, path: str | Path) -> None:
     if not file.parent.is_dir():
         raise TurgorError(f"'{file}' cannot be written: there is no folder '{file.parent}'.")
     with captured_output():  # the kernel reports the transfer on the terminal
-        geometry._shape.WriteStep(str(file))
+        geometry._cad.WriteStep(str(file))
     if not file.is_file():
         raise TurgorError(f"'{file}' cannot be written by the CAD kernel.")

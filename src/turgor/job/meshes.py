@@ -4,6 +4,7 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 from turgor.geometry import Geometry
+from turgor.job.families import keep, mesh_on_disk
 from turgor.job.job import ACTUATORS, Actuator, Job
 from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.generate import mesh_with
@@ -15,7 +16,8 @@ def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     """Mesh a geometry with the settings of a job.
 
     Runs of one process whose actuators and settings are equal share a mesh, because a sweep of constants or a
-    calibration would make the same one again and again.
+    calibration would make the same one again and again. What `keep_mesh_of` has kept is found on disk, by other
+    processes, too.
 
     Parameters
     ----------
@@ -31,6 +33,20 @@ def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     if type(job.actuator) not in ACTUATORS.values():  # a file, whose content may change
         return new_mesh_of(job, geometry)
     return _mesh_of_family(_Asked(job.actuator, job.mesh, geometry))
+
+
+def keep_mesh_of(job: Job) -> None:
+    """Keep geometry and mesh of a job on disk for the next run, if its actuator is of a family.
+
+    Runs and checks do so, but no studies: their many designs hardly come again, and would push out the others.
+
+    Parameters
+    ----------
+    job : Job
+    """
+    if type(job.actuator) in ACTUATORS.values():
+        geometry = job.geometry()
+        keep(job.actuator, geometry, job.mesh, mesh_of(job, geometry))
 
 
 def new_mesh_of(job: Job, geometry: Geometry) -> Mesh:
@@ -64,7 +80,8 @@ class _Asked:
 
 @lru_cache(maxsize=2)
 def _mesh_of_family(asked: _Asked) -> Mesh:
-    return mesh_with(asked.geometry, asked.settings)
+    on_disk = mesh_on_disk(asked.actuator, asked.settings)
+    return mesh_with(asked.geometry, asked.settings) if on_disk is None else on_disk
 
 
 def settings_at(job: Job, size: float) -> MeshSettings:

@@ -9,6 +9,7 @@ from turgor.engine.runtime import EngineOptions
 from turgor.finding import Finding, by_weight, not_told
 from turgor.job.ahead import compile_for
 from turgor.job.job import Job
+from turgor.job.meshes import keep_mesh_of
 from turgor.job.output.folder import LOCK, claimed, clear, default_folder
 from turgor.job.output.growing import GrowingFiles
 from turgor.job.output.lock import check_same_job
@@ -114,6 +115,7 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
         return RunRecord.open(folder)
     compile_for(files.job)
     model, findings = prepare(files.job, files.say)
+    keep_mesh_of(files.job)
     clear(files.folder)
     files.begin()
     coarse = coarse_mesh(files.job, model)

@@ -53,7 +53,7 @@ class GeneratorSizes:
 @contextmanager
 def sizes_on_faces(geometry: Geometry, sizes: Mapping[int, float]) -> Iterator[None]:
     """Set sizes [m] on the faces of the shape while it is meshed, by their places, and remove them afterwards."""
-    faces = {place: face for place, face in enumerate(geometry._shape.faces) if place in sizes}
+    faces = {place: face for place, face in enumerate(geometry._cad.faces) if place in sizes}
     before = {place: face.maxh for place, face in faces.items()}
     try:
         for place, face in faces.items():
@@ -69,7 +69,7 @@ def join_cuts(geometry: Geometry) -> None:
     if geometry.wedge is None:
         return
     turn = cut_turn(geometry.wedge, geometry.length_scale)
-    for low, high in cut_pairs(geometry._shape, geometry.wedge, geometry.length_scale):
+    for low, high in cut_pairs(geometry._cad, geometry.wedge, geometry.length_scale):
         low.Identify(high, "cyclic", netgen.IdentificationType.PERIODIC, turn)
 
 
@@ -91,8 +91,8 @@ def generated_cells(geometry: Geometry, sizes: GeneratorSizes) -> Raw:
         try:
             # the generator takes sizes from a triangulation stored with the shape; making it here gives the same mesh
             # whether or not the shape was meshed, measured or drawn before
-            geometry._shape.MakeTriangulation()
-            netgen_mesh = geometry._shape.GenerateMesh(
+            geometry._cad.MakeTriangulation()
+            netgen_mesh = geometry._cad.GenerateMesh(
                 mp=_local_sizes(sizes, geometry.length_scale),
                 maxh=sizes.size / geometry.length_scale,
                 grading=sizes.grading,

@@ -137,13 +137,13 @@ class ThreeExtenders:
         """
         geometry = self._layout.build()
         low, high = (x / METERS_PER_CAD_UNIT for x in (self._from, self._to))
-        for face in geometry._shape.faces:
+        for face in geometry._cad.faces:
             (start, _, _), (end, _, _) = face.bounding_box
             if face.name == "outside" and abs(start - low) + abs(end - high) < 1e-3 * (high - low):
                 face.name = "winding"
         names = (RangeName(name="winding", axis=0, low=self._from, high=self._to, ends=False),)
         sweep = replace(geometry._sweep, names=(*names, *geometry._sweep.names)) if geometry._sweep else None
-        return replace(geometry, faces=face_names(geometry._shape), _sweep=sweep)
+        return replace(geometry, faces=face_names(geometry._cad), _sweep=sweep)
 
     @property
     def _from(self) -> float:

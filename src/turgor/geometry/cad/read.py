@@ -111,7 +111,7 @@ def read_here(
     geometry = replace(_geometry(Path(path), modeled.part, naming, wall), wedge=modeled.wedge)
     if isinstance(part.shape, SurfaceShape):
         return geometry
-    again = packed(geometry._shape).shape()
+    again = packed(geometry._cad).shape()
     again.MakeTriangulation()
     assert again.bounding_box and all(face.mass >= 0 for face in again.faces)
     return geometry

@@ -19,7 +19,7 @@ def faceted(geometry: Geometry) -> Geometry:
     geometry : Geometry
         With a CAD shape.
     """
-    shape = geometry._shape
+    shape = geometry._cad
     faces = list(dict.fromkeys(shape.faces))
     facets = find_facets(shape, faces)
     surface = SurfaceShape(

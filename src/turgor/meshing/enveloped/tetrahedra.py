@@ -60,7 +60,7 @@ def enveloped_cells(geometry: Geometry, settings: MeshSettings) -> Raw:
     TurgorError
         If no cells were made.
     """
-    shape, scale = geometry._shape, geometry.length_scale
+    shape, scale = geometry._cad, geometry.length_scale
     assert isinstance(shape, SurfaceShape) and settings.size is not None
     size = settings.size / scale
     envelope = min(ENVELOPE_PER_SIZE * size, ENVELOPE_PER_WALL * geometry.smallest_wall / scale)

@@ -60,7 +60,7 @@ def parts_of(geometry: Geometry) -> Parts:
     TurgorError
         If it has no CAD shape, because it was given by facets or a mesh.
     """
-    shape, scale = geometry._shape, geometry.length_scale
+    shape, scale = geometry._cad, geometry.length_scale
     if not hasattr(shape, "WriteBrep"):
         raise TurgorError(
             f"'{geometry.name}' is given by facets or a mesh, not by CAD faces that nodes of tetrahedra could follow."

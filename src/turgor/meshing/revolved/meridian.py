@@ -61,7 +61,7 @@ def meridian_of(geometry: Geometry) -> Meridian:
         If it is no such quarter, or no body of revolution.
     """
     letters = [letter for letter in "xyz" if f"symmetry_{letter}" in geometry.faces]
-    if len(letters) < 2 or not hasattr(geometry._shape, "solids"):
+    if len(letters) < 2 or not hasattr(geometry._cad, "solids"):
         have = ", ".join(f"symmetry_{letter}" for letter in letters) or "none"
         raise TurgorError(
             f"'{geometry.name}' cannot be meshed as axisymmetric: it is no quarter between two mirror planes (it has "
@@ -114,7 +114,7 @@ def _turned_volume(meridian: Meridian) -> float:
 
 def _position(geometry: Geometry, letter: str) -> float:
     """Where a mirror plane is [m]."""
-    face = next(f for f in geometry._shape.faces if f.name == f"symmetry_{letter}")
+    face = next(f for f in geometry._cad.faces if f.name == f"symmetry_{letter}")
     return float(getattr(face.center, letter)) * geometry.length_scale
 
 
@@ -124,10 +124,10 @@ def _loops(
     """Loops of the section with what is in them, and its edges by the faces that meet there."""
     plane, radial = letters[0], "xyz".index(letters[1])
     scale = geometry.length_scale
-    beside = [(face, set(face.edges)) for face in geometry._shape.faces]
+    beside = [(face, set(face.edges)) for face in geometry._cad.faces]
     loops: list[Fill] = []
     edges: list[tuple[str, Array]] = []
-    for solid in geometry._shape.solids:
+    for solid in geometry._cad.solids:
         for face in solid.faces:
             if face.name != f"symmetry_{plane}":
                 continue

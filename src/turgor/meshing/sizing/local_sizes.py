@@ -69,7 +69,7 @@ def local_sizes(geometry: Geometry, size: float, face_sizes: Mapping[str, float]
     4
     """
     corners = [found for found in find_thin_corners(geometry) if found.name not in face_sizes]
-    named = {i: face_sizes[face.name] for i, face in enumerate(geometry._shape.faces) if face.name in face_sizes}
+    named = {i: face_sizes[face.name] for i, face in enumerate(geometry._cad.faces) if face.name in face_sizes}
     lines = [found.lines for found in corners]
     return LocalSizes(
         faces=named | {i: CURVED_SHARE * size for found in corners for i in found.curved},

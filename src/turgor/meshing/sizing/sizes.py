@@ -8,6 +8,7 @@ from typing import Any
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.geometry import Geometry
+from turgor.geometry.late import LateShape
 from turgor.geometry.sweep import Along
 from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
@@ -168,7 +169,7 @@ def check_features(geometry: Geometry, limit: object, size: float, cells: str) -
 
 def extent_of(geometry: Geometry) -> float:
     """Longest side [m], the same before and after meshing: a triangulation widens the box around curved faces."""
-    if not isinstance(geometry._shape, SurfaceShape):
+    if not isinstance(geometry._shape, SurfaceShape | LateShape):  # the box of a late shape is the wider one
         geometry._shape.MakeTriangulation()
     return geometry.extent
 
@@ -216,5 +217,5 @@ def _check_wall_cells(wall_cells: object) -> None:
 
 def _face_area(geometry: Geometry, name: str) -> float:
     """Area of a named face [m²]."""
-    faces = set(geometry._shape.faces)  # a face between two solids is listed for both
+    faces = set(geometry._cad.faces)  # a face between two solids is listed for both
     return float(sum(face.mass for face in faces if face.name == name)) * geometry.length_scale**2

@@ -100,8 +100,8 @@ def small_features(geometry: Geometry, size: float, limit: float | None) -> Smal
     """
     if isinstance(geometry._shape, SurfaceShape) or (limit is None and not geometry.file) or limit == 0:
         return None
-    geometry._shape.MakeTriangulation()
-    facets, scale = round_facets(geometry._shape), geometry.length_scale
+    geometry._cad.MakeTriangulation()
+    facets, scale = round_facets(geometry._cad), geometry.length_scale
     radii, areas = facets.radii * scale, facets.areas * scale**2
     stated = limit is not None
     limit = COARSE_RADIUS_PER_SIZE * size if limit is None else limit
@@ -141,7 +141,7 @@ def _wide_rounds(facets: RoundFacets, small: NDArray[np.bool_], limit: float) ->
 
 def has_tiny_edges(geometry: Geometry, limit: float) -> bool:
     """Whether a CAD shape has edges shorter than half of a limit [m], such as those of engraved text."""
-    return any(edge.mass * geometry.length_scale < TINY * limit for edge in geometry._shape.edges)
+    return any(edge.mass * geometry.length_scale < TINY * limit for edge in geometry._cad.edges)
 
 
 def edges_left(limit: float, spared: float, filled: float) -> Finding:

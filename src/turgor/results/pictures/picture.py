@@ -187,7 +187,7 @@ def geometry_figure(geometry: Geometry, title: str, width: int) -> Figure:
     -------
     matplotlib.figure.Figure
     """
-    shape = geometry._shape
+    shape = geometry._cad
     if isinstance(shape, MeshedShape):
         return mesh_figure(shape.mesh, title, width)
     faces = [(name, corners * geometry.length_scale) for name, corners in named_facets(shape) if len(corners)]

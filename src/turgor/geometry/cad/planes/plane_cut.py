@@ -57,7 +57,7 @@ def plane_cut(geometry: Geometry, at: float | None = None) -> PlaneCut:
     TurgorError
         If the part is no CAD part of solids, or the plane misses it.
     """
-    if not hasattr(geometry._shape, "solids"):
+    if not hasattr(geometry._cad, "solids"):
         raise TurgorError(f"'{geometry.name}' has no CAD solids that a plane could cut; give a Sketch instead.")
     low, high = geometry.bounds
     place = (low[0] + high[0]) / 2 if at is None else at
@@ -69,7 +69,7 @@ def plane_cut(geometry: Geometry, at: float | None = None) -> PlaneCut:
     plane = _plane(geometry, place)
     fill: list[Fill] = []
     edges: list[tuple[str, Array]] = []
-    for solid in geometry._shape.solids:
+    for solid in geometry._cad.solids:
         for face in (solid * plane).faces:
             for number, wire in enumerate(loops_of(face)):
                 lines = [samples(edge)[:, 1:] * geometry.length_scale for edge in wire]

@@ -120,7 +120,7 @@ def _of_geometry(geometry: Geometry) -> _Surface:
     with captured_output():
         try:
             size = LONGEST_SHARE * geometry.extent / geometry.length_scale
-            made = geometry._shape.GenerateMesh(
+            made = geometry._cad.GenerateMesh(
                 maxh=size, curvaturesafety=3.0, grading=0.9, perfstepsend=netgen.MeshingStep.MESHSURFACE, ngs_mesh=False
             )
         finally:

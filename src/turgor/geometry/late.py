@@ -1,0 +1,38 @@
+"""Late shape: a CAD shape that is made when something first asks for more than its size."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+Corner = tuple[float, float, float]
+
+
+@dataclass(slots=True, kw_only=True, eq=False)
+class LateShape:
+    """Stands for the CAD shape of a geometry that was found on disk.
+
+    Parameters
+    ----------
+    build : callable
+        Builds the actuator; its geometry holds the shape.
+    bounding_box : pair of (3,) tuples
+        Lowest and highest corner of the triangulated shape, in CAD units.
+    """
+
+    build: Callable[[], Any]
+    bounding_box: tuple[Corner, Corner]
+    _made: Any = field(default=None, init=False)
+
+    def shape(self) -> Any:
+        """Make the CAD shape, once, with the triangulation that the box is that of."""
+        if self._made is None:
+            self._made = self.build()._shape
+            self._made.MakeTriangulation()
+        return self._made
+
+    def __reduce__(self) -> tuple[Callable[..., "LateShape"], tuple[Any, ...]]:
+        return _again, (self.build, self.bounding_box)
+
+
+def _again(build: Callable[[], Any], bounding_box: tuple[Corner, Corner]) -> LateShape:
+    return LateShape(build=build, bounding_box=bounding_box)
