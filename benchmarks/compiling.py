@@ -73,7 +73,7 @@ def waited(job: str) -> float:
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
-            env=os.environ | {"NUMBA_CACHE_DIR": cache},
+            env=os.environ | {"NUMBA_CACHE_DIR": cache, "TURGOR_CACHE_MB": "0"},
         )
         assert process.stdout is not None
         for line in process.stdout:
@@ -91,7 +91,7 @@ def main() -> int:
         return 0
     job = sys.argv[1] if len(sys.argv) > 1 else str(DEMO)
     with TemporaryDirectory() as cache:
-        environment = os.environ | {"NUMBA_CACHE_DIR": cache}
+        environment = os.environ | {"NUMBA_CACHE_DIR": cache, "TURGOR_CACHE_MB": "0"}
         done = subprocess.run(
             [sys.executable, __file__, "--count", job], env=environment, stdout=subprocess.PIPE, text=True, check=True
         )
