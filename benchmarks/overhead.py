@@ -4,10 +4,11 @@ python benchmarks/overhead.py          two tables
 python benchmarks/overhead.py --one    what one warm process spends, by part
 
 The job is the demo with a small pressure and without the estimate of the mesh error. A first process fills the caches,
-and keeps shape and mesh for the next ones. What counts as overhead is all but the mesh, the solve, the pictures and plots, fields and the report, which have
-targets of their own: starting Python, imports, reading, building the shape, checks, loading compiled loops, tables and
-files of the path, and the end of the process. The code of matplotlib and of what draws is loaded with the first
-picture, and counts as files. Exit code 1 beyond 1 CPU second.
+and keeps shape and mesh for the next ones. What counts as overhead is all but the mesh, the solve, the pictures and
+plots, fields and the report, which have targets of their own: starting Python, imports, reading, building or finding
+the shape, finding the mesh, checks, loading compiled loops, tables and files of the path, and the end of the process.
+The code of matplotlib and of what draws is loaded with the first picture, and counts as files. Exit code 1 beyond 1 CPU
+second.
 """
 
 import os

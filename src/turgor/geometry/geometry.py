@@ -7,8 +7,8 @@ from typing import Any
 from turgor.errors import TurgorError
 from turgor.finding import Finding
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
-from turgor.geometry.late import LateShape
 from turgor.geometry.packing import PackedShape, packed
+from turgor.geometry.shapes.late import LateShape
 from turgor.geometry.sweep import Sweep
 from turgor.geometry.wedge import Wedge
 from turgor.shown import Shown, listed

@@ -1,8 +1,8 @@
 """Meshes of families on disk: the next run of an actuator with equal dimensions neither builds its shape nor meshes it.
 
-An entry holds a mesh, or all of a geometry but its CAD shape. Its name is a hash of all that it follows from, so an entry
-is never outdated; one that cannot be read is passed over. Files of others may change, and families of others follow from
-sources that are not known here: neither is kept.
+An entry holds a mesh, or all of a geometry but its CAD shape. Its name is a hash of all that it follows from, so an
+entry is never outdated; one that cannot be read is passed over. Files of others may change, and families of others
+follow from sources that are not known here: neither is kept.
 """
 
 import json
@@ -23,7 +23,7 @@ from platformdirs import user_cache_path
 
 from turgor.errors import TurgorError
 from turgor.geometry.geometry import Geometry
-from turgor.geometry.late import LateShape
+from turgor.geometry.shapes.late import LateShape
 from turgor.meshing.enveloped.kept import FOLDER
 from turgor.meshing.instead import INSTEAD
 from turgor.meshing.mesh import Mesh

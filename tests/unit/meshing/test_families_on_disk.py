@@ -13,7 +13,7 @@ import pytest
 
 from turgor.errors import TurgorError
 from turgor.geometry import FastPneuNet
-from turgor.geometry.late import LateShape
+from turgor.geometry.shapes.late import LateShape
 from turgor.geometry.write_step import write_step
 from turgor.job import families, meshes
 from turgor.job.families import geometry_of, keep, mesh_on_disk

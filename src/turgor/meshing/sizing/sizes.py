@@ -8,7 +8,7 @@ from typing import Any
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.geometry import Geometry
-from turgor.geometry.late import LateShape
+from turgor.geometry.shapes.late import LateShape
 from turgor.geometry.sweep import Along
 from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
