@@ -58,6 +58,18 @@ class Family(Protocol):
         """Build the shape with named regions and faces."""
 
 
+def is_known(actuator: object) -> bool:
+    """Whether an actuator is of a family of this package, which its dimensions describe: no file, no family of others.
+
+    Examples
+    --------
+    >>> from turgor.geometry import FastPneuNet
+    >>> is_known(FastPneuNet())
+    True
+    """
+    return type(actuator).__module__.startswith(_FAMILIES)
+
+
 def geometry_of(actuator: Family) -> Geometry:
     """Return the geometry of an actuator: found on disk, where its CAD shape is made once it is asked for, or built.
 
@@ -185,7 +197,7 @@ def _drop_oldest(where: Path, most: float) -> None:
 
 def _file(asked: tuple[object, ...]) -> Path | None:
     """File of what follows from an actuator, and perhaps settings; None where it is not kept."""
-    if not type(asked[0]).__module__.startswith(_FAMILIES) or not most_bytes():
+    if not is_known(asked[0]) or not most_bytes():
         return None
     told = [_made_by(), [Encoder().encode(_plain(each)) for each in asked]]
     return folder() / f"{sha256(json.dumps(told).encode()).hexdigest()[:32]}{ENDING}"

@@ -4,8 +4,8 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 from turgor.geometry import Geometry
-from turgor.job.families import keep, mesh_on_disk
-from turgor.job.job import ACTUATORS, Actuator, Job
+from turgor.job.families import is_known, keep, mesh_on_disk
+from turgor.job.job import Actuator, Job
 from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.generate import mesh_with
 from turgor.meshing.mesh import Mesh
@@ -30,7 +30,7 @@ def mesh_of(job: Job, geometry: Geometry) -> Mesh:
     -------
     Mesh
     """
-    if type(job.actuator) not in ACTUATORS.values():  # a file, whose content may change
+    if not is_known(job.actuator):  # a file, whose content may change
         return new_mesh_of(job, geometry)
     return _mesh_of_family(_Asked(job.actuator, job.mesh, geometry))
 
@@ -44,7 +44,7 @@ def keep_mesh_of(job: Job) -> None:
     ----------
     job : Job
     """
-    if type(job.actuator) in ACTUATORS.values():
+    if is_known(job.actuator):
         geometry = job.geometry()
         keep(job.actuator, geometry, job.mesh, mesh_of(job, geometry))
 
