@@ -65,10 +65,12 @@ LONGEST = 120.0
 KINDNESS = 15
 
 
-def compile_ahead(needs: Needs) -> None:
-    """Begin to compile in another process, or tell it what is needed, where something is not compiled yet."""
-    if not all(kept(group.name).exists() for group in _groups(needs)):
+def compile_ahead(needs: Needs) -> bool:
+    """Begin to compile in another process, or tell it what is needed; return whether something is not compiled yet."""
+    missing = not all(kept(group.name).exists() for group in _groups(needs))
+    if missing:
         tell(asdict(needs))
+    return missing
 
 
 def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float:
@@ -82,8 +84,8 @@ def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float
     timer.daemon = True
     timer.start()
     try:
-        with _without_collection():
-            compile_ahead(needs)
+        with _without_collection() as left:
+            left.much = compile_ahead(needs)
             groups = _groups(needs)
             wanted = [group for group in groups if group.soon or kept(group.name).exists()]
             later = [group for group in wanted if not _alone(group, 0.0)]
@@ -170,14 +172,29 @@ def _alone(group: Group, patience: float) -> bool:
     return True
 
 
+@dataclass(slots=True)
+class Garbage:
+    """Whether there is much garbage to look for."""
+
+    much: bool = False
+
+
 @contextmanager
-def _without_collection() -> Iterator[None]:
-    """Leave garbage alone: numba makes millions of objects, and looking through them takes a tenth of its time."""
-    before = gc.isenabled()
+def _without_collection() -> Iterator[Garbage]:
+    """Leave garbage alone: numba makes millions of objects, and looking through them takes a tenth of its time.
+
+    Where there is ``much`` in the end, all objects count as old, so that the first step does not wait for the search
+    for it: that comes with the next search of old objects.
+    """
+    before, frozen, left = gc.isenabled(), gc.get_freeze_count(), Garbage()
     gc.disable()
     try:
-        yield
+        yield left
     finally:
+        if left.much:
+            gc.freeze()
+            if not frozen:  # else the command has frozen what it loaded, and ends after this run
+                gc.unfreeze()
         if before:
             gc.enable()
 

@@ -90,6 +90,21 @@ def test_garbage_is_collected_again_afterwards(done):
     assert gc.isenabled()
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+def test_what_compiling_leaves_counts_as_old_and_is_not_searched_before_the_first_step(monkeypatch, tmp_path, compiled):
+    made: list[list[int]] = []
+    group = Group("a", lambda: made.append([1]))
+    monkeypatch.setattr(compiling, "_groups", lambda needs: [group])
+    monkeypatch.setattr(compiling, "kept", lambda name: tmp_path / f"{name}.compiled")
+    monkeypatch.setattr(loops, "beside", lambda: None)
+    if not compiled:
+        (tmp_path / "a.compiled").touch()
+    frozen = gc.get_freeze_count()
+    compile_kernels(None, Needs())
+    assert any(each is made[0] for each in gc.get_objects(generation=2)) is compiled
+    assert gc.get_freeze_count() == frozen
+
+
 class Started:
     """A process that was begun, with what it is told."""
 
