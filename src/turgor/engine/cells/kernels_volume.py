@@ -5,7 +5,7 @@ gradients of the displacement (q, n, 3) and the shape functions of the mean stre
 the loops of `turgor.engine.cells.kernels`, which name this file in `turgor.engine.compiled.calls`.
 
 Only hexahedra have moments that are penalized. Functions of moments return at once for other cells: numba knows the
-length of ``shape`` before it looks at the rest, which it leaves out then. That makes a fifth of the time to compile.
+length of ``shape`` before it looks at the rest, and leaves that out. This spares a fifth of the time to compile.
 """
 
 from typing import NamedTuple
