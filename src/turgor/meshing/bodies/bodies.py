@@ -1,6 +1,7 @@
 """Bodies of a mesh: the parts that no cell connects to each other."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +44,7 @@ class Body:
     faces: tuple[str, ...]
 
 
+@lru_cache(maxsize=4)  # asked by several checks
 def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
     """Find the parts of a mesh that share no vertex: one for an actuator, several where `together` joined meshes.
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from turgor.finding import Finding, Severity
 from turgor.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.meshing.quality.facing import OPPOSED, unit_normals
+from turgor.meshing.quality.facing import OPPOSED, edge_keys, unit_normals
 from turgor.meshing.surface import among, check_surface, outer_triangles
 from turgor.units import mm
 
@@ -72,8 +72,8 @@ def crossings(mesh: Mesh) -> tuple[Ints, Array]:
     on_surface = np.zeros(n, dtype=bool)
     on_surface[surface[:, :3]] = True
     edges = np.concatenate([mesh.cells[:, e] for e in mesh.cell_type.edges])
-    keys = np.unique(_edge_keys(edges[on_surface[edges].all(axis=1)], n))
-    flat = np.sort(_edge_keys(np.concatenate([surface[:, e] for e in TRIANGLE_EDGES]), n))
+    keys = np.unique(edge_keys(edges[on_surface[edges].all(axis=1)], n))
+    flat = np.sort(edge_keys(np.concatenate([surface[:, e] for e in TRIANGLE_EDGES]), n))
     edges = np.stack(np.divmod(keys[~among(keys, flat)], n), axis=1)
     # every triangle at the first end against every triangle at the second
     owner, first = _triangles_at(surface, edges[:, 0])
@@ -90,11 +90,6 @@ def crossings(mesh: Mesh) -> tuple[Ints, Array]:
     np.minimum.at(thickness, owner[through], depth[through])
     crossing = np.isfinite(thickness)
     return edges[crossing], thickness[crossing]
-
-
-def _edge_keys(edges: Ints, node_count: int) -> Ints:
-    """One number for each edge (e, 2), the same for both directions."""
-    return np.asarray(edges.min(axis=1) * node_count + edges.max(axis=1))
 
 
 def _triangles_at(surface: Ints, vertices: Ints) -> tuple[Ints, Ints]:

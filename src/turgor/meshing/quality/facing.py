@@ -28,6 +28,11 @@ CHUNK = 2_000
 ROUND_OFF = 1 + 1e-6
 
 
+def edge_keys(edges: Ints, node_count: int) -> Ints:
+    """One number for each edge (e, 2), the same for both directions, in the order of the smaller and larger node."""
+    return np.asarray(edges.min(axis=1) * node_count + edges.max(axis=1))
+
+
 def unit_normals(points: Array, triangles: Ints) -> Array:
     """Return the unit normals of the flat triangles between the corners, (f, 3)."""
     corners = points[triangles[:, :3]]
@@ -168,9 +173,9 @@ def _extended(facing: NDArray[np.bool_], normal: Array, left: Ints, right: Ints)
 
 def _neighbors(triangles: Ints) -> tuple[Ints, Ints]:
     """Pairs of triangles that share an edge; an edge of more than two triangles makes no pair."""
-    edges = np.sort(np.concatenate([triangles[:, e] for e in TRIANGLE_EDGES]), axis=1)
+    edges = edge_keys(np.concatenate([triangles[:, e] for e in TRIANGLE_EDGES]), int(triangles.max(initial=0)) + 1)
     owner = np.tile(np.arange(len(triangles)), 3)
-    _, inverse, count = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
+    _, inverse, count = np.unique(edges, return_inverse=True, return_counts=True)
     order = np.argsort(inverse, kind="stable")
     order = order[count[inverse[order]] == 2]
     return owner[order[0::2]], owner[order[1::2]]

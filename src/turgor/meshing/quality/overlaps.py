@@ -8,7 +8,7 @@ from turgor.geometry.cad.surface.crossing import winding
 from turgor.meshing.bodies.bodies import find_bodies
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
-from turgor.meshing.quality.facing import unit_normals
+from turgor.meshing.quality.facing import edge_keys, unit_normals
 from turgor.meshing.surface import outer_triangles
 
 Array = NDArray[np.float64]
@@ -59,8 +59,9 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     curved = six_node_triangles(outer_triangles(mesh))
     triangles = curved[:, :3]
     normals = unit_normals(x, triangles)
-    every = np.sort(np.concatenate([triangles[:, e] for e in TRIANGLE_EDGES]), axis=1)
-    edges, index = np.unique(every, axis=0, return_inverse=True)
+    every = edge_keys(np.concatenate([triangles[:, e] for e in TRIANGLE_EDGES]), len(x))
+    keys, index = np.unique(every, return_inverse=True)
+    edges = np.stack(np.divmod(keys, len(x)), axis=1)
     at_edges = np.zeros((len(edges), 3))
     np.add.at(at_edges, index.ravel(), np.tile(normals, (3, 1)))
     at_edges /= np.maximum(np.linalg.norm(at_edges, axis=1, keepdims=True), 1e-30)
