@@ -1,7 +1,7 @@
 """`make bench`: what a solve costs, as a table with versions and machine, beside what other codes need.
 
 python benchmarks/run.py [bender] [demo] [growth] [contact] [bellows] [newton] [running] [meshing] [iterative]
-    [peers_S] [peers_M] [peers_L]
+    [peers_S] [peers_M] [peers_L] [shared_S] [shared_M] [shared_L]
 
 All by default; renews results.md.
 """
@@ -144,6 +144,7 @@ def main() -> None:
     parts |= {"newton": newton.section, "running": running.section, "meshing": meshing.section}
     parts["iterative"] = iterative.section
     parts |= {f"peers_{size}": partial(compare.section, size) for size in compare.problem.STEPS}
+    parts |= {f"shared_{size}": partial(compare.section, size, TWO) for size in compare.problem.STEPS}
     chosen = sys.argv[1:] or list(parts)
     if unknown := [name for name in chosen if name not in parts]:
         sys.exit(f"unknown part {', '.join(unknown)}; known: {', '.join(parts)}.")

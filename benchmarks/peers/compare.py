@@ -2,11 +2,13 @@
 
 Each code runs in a process of its own with one thread asked for, in an environment of its own: FEniCSx in the system's
 Python with Debian's packages, the others in virtual environments below build/peers. What cannot be installed has a row
-that says so.
+that says so. With both cores, turgor has two threads and FEniCSx, the fastest of the others, two processes that each
+use one.
 """
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -23,6 +25,9 @@ from turgor.engine.algebra.linear import available_solvers
 HERE = Path(__file__).parent
 THREADS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS", "RAYON_NUM_THREADS")
 LONGEST = 1800
+
+#: Those that share their work between processes.
+SHARED = ("FEniCSx",)
 
 Facts = Mapping[str, Any]
 
@@ -71,32 +76,43 @@ PEERS: dict[str, tuple[Callable[[], Path], str]] = {
 }
 
 
-def run(command: list[str]) -> Facts:
+def run(command: list[str], threads: int = 1) -> Facts:
     """What a process prints last, and its wall time."""
     began = time.perf_counter()
-    done = subprocess.run(
-        command, env=os.environ | dict.fromkeys(THREADS, "1"), capture_output=True, text=True, timeout=LONGEST
-    )
+    told = os.environ | dict.fromkeys(THREADS, str(threads))
+    done = subprocess.run(command, env=told, capture_output=True, text=True, timeout=LONGEST)
     if done.returncode:
         last = (done.stderr.strip().splitlines() or ["no message"])[-1]
         raise NotThereError(f"ended with '{last}'")
     return json.loads(done.stdout.splitlines()[-1]) | {"wall": time.perf_counter() - began}
 
 
-def turgor(solver: str, size: str) -> Facts:
+def turgor(solver: str, size: str, threads: int = 1) -> Facts:
     """The bender in turgor."""
-    request = {"case": "peer_bender", "solver": solver, "threads": 1, "size": size}
-    return run([sys.executable, str(HERE.parent / "case.py"), json.dumps(request)])
+    request = {"case": "peer_bender", "solver": solver, "threads": threads, "size": size}
+    return run([sys.executable, str(HERE.parent / "case.py"), json.dumps(request)], threads)
 
 
-def found(size: str) -> tuple[list[Facts], list[tuple[str, str]]]:
+def peer(name: str, size: str, cores: int) -> Facts:
+    """The bender in another code; on several cores as so many processes of one thread, which FEniCSx knows."""
+    python, script = PEERS[name]
+    command = [str(python()), str(HERE / script), str(problem.mesh_file(size)), str(problem.STEPS[size])]
+    if cores == 1:
+        return run(command)
+    if shutil.which("mpirun") is None:
+        raise NotThereError("there is no mpirun")
+    return run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(cores), *command])
+
+
+def found(size: str, cores: int) -> tuple[list[Facts], list[tuple[str, str]]]:
     """What each code says of a size, and why others say nothing."""
     problem.mesh_file(size)
     turgor(available_solvers()[0], "S")  # compiles the kernels if they are not
-    codes: dict[str, Callable[[], Facts]] = {f"turgor, {s}": lambda s=s: turgor(s, size) for s in available_solvers()}
-    file, steps = str(problem.mesh_file(size)), str(problem.STEPS[size])
-    for name, (python, script) in PEERS.items():
-        codes[name] = lambda python=python, script=script: run([str(python()), str(HERE / script), file, steps])
+    codes: dict[str, Callable[[], Facts]] = {
+        f"turgor, {s}": lambda s=s: turgor(s, size, cores) for s in available_solvers()
+    }
+    for name in PEERS if cores == 1 else SHARED:
+        codes[name] = lambda name=name: peer(name, size, cores)
     facts, missing = [], []
     for name, call in codes.items():
         try:
@@ -130,14 +146,16 @@ def rows(facts: list[Facts]) -> list[tuple[str, ...]]:
     return out
 
 
-def section(size: str) -> str:
-    """The table of a size."""
-    facts, missing = found(size)
+def section(size: str, cores: int = 1) -> str:
+    """The table of a size, with one thread each or on so many cores."""
+    facts, missing = found(size, cores)
     head = ("code", "unknowns", "CPU s", "wall s", "over turgor", "iterations", "peak MiB", "tip off turgor by")
     steps = problem.STEPS[size]
+    asked = "one thread asked for" if cores == 1 else f"{cores} cores: threads of turgor, processes of FEniCSx"
     text = (
         f"Reference bender, mesh {size}, {steps} {'steps' if steps > 1 else 'step'} of 5 kPa, residual to 1e-8, P2-P1 "
-        "on straight edges, one thread asked for, whole processes, one after another."
+        f"on straight edges, {asked}, whole processes, one after another."
     )
     told = "".join(f"\n- {name}: {why}." for name, why in missing)
-    return f"## Peers, mesh {size}\n\n{text}\n\n{table(head, rows(facts))}\n{told}\n"
+    on = "" if cores == 1 else f", {cores} cores"
+    return f"## Peers, mesh {size}{on}\n\n{text}\n\n{table(head, rows(facts))}\n{told}\n"
