@@ -57,7 +57,7 @@ def one() -> None:
     spent["Python and imports"] = process_time()
     clock(read, "_build", "shape")
     clock(meshes, "mesh_on_disk", "mesh looked up on disk")
-    clock(meshes, "mesh_with", "mesh")
+    clock(meshes, "_made", "mesh")
     clock(prepare, "check_mesh", "checks of the mesh")
     clock(solve, "compile_kernels", "loading compiled loops")
     clock(run, "prepare", "all before the solve")

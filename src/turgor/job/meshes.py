@@ -7,7 +7,6 @@ from turgor.geometry import Geometry
 from turgor.job.families import is_known, keep, mesh_on_disk
 from turgor.job.job import Actuator, Job
 from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.meshing.generate import mesh_with
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.settings import MeshSettings
 
@@ -63,7 +62,7 @@ def new_mesh_of(job: Job, geometry: Geometry) -> Mesh:
     """
     if isinstance(geometry._shape, MeshedShape):
         return geometry._shape.mesh
-    return mesh_with(geometry, job.mesh)
+    return _made(geometry, job.mesh)
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +80,13 @@ class _Asked:
 @lru_cache(maxsize=2)
 def _mesh_of_family(asked: _Asked) -> Mesh:
     on_disk = mesh_on_disk(asked.actuator, asked.settings)
-    return mesh_with(asked.geometry, asked.settings) if on_disk is None else on_disk
+    return _made(asked.geometry, asked.settings) if on_disk is None else on_disk
+
+
+def _made(geometry: Geometry, settings: MeshSettings) -> Mesh:
+    from turgor.meshing.generate import mesh_with  # here: it loads all ways to mesh, and a mesh may be on disk
+
+    return mesh_with(geometry, settings)
 
 
 def settings_at(job: Job, size: float) -> MeshSettings:

@@ -4,7 +4,6 @@ from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.wedge import Wedge
-from turgor.meshing.revolved.meridian import meridian_of
 from turgor.model.checks.symmetry import same_when_turned
 from turgor.model.fibers import DISCRETE
 from turgor.model.loads import LineForce, PointForce
@@ -33,6 +32,8 @@ def meridian_would_do(model: Model, geometry: Geometry) -> tuple[Finding, ...]:
     """
     if not geometry.file or model.mesh.revolved or model.mesh.wedge is not None:
         return ()
+    from turgor.meshing.revolved.meridian import meridian_of  # here: it loads much of what reads CAD files
+
     try:
         meridian = meridian_of(geometry)
     except TurgorError:

@@ -212,7 +212,7 @@ def test_a_job_is_prepared_without_its_shape_and_without_meshing(tmp_path, folde
     assert not folder.exists()  # studies prepare jobs, too, and keep nothing
     keep_mesh_of(job)
     meshes._mesh_of_family.cache_clear()
-    for owner, name in ((meshes, "mesh_with"), (FastPneuNet, "build")):
+    for owner, name in ((meshes, "_made"), (FastPneuNet, "build")):
         monkeypatch.setattr(owner, name, refused)
     again, found = prepare(read_job(tmp_path / "job.toml"))
     assert found == findings

@@ -9,7 +9,6 @@ from turgor.geometry.shapes.sections import Outline
 from turgor.geometry.sweep import Sweep, Turned
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.sweeping.axis import core_outline, core_radius, reaches_axis, with_core, without_core
-from turgor.meshing.sweeping.general import general_section
 from turgor.meshing.sweeping.grid import grid_section
 from turgor.meshing.sweeping.hexahedra import fill
 from turgor.meshing.sweeping.naming import assemble
@@ -125,4 +124,8 @@ def _lattice(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> Secti
 def section_of(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh:
     """Mesh a section: along its own lines or circles where it has such, else with paired triangles."""
     section = _lattice(sweep, outlines, fine)
-    return general_section(outlines, fine) if section is None else section
+    if section is not None:
+        return section
+    from turgor.meshing.sweeping.general import general_section  # here: most sections have lines or circles
+
+    return general_section(outlines, fine)

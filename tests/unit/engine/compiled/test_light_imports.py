@@ -26,6 +26,7 @@ LATER = {
     "turgor.materials.fitting.fit_laws",
     "turgor.meshing.exchange.fill",
     "turgor.meshing.exchange.read",
+    "turgor.meshing.generate",
     "turgor.results.pictures",
     "turgor.rod",
     "turgor.section",
