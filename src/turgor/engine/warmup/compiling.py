@@ -5,7 +5,8 @@ group, and takes the result from the cache on disk later. So the process beside,
 anything heavy is loaded, needs no orders but what the model needs: it begins at the other end of the list. Runs that
 somebody starts together on a new machine share the work in the same way.
 
-Loops that no first step needs come last, and a process that has another one beside it leaves them to that.
+Loops that no first step needs come last, and a process that has another one beside it leaves them to that. Once they
+are compiled, they are loaded where they are first called, which takes some milliseconds.
 """
 
 import gc
@@ -87,13 +88,13 @@ def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float
         with _without_collection() as left:
             left.much = compile_ahead(needs)
             groups = _groups(needs)
-            wanted = [group for group in groups if group.soon or kept(group.name).exists()]
-            later = [group for group in wanted if not _alone(group, 0.0)]
+            later = [group for group in groups if group.soon and not _alone(group, 0.0)]
             for group in later:
                 if not _alone(group, LONGEST):
                     group.touch()
-            if len(wanted) < len(groups) and not at_work():  # nobody else compiles the rest
-                for group in groups:
+            rest = [group for group in groups if not (group.soon or kept(group.name).exists())]
+            if rest and not at_work():  # nobody else compiles them
+                for group in rest:
                     _alone(group, 0.0)
     finally:
         timer.cancel()

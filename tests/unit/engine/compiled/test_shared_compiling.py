@@ -70,6 +70,12 @@ def test_later_groups_are_left_to_a_process_beside(done, monkeypatch, at_work):
     assert done[:3] == ["a", "b", "c"]
 
 
+def test_later_groups_that_are_compiled_are_loaded_once_they_are_called(done, tmp_path):
+    (tmp_path / "d.compiled").touch()
+    compile_kernels(None, Needs())
+    assert done == ["a", "b", "c"]
+
+
 def test_who_has_waited_too_long_compiles_himself(done, tmp_path, monkeypatch):
     monkeypatch.setattr(compiling, "LONGEST", 0.05)
     with FileLock(tmp_path / "c.lock"):
