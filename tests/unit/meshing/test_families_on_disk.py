@@ -17,12 +17,14 @@ from turgor.geometry.shapes.late import LateShape
 from turgor.geometry.write_step import write_step
 from turgor.job import families, meshes
 from turgor.job.families import geometry_of, keep, mesh_on_disk
+from turgor.job.job import ACTUATORS
 from turgor.job.meshes import keep_mesh_of
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
 from turgor.meshing.generate import mesh_with
 from turgor.meshing.instead import meshing_instead
 from turgor.meshing.settings import MeshSettings
+from turgor.meshing.sizing.sizes import size_range
 from turgor.store.codec import Encoder
 
 FINGER = FastPneuNet(chambers=2, length=20e-3)
@@ -67,6 +69,18 @@ def test_what_was_kept_is_found_with_the_same_bits(made, folder):
     assert repr(found) == repr(geometry)
     again = mesh_on_disk(FINGER, SETTINGS)
     assert as_text(again) == as_text(mesh)
+
+
+@pytest.mark.parametrize("name", sorted(ACTUATORS))
+def test_every_family_is_found_as_it_was_built(name, made):
+    actuator = ACTUATORS[name]()
+    geometry = actuator.build()
+    keep(actuator, geometry, SETTINGS, made[1])
+    found = geometry_of(actuator)
+    assert as_text(found) == as_text(geometry)
+    assert size_range(found) == size_range(geometry)
+    assert repr(found) == repr(geometry)
+    assert found._shape._made is None
 
 
 def test_the_shape_is_made_when_it_is_asked_for_and_gives_the_same_mesh(made, tmp_path):
