@@ -70,8 +70,8 @@ def is_known(actuator: object) -> bool:
     return type(actuator).__module__.startswith(_FAMILIES)
 
 
-def geometry_of(actuator: Family) -> Geometry:
-    """Return the geometry of an actuator: found on disk, where its CAD shape is made once it is asked for, or built.
+def geometry_on_disk(actuator: Family) -> Geometry | None:
+    """Return the geometry that was kept for an actuator, whose CAD shape is made once it is asked for; None without.
 
     Parameters
     ----------
@@ -80,13 +80,12 @@ def geometry_of(actuator: Family) -> Geometry:
 
     Returns
     -------
-    Geometry
+    Geometry or None
     """
     found = _found(actuator)
     if not isinstance(found, Geometry):
-        return actuator.build()
-    box = found._shape
-    return replace(found, _shape=LateShape(build=actuator.build, bounding_box=box))
+        return None
+    return replace(found, _shape=LateShape(build=actuator.build, bounding_box=found._shape))
 
 
 def mesh_on_disk(actuator: Family, settings: MeshSettings) -> Mesh | None:
@@ -152,12 +151,14 @@ def most_bytes() -> float:
 
 def _found(*asked: object) -> object:
     file = _file(asked)
-    if file is None:
+    if file is None or not file.exists():
         return None
     try:
         content = read_archive(file)
         found: object = Decoder(content.arrays, _nothing_elsewhere).decode(content.tree)
     except _DAMAGE:
+        with suppress(OSError):
+            file.unlink()
         return None
     with suppress(OSError):
         os.utime(file)  # the oldest used go first

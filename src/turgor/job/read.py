@@ -10,7 +10,7 @@ from typing import Any
 from turgor.errors import TurgorError, near_match
 from turgor.geometry import Geometry
 from turgor.job.broken_planes import with_broken_planes
-from turgor.job.families import geometry_of
+from turgor.job.families import geometry_on_disk
 from turgor.job.job import Actuator, Job
 from turgor.job.tables.contact import read_contact
 from turgor.job.tables.fibers import read_fibers
@@ -213,7 +213,9 @@ def _moves(obstacles: object) -> bool:
 
 def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:
     """Build the shape, because its names are keys of other sections, or find on disk what is known about it."""
-    return None if actuator is None else problems.attempt(("actuator",), lambda: geometry_of(actuator))
+    if actuator is None:
+        return None
+    return geometry_on_disk(actuator) or problems.attempt(("actuator",), actuator.build)
 
 
 def _name(value: object, problems: Problems) -> str:

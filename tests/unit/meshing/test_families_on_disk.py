@@ -16,7 +16,7 @@ from turgor.geometry import FastPneuNet
 from turgor.geometry.shapes.late import LateShape
 from turgor.geometry.write_step import write_step
 from turgor.job import families, meshes
-from turgor.job.families import geometry_of, keep, mesh_on_disk
+from turgor.job.families import geometry_on_disk, keep, mesh_on_disk
 from turgor.job.job import ACTUATORS
 from turgor.job.meshes import keep_mesh_of
 from turgor.job.prepare import prepare
@@ -58,11 +58,11 @@ def as_text(value: object) -> tuple[str, list[bytes]]:
 
 def test_what_was_kept_is_found_with_the_same_bits(made, folder):
     geometry, mesh = made
-    assert not isinstance(geometry_of(FINGER)._shape, LateShape)
+    assert geometry_on_disk(FINGER) is None
     assert mesh_on_disk(FINGER, SETTINGS) is None
     keep(FINGER, geometry, SETTINGS, mesh)
     assert len(list(folder.iterdir())) == 2
-    found = geometry_of(FINGER)
+    found = geometry_on_disk(FINGER)
     assert isinstance(found._shape, LateShape)
     assert as_text(found) == as_text(geometry)
     assert found.bounds == geometry.bounds
@@ -76,7 +76,7 @@ def test_every_family_is_found_as_it_was_built(name, made):
     actuator = ACTUATORS[name]()
     geometry = actuator.build()
     keep(actuator, geometry, SETTINGS, made[1])
-    found = geometry_of(actuator)
+    found = geometry_on_disk(actuator)
     assert as_text(found) == as_text(geometry)
     assert size_range(found) == size_range(geometry)
     assert repr(found) == repr(geometry)
@@ -86,11 +86,11 @@ def test_every_family_is_found_as_it_was_built(name, made):
 def test_the_shape_is_made_when_it_is_asked_for_and_gives_the_same_mesh(made, tmp_path):
     geometry, mesh = made
     keep(FINGER, geometry, SETTINGS, mesh)
-    found = pickle.loads(pickle.dumps(geometry_of(FINGER)))
+    found = pickle.loads(pickle.dumps(geometry_on_disk(FINGER)))
     assert found._shape._made is None
     assert as_text(mesh_with(found, SETTINGS)) == as_text(mesh)
     assert found._shape._made is not None
-    write_step(geometry_of(FINGER), tmp_path / "finger.step")
+    write_step(geometry_on_disk(FINGER), tmp_path / "finger.step")
     assert (tmp_path / "finger.step").stat().st_size > 1000
 
 
@@ -144,13 +144,16 @@ def test_a_mesh_that_moves_is_neither_kept_nor_replaced(made, folder):
 
 
 @pytest.mark.parametrize("share", [0.0, 0.5, 0.999])
-def test_damaged_entries_are_passed_over(made, folder, share):
+def test_damaged_entries_are_made_anew(made, folder, share):
     geometry, mesh = made
     keep(FINGER, geometry, SETTINGS, mesh)
     for file in folder.iterdir():
         file.write_bytes(file.read_bytes()[: int(share * file.stat().st_size)])
-    assert not isinstance(geometry_of(FINGER)._shape, LateShape)
+    assert geometry_on_disk(FINGER) is None
     assert mesh_on_disk(FINGER, SETTINGS) is None
+    keep(FINGER, geometry, SETTINGS, mesh)
+    assert geometry_on_disk(FINGER) is not None
+    assert mesh_on_disk(FINGER, SETTINGS) is not None
 
 
 def test_a_changed_byte_is_noticed(made, folder):
@@ -186,7 +189,7 @@ def test_it_can_be_switched_off(made, folder, monkeypatch):
     keep(FINGER, geometry, SETTINGS, mesh)
     monkeypatch.setenv("TURGOR_CACHE_MB", "0")
     assert mesh_on_disk(FINGER, SETTINGS) is None
-    assert not isinstance(geometry_of(FINGER)._shape, LateShape)
+    assert geometry_on_disk(FINGER) is None
     monkeypatch.setenv("TURGOR_CACHE_MB", "some")
     with pytest.raises(TurgorError, match="TURGOR_CACHE_MB is 'some'; a number of megabytes is needed"):
         mesh_on_disk(FINGER, SETTINGS)
