@@ -5,6 +5,7 @@ its own assertions; the fixture asserts nothing. ``pytest --write-verification``
 of the files that were run as a whole and passed; every other run leaves the working tree alone.
 """
 
+import gc
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -24,6 +25,13 @@ def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         patch.setenv("TURGOR_CACHE", str(tmp_path_factory.mktemp("cache")))
         patch.setenv("TURGOR_CACHE_MB", "0")  # a test that counts or replaces what makes meshes finds none
         yield
+
+
+@pytest.fixture(autouse=True)
+def _nothing_stays_frozen() -> Iterator[None]:
+    """Let garbage be found again: a command, which here is not the whole process, counts all it has made as lasting."""
+    yield
+    gc.unfreeze()
 
 
 @pytest.fixture
