@@ -1,6 +1,7 @@
 """What the first run on a machine costs: seconds of compiling by loop, and the time to the first solved step.
 
 python benchmarks/compiling.py [JOB]
+python benchmarks/run.py compiling      a section of results.md
 
 The job is the demo by default, with a small pressure. A first process counts what is compiled, each loop with its
 signatures; a second one runs `turgor run` with an empty cache and waits for its first step. Exit code 1 beyond 25 CPU
@@ -16,6 +17,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import perf_counter, process_time
 from typing import Any
+
+from tables import table
 
 MOST_COMPILING, MOST_WAITING, SHOWN = 25.0, 12.0, 15
 DEMO = Path(__file__).parents[1] / "examples" / "fast_pneunet.toml"
@@ -85,17 +88,33 @@ def waited(job: str) -> float:
     return spent
 
 
-def main() -> int:
-    if sys.argv[1:2] == ["--count"]:
-        counted(sys.argv[2])
-        return 0
-    job = sys.argv[1] if len(sys.argv) > 1 else str(DEMO)
+def compiled(job: str) -> list[str]:
+    """Lines that `counted` prints in a process with an empty cache: the slowest loops, and the sum."""
     with TemporaryDirectory() as cache:
         environment = os.environ | {"NUMBA_CACHE_DIR": cache, "TURGOR_CACHE_MB": "0"}
         done = subprocess.run(
             [sys.executable, __file__, "--count", job], env=environment, stdout=subprocess.PIPE, text=True, check=True
         )
-    lines = [line for line in done.stdout.splitlines() if " times " in line or " CPU s, " in line]
+    return [line for line in done.stdout.splitlines() if " times " in line or " CPU s, " in line]
+
+
+def section() -> str:
+    """The section of the page."""
+    compiling, first = float(compiled(str(DEMO))[-1].split()[0]), waited(str(DEMO))
+    rows = [
+        ("`turgor run` of the demo to its first solved step, wall s", f"{first:.1f}", f"{MOST_WAITING:g}"),
+        ("compiling for the demo, all processes, CPU s", f"{compiling:.1f}", f"{MOST_COMPILING:g}"),
+    ]
+    text = "No cache of compiled loops, of shapes or of meshes. `python benchmarks/compiling.py` tells each loop."
+    return f"## First run on a machine\n\n{text}\n\n{table(('what', 'measured', 'at most'), rows)}\n"
+
+
+def main() -> int:
+    if sys.argv[1:2] == ["--count"]:
+        counted(sys.argv[2])
+        return 0
+    job = sys.argv[1] if len(sys.argv) > 1 else str(DEMO)
+    lines = compiled(job)
     print("\n".join(lines))
     first = waited(job)
     print(f"first solved step after {first:.1f} s; {MOST_WAITING:g} s and {MOST_COMPILING:g} CPU s asked")

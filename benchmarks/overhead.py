@@ -1,6 +1,7 @@
 """CPU seconds of `turgor run` around the solve, and of further runs in one process.
 
 python benchmarks/overhead.py          two tables
+python benchmarks/run.py overhead      both as a section of results.md
 python benchmarks/overhead.py --one    what one warm process spends, by part
 
 The job is the demo with a small pressure and without the estimate of the mesh error. A first process fills the caches,
@@ -21,6 +22,8 @@ from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
+
+from tables import table
 
 MOST = 1.0
 DEMO = Path(__file__).parents[1] / "examples" / "fast_pneunet.toml"
@@ -97,13 +100,14 @@ def _of_children() -> float:
     return used.ru_utime + used.ru_stime
 
 
-def again() -> None:
-    """Solve with three pressures in one process; print what each run costs before its path begins."""
+def again() -> list[tuple[str, float, float, float]]:
+    """Solve with three pressures in one process: what each costs before its path begins, read, prepared, equations."""
     import turgor as tg
     from turgor.engine.algebra.tangent import Tangent
     from turgor.engine.system import System
     from turgor.job.text.changes import parse_changes
 
+    runs = []
     for pressure in ("0.2 kPa", "0.3 kPa", "0.4 kPa"):
         times = [process_time()]
         job = tg.jobs.read_job(DEMO, parse_changes([f"loads.pressure={pressure}"]))
@@ -113,7 +117,22 @@ def again() -> None:
         Tangent(System(model), "rslab", 1)
         times.append(process_time())
         read, prepared, equations = (after - before for before, after in pairwise(times))
-        print(f"{pressure}: reading {read:.2f}, mesh and checks {prepared:.2f}, equations {equations:.2f} CPU s")
+        runs.append((pressure, read, prepared, equations))
+    return runs
+
+
+def section() -> str:
+    """The section of the page."""
+    found = parts()
+    rows = [(part, f"{seconds:.2f}") for part, seconds in found.items()]
+    text = (
+        "`turgor run` of the demo with a small pressure, caches filled. Overhead is all but mesh, solve and files: "
+        f"{found['overhead']:.2f} CPU s, of which at most {MOST:g} are asked. The parts contain each other."
+    )
+    more = "Three pressures in one process, CPU seconds before the path begins; the first run does what all need."
+    head = ("pressure", "reading", "mesh and checks", "equations")
+    several = [(pressure, *(f"{seconds:.2f}" for seconds in spent)) for pressure, *spent in again()]
+    return f"## Overhead\n\n{text}\n\n{table(('part', 'CPU s'), rows)}\n\n{more}\n\n{table(head, several)}\n"
 
 
 def main() -> int:
@@ -125,7 +144,8 @@ def main() -> int:
         print(f"{seconds:6.2f} CPU s  {part}")
     print("shape and mesh were", "built" if found["mesh"] else "found on disk, where the run before kept them")
     print(f"{MOST:g} CPU s of overhead asked")
-    again()
+    for pressure, read, prepared, equations in again():
+        print(f"{pressure}: reading {read:.2f}, mesh and checks {prepared:.2f}, equations {equations:.2f} CPU s")
     return int(found["overhead"] > MOST)
 
 

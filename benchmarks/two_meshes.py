@@ -1,17 +1,19 @@
 """Two meshes instead of one: iterations, factorizations and CPU seconds of fast PneuNets, alone and led.
 
 python benchmarks/two_meshes.py [CHAMBERS STATES SIZE_MM COARSE_MM]
+python benchmarks/run.py two_meshes      a section of results.md
 
 The pressure is that of the demo, 22.5 kPa; walls meet at about 8 kPa. States are spread evenly over it. Times are CPU
-seconds of one thread, coarse path and meshing of neither included in the columns of the fine mesh; `both` is the sum.
+seconds of one thread, without meshing; `both` is that of the coarse and of the fine mesh.
 """
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from time import process_time
 
 import turgor as tg
+from tables import table
 
 JOB = Path(__file__).parents[1] / "examples" / "fast_pneunet.toml"
 
@@ -34,8 +36,8 @@ def timed(solve: Callable[[], tg.Solution]) -> tuple[tg.Solution, float]:
     return solution, process_time() - began
 
 
-def compare(chambers: int, states: int, size: float, coarse_size: float) -> str:
-    """One line: the path alone, and led by a coarse mesh."""
+def compare(chambers: int, states: int, size: float, coarse_size: float) -> tuple[str, ...]:
+    """One row: the path alone, and led by a coarse mesh."""
     at = tuple((i + 1) / states for i in range(states - 1))
     model, coarse = model_of(chambers, size), model_of(chambers, coarse_size).mesh
     tg.solve(model_of(2, 20.0), tg.Static(at=at), options=OPTIONS)  # compiled before the clock runs
@@ -47,15 +49,29 @@ def compare(chambers: int, states: int, size: float, coarse_size: float) -> str:
     angles = [tg.measure(each, tg.bending_angle, mesh_error=False).column("bending_angle")[-1] for each in (alone, led)]
     off = abs(angles[1] - angles[0]) / abs(angles[0])
     return (
-        f"{chambers} chambers, {states} states, {model.mesh.unknown_count:,} unknowns: "
-        f"alone {alone.iterations} iterations, {alone.timing.factorizations} factorizations, {seconds:.0f} s; "
-        f"led {led.iterations}, {led.timing.factorizations - on_coarse} "
-        f"(and {led.coarse.iterations}, {on_coarse} at {coarse.unknown_count:,}), both {in_all:.0f} s; "
-        f"bending angle off by {off:.1e}"
+        f"{chambers}",
+        f"{states}",
+        f"{model.mesh.unknown_count:,}",
+        f"{alone.iterations}, {alone.timing.factorizations}",
+        f"{seconds:.0f}",
+        f"{led.iterations}, {led.timing.factorizations - on_coarse}",
+        f"{led.coarse.iterations}, {on_coarse}",
+        f"{in_all:.0f}",
+        f"{off:.1e}",
     )
+
+
+def section(cases: Sequence[tuple[int, int, float, float]] = CASES) -> str:
+    """The section of the page."""
+    head = ("chambers", "states", "unknowns", "alone: iterations, factorizations", "CPU s")
+    head += ("led: on the fine mesh", "on the coarse", "both, CPU s", "bending off by")
+    text = (
+        "The demo and shorter ones, to 22.5 kPa, states spread evenly, one thread: the path on one mesh, and led by a "
+        "coarse one (`solve(coarse=...)`). It pays where few states are asked for and no walls touch."
+    )
+    return f"## Two meshes\n\n{text}\n\n{table(head, [compare(*case) for case in cases])}\n"
 
 
 if __name__ == "__main__":
     asked = [float(text) for text in sys.argv[1:]]
-    for case in [(int(asked[0]), int(asked[1]), asked[2], asked[3])] if asked else CASES:
-        print(compare(*case), flush=True)
+    print(section([(int(asked[0]), int(asked[1]), asked[2], asked[3])] if asked else CASES))
