@@ -3,10 +3,12 @@
 import numpy as np
 import rslab
 import scipy.sparse as sp
+from results_cases import body, model
 
 from turgor.engine.algebra.kept import kept
 from turgor.engine.algebra.linear import Rslab
 from turgor.engine.algebra.pattern import build_pattern
+from turgor.engine.system import System
 
 
 def counted(count):
@@ -57,6 +59,12 @@ def test_solvers_of_equal_patterns_share_one_analysis_and_nothing_else(monkeypat
     two.factor(values[1], False)
     for solver, data in zip((one, two), values, strict=True):
         np.testing.assert_allclose(sp.csc_matrix(pattern.full(data)) @ solver.solve(right), right, rtol=1e-9)
+
+
+def test_equations_of_equal_meshes_share_one_pattern_and_others_do_not():
+    one, two, hollow = (System(model(body(hollow=hollow, shift=1e-3))) for hollow in (True, True, False))
+    assert one.pattern is two.pattern
+    assert hollow.pattern is not one.pattern
 
 
 def _diagonal(pattern):
