@@ -18,7 +18,14 @@ from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.cells import kernels_geometry, kernels_point, kernels_volume
-from turgor.engine.cells.kernels_geometry import FAST, cofactor_at, deformation_gradient_at, gradient_at, load_cell
+from turgor.engine.cells.kernels_geometry import (
+    FAST,
+    cofactor_at,
+    deformation_gradient_at,
+    load_cell,
+    side_by_side,
+    slopes_of,
+)
 from turgor.engine.cells.kernels_point import (
     add_moduli,
     add_stress,
@@ -113,22 +120,20 @@ class Response(NamedTuple):
 def _residual(begin, end, out, cells, u, p, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W1, W2, rows, stress = laws.W[0], laws.W[1], laws.rows, laws.stress
-    q_count = len(dN)
-    ue = np.empty((3, len(shape)))
-    G = np.empty((3, len(shape)))
-    F = np.empty((3, 3))
-    Cof = np.empty((3, 3))
-    P = np.empty((3, 3))
+    table, ue = np.empty((len(shape), 3 * len(dN))), np.empty((3, len(shape)))
+    H, P = np.empty((3, 3 * len(dN))), np.empty((3, 3 * len(dN)))
+    F, Cof, FS = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
     C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
     s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
+    side_by_side(shape, dN, table)
     for c in range(begin, end):
         cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
         load_cell(shape, nodes[c], u, ue)
+        slopes_of(shape, ue, table, H)
         out[c, :] = 0.0
-        moments = lost_moments(shape, modes, ue, p, (dN, M), cell)
-        for q in range(q_count):
-            gradient_at(shape, dN[q], Jinv[c, q], G)
-            deformation_gradient_at(shape, ue, G, F)
+        moments = lost_moments(shape, modes, H, p, M, cell)
+        for q in range(len(dN)):
+            deformation_gradient_at(H, q, Jinv[c, q], F)
             J = cofactor_at(F, Cof)
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
             strain_at(J, F, Cof, C, Ci)
@@ -139,15 +144,22 @@ def _residual(begin, end, out, cells, u, p, laws):
                 add_stress(stress[rows[c], q], S)
             w = dV[c, q]
             for i in range(3):
-                P[i, 0] = w * (F[i, 0] * S[0] + F[i, 1] * S[3] + F[i, 2] * S[5])
-                P[i, 1] = w * (F[i, 0] * S[3] + F[i, 1] * S[1] + F[i, 2] * S[4])
-                P[i, 2] = w * (F[i, 0] * S[5] + F[i, 1] * S[4] + F[i, 2] * S[2])
-            for a in range(len(shape)):
-                for i in range(3):
-                    out[c, 3 * a + i] += P[i, 0] * G[0, a] + P[i, 1] * G[1, a] + P[i, 2] * G[2, a]
+                FS[i, 0] = w * (F[i, 0] * S[0] + F[i, 1] * S[3] + F[i, 2] * S[5])
+                FS[i, 1] = w * (F[i, 0] * S[3] + F[i, 1] * S[1] + F[i, 2] * S[4])
+                FS[i, 2] = w * (F[i, 0] * S[5] + F[i, 1] * S[4] + F[i, 2] * S[2])
+                for k in range(3):  # by slopes in the reference cell
+                    P[i, 3 * q + k] = (
+                        FS[i, 0] * Jinv[c, q, k, 0] + FS[i, 1] * Jinv[c, q, k, 1] + FS[i, 2] * Jinv[c, q, k, 2]
+                    )
             volume = w * (lost - extra * compliance[c])
             for m in range(len(modes)):
                 out[c, 3 * len(shape) + m] += M[q, m] * volume
+        for a in range(len(shape)):
+            for i in range(3):
+                total = 0.0
+                for j in range(table.shape[1]):
+                    total += P[i, j] * table[a, j]
+                out[c, 3 * a + i] = total
 
 
 def residual(cells: Cells, u: Array, p: Array, laws: Response) -> Array:
@@ -170,29 +182,27 @@ def residual(cells: Cells, u: Array, p: Array, laws: Response) -> Array:
 def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W, rows, stress, moduli = laws
-    q_count = len(dN)
-    ue = np.empty((3, len(shape)))
-    de = np.empty((3, len(shape)))
-    G = np.empty((3, len(shape)))
-    F = np.empty((3, 3))
-    H = np.empty((3, 3))
-    Cof = np.empty((3, 3))
+    table, ue = np.empty((len(shape), 3 * len(dN))), np.empty((3, len(shape)))
+    H, dH = np.empty((3, 3 * len(dN))), np.empty((3, 3 * len(dN)))
+    F, dF, Cof = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
     C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
     s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
     D = np.empty((6, 6))
     E = np.empty(6)
+    side_by_side(shape, dN, table)
     for c in range(begin, end):
         cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
         load_cell(shape, nodes[c], u, ue)
-        load_cell(shape, nodes[c], du, de)
-        moments = lost_moments(shape, modes, ue, p, (dN, M), cell)
-        changes = moment_changes(shape, modes, ue, (de, dp), (dN, M), cell)
-        for q in range(q_count):
-            gradient_at(shape, dN[q], Jinv[c, q], G)
-            deformation_gradient_at(shape, ue, G, F)
-            deformation_gradient_at(shape, de, G, H)
+        slopes_of(shape, ue, table, H)
+        load_cell(shape, nodes[c], du, ue)
+        slopes_of(shape, ue, table, dH)
+        moments = lost_moments(shape, modes, H, p, M, cell)
+        changes = moment_changes(shape, modes, H, (dH, dp), M, cell)
+        for q in range(len(dN)):
+            deformation_gradient_at(H, q, Jinv[c, q], F)
+            deformation_gradient_at(dH, q, Jinv[c, q], dF)
             for i in range(3):
-                H[i, i] -= 1.0
+                dF[i, i] -= 1.0
             J = cofactor_at(F, Cof)
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
             dpq = 0.0
@@ -207,7 +217,7 @@ def _extrapolated_stress(begin, end, out, cells, u, p, du, dp, laws):
             if rows[c] >= 0:
                 add_stress(stress[rows[c], q], S)
                 add_moduli(moduli[rows[c], q], D)
-            strain_change_at(F, H, E)
+            strain_change_at(F, dF, E)
             for v in range(6):
                 total = S[v] + dpq * J * Ci[v]
                 for w in range(6):
@@ -307,23 +317,34 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
     shape, modes, nodes, mean, dN, M, Jinv, dV, compliance, penalty = cells
     W, rows, stress, moduli = laws
     pad = (len(shape) + 3) // 4 * 4
+    table, H = np.empty((len(shape), 3 * len(dN))), np.empty((3, 3 * len(dN)))
     ue, G, T9 = np.empty((3, len(shape))), np.empty((3, pad)), np.empty((3, len(shape)))
+    slopes = np.empty((len(dN), 3, len(shape)))
     F, Cof = np.empty((3, 3)), np.empty((3, 3))
     C, Ci, S = np.empty(6), np.empty(6), np.empty(6)
     s1, s2, T = np.empty(6), np.empty(6), np.empty(6)
-    D, A, AG = np.empty((6, 6)), np.empty((9, 9)), np.empty((3, 6 * pad))
+    D, FD, A, AG = np.empty((6, 6)), np.empty((9, 6)), np.empty((9, 9)), np.empty((3, 6 * pad))
     K, Kpp = np.empty((len(shape), 6 * pad)), np.empty((len(modes), len(modes)))
     Kup = np.empty((len(modes), 3, len(shape)))
     u_part, p_part = np.empty((penalty.shape[2], 3, len(shape))), np.empty((penalty.shape[2], len(modes)))
     G[:] = 0.0
+    side_by_side(shape, dN, table)
+    for q in range(len(dN)):
+        for k in range(3):
+            for a in range(len(shape)):
+                slopes[q, k, a] = dN[q, a, k]
     for c in range(begin, end):
         K[:], Kpp[:], Kup[:], u_part[:], p_part[:] = 0.0, 0.0, 0.0, 0.0, 0.0
         cell = Cell(mean[c], Jinv[c], dV[c], compliance[c], penalty[c])
         load_cell(shape, nodes[c], u, ue)
-        moments = lost_moments(shape, modes, ue, p, (dN, M), cell)
+        slopes_of(shape, ue, table, H)
+        moments = lost_moments(shape, modes, H, p, M, cell)
         for q in range(len(dN)):
-            gradient_at(shape, dN[q], Jinv[c, q], G)
-            deformation_gradient_at(shape, ue, G, F)
+            for J in range(3):
+                j0, j1, j2 = Jinv[c, q, 0, J], Jinv[c, q, 1, J], Jinv[c, q, 2, J]
+                for a in range(len(shape)):
+                    G[J, a] = slopes[q, 0, a] * j0 + slopes[q, 1, a] * j1 + slopes[q, 2, a] * j2
+            deformation_gradient_at(H, q, Jinv[c, q], F)
             J = cofactor_at(F, Cof)
             pq = mean_stress_at(modes, M[q], p, mean[c], J, compliance[c])
             pq += penalty_stress_at(shape, penalty[c, q], moments)
@@ -337,7 +358,7 @@ def _tangent(begin, end, out, cells, u, p, laws, geometric, use_geometric):
             if use_geometric:
                 for v in range(6):
                     S[v] = geometric[c, q, v]
-            push_forward(F, D, S, A)
+            push_forward(F, D, S, FD, A)
             w = dV[c, q]
             _add_point(G, A, w, AG, K)
             for i in range(3):

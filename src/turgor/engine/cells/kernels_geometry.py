@@ -16,22 +16,35 @@ FAST = {"contract", "reassoc", "nsz", "arcp"}  # NaN keeps its meaning
 
 
 @njit(**INNER, fastmath=FAST)
-def gradient_at(shape, dN, Jinv, G):
-    """Shape function gradients ∂N/∂X at one point, stored (3, nodes)."""
-    for J in range(3):
+def side_by_side(shape, dN, table):
+    """Lay the reference gradients (q, nodes, 3) out as a table (nodes, 3 q), its points side by side."""
+    for q in range(len(dN)):
         for a in range(len(shape)):
-            G[J, a] = dN[a, 0] * Jinv[0, J] + dN[a, 1] * Jinv[1, J] + dN[a, 2] * Jinv[2, J]
+            for k in range(3):
+                table[a, 3 * q + k] = dN[q, a, k]
 
 
 @njit(**INNER, fastmath=FAST)
-def deformation_gradient_at(shape, u, G, F):
-    """F = I + ∂u/∂X with u stored (3, nodes)."""
+def slopes_of(shape, u, table, H):
+    """Reference gradients (3, 3 q) of what the nodes of one cell have, stored (3, nodes), at all of its points.
+
+    The sum over the nodes is unrolled, because the compiler knows how many there are; it sums several points at a time.
+    """
+    for i in range(3):
+        for j in range(H.shape[1]):
+            total = 0.0
+            for a in range(len(shape)):
+                total += u[i, a] * table[a, j]
+            H[i, j] = total
+
+
+@njit(**INNER, fastmath=FAST)
+def deformation_gradient_at(H, q, Jinv, F):
+    """F = I + ∂u/∂X at one point, from the slopes of the displacement in the reference cell."""
     for i in range(3):
         for J in range(3):
-            total = 1.0 if i == J else 0.0
-            for a in range(len(shape)):
-                total += u[i, a] * G[J, a]
-            F[i, J] = total
+            F[i, J] = H[i, 3 * q] * Jinv[0, J] + H[i, 3 * q + 1] * Jinv[1, J] + H[i, 3 * q + 2] * Jinv[2, J]
+        F[i, i] += 1.0
 
 
 @njit(**INNER, fastmath=FAST)
@@ -80,15 +93,14 @@ def reference_geometry(shape, points, cells, dN, weights):
 @njit(**LOOP, fastmath=FAST)
 def _kinematics(begin, end, out, shape, cells, u, dN, Jinv):
     I1, I2, ratio = out
-    ue = np.empty((3, len(shape)))
-    G = np.empty((3, len(shape)))
-    F = np.empty((3, 3))
-    Cof = np.empty((3, 3))
+    table, ue, H = np.empty((len(shape), 3 * len(dN))), np.empty((3, len(shape))), np.empty((3, 3 * len(dN)))
+    F, Cof = np.empty((3, 3)), np.empty((3, 3))
+    side_by_side(shape, dN, table)
     for c in range(begin, end):
         load_cell(shape, cells[c], u, ue)
+        slopes_of(shape, ue, table, H)
         for q in range(len(dN)):
-            gradient_at(shape, dN[q], Jinv[c, q], G)
-            deformation_gradient_at(shape, ue, G, F)
+            deformation_gradient_at(H, q, Jinv[c, q], F)
             J = cofactor_at(F, Cof)
             first = 0.0
             second = 0.0
@@ -116,13 +128,13 @@ def kinematics(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: A
 
 @njit(**LOOP, fastmath=FAST)
 def _deformation_gradients(begin, end, out, shape, cells, u, dN, Jinv):
-    ue = np.empty((3, len(shape)))
-    G = np.empty((3, len(shape)))
+    table, ue, H = np.empty((len(shape), 3 * len(dN))), np.empty((3, len(shape))), np.empty((3, 3 * len(dN)))
+    side_by_side(shape, dN, table)
     for c in range(begin, end):
         load_cell(shape, cells[c], u, ue)
+        slopes_of(shape, ue, table, H)
         for q in range(len(dN)):
-            gradient_at(shape, dN[q], Jinv[c, q], G)
-            deformation_gradient_at(shape, ue, G, out[c, q])
+            deformation_gradient_at(H, q, Jinv[c, q], out[c, q])
 
 
 def deformation_gradients(shape: tuple[int, ...], cells: Ints, u: Array, dN: Array, Jinv: Array) -> Array:

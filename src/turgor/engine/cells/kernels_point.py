@@ -5,7 +5,6 @@ isochoric invariants and from the mean stress. Symmetric tensors have six compon
 are called by the loops of `turgor.engine.cells.kernels`, which name this file in `turgor.engine.compiled.calls`.
 """
 
-import numpy as np
 from numba import njit
 
 from turgor.engine.cells.kernels_geometry import FAST
@@ -54,23 +53,27 @@ def moduli_at(Ci, T, s1, s2, W, given, D):
     (J, j, k, I1, I2), p, bulk = given
     pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
     index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
-    circle = 4.0 * (W1 * j * I1 / 3.0 + W2 * k * I2 * 2.0 / 3.0) - 2.0 * p * J
-    dyad = 4.0 * (W1 * j * I1 / 9.0 + W2 * k * I2 * 4.0 / 9.0) + p * J + bulk * J * J
+    circle = 2.0 * (W1 * j * I1 / 3.0 + W2 * k * I2 * 2.0 / 3.0) - p * J
+    dyad = 2.0 * (W1 * j * I1 / 9.0 + W2 * k * I2 * 4.0 / 9.0) + 0.5 * (p * J + bulk * J * J)
+    by_delta, by_T, identity = 4.0 / 3.0 * W1 * j, 8.0 / 3.0 * W2 * k, 4.0 * W2 * k
+    for w in range(6):  # all dyads as s1 ⊗ a + s2 ⊗ b + C⁻¹ ⊗ e + e ⊗ C⁻¹
+        delta = 1.0 if w < 3 else 0.0
+        a = 4.0 * (W11 * s1[w] + W12 * s2[w])
+        b = 4.0 * (W12 * s1[w] + W22 * s2[w])
+        e = dyad * Ci[w] - by_delta * delta - by_T * T[w]
+        for v in range(6):
+            D[v, w] = s1[v] * a + s2[v] * b + Ci[v] * e
     for v in range(6):
-        a, b = pairs[v]
-        delta_v = 1.0 if v < 3 else 0.0
+        e = dyad * Ci[v] - by_delta * (1.0 if v < 3 else 0.0) - by_T * T[v]
+        g, h = pairs[v]
         for w in range(v + 1):
             c, d = pairs[w]
-            delta_w = 1.0 if w < 3 else 0.0
-            Cio = 0.5 * (Ci[index[a][c]] * Ci[index[b][d]] + Ci[index[a][d]] * Ci[index[b][c]])
-            value = 4.0 * (W11 * s1[v] * s1[w] + W12 * (s1[v] * s2[w] + s2[v] * s1[w]) + W22 * s2[v] * s2[w])
-            value += dyad * Ci[v] * Ci[w] + circle * Cio
-            value -= 4.0 / 3.0 * W1 * j * (delta_v * Ci[w] + Ci[v] * delta_w)
-            value -= 8.0 / 3.0 * W2 * k * (T[v] * Ci[w] + Ci[v] * T[w])
-            identity = 0.0
-            if v == w:
-                identity = 1.0 if v < 3 else 0.5
-            value += 4.0 * W2 * k * (delta_v * delta_w - identity)
+            value = D[v, w] + e * Ci[w]
+            value += circle * (Ci[index[g][c]] * Ci[index[h][d]] + Ci[index[g][d]] * Ci[index[h][c]])
+            if w < 3 and v < 3 and v != w:
+                value += identity
+            if v == w and v >= 3:
+                value -= 0.5 * identity
             D[v, w] = value
             D[w, v] = value
 
@@ -96,10 +99,12 @@ def add_moduli(more, D):
 
 
 @njit(**INNER, fastmath=FAST)
-def push_forward(F, D, S, A):
-    """∂P/∂F (9 × 9, rows iJ) = F D Fᵀ + δ S."""
+def push_forward(F, D, S, FD, A):
+    """∂P/∂F (9 × 9, rows iJ) = F D Fᵀ + δ S, its blocks k ≥ i; ``FD`` (9, 6) is room to work in.
+
+    A point does not take memory of its own: that costs as much as a tenth of its tangent.
+    """
     index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
-    FD = np.empty((9, 6))
     for i in range(3):
         for J in range(3):
             for w in range(6):
@@ -107,7 +112,7 @@ def push_forward(F, D, S, A):
                     F[i, 0] * D[index[0][J], w] + F[i, 1] * D[index[1][J], w] + F[i, 2] * D[index[2][J], w]
                 )
     for r in range(9):
-        for k in range(3):
+        for k in range(r // 3, 3):
             for L in range(3):
                 A[r, 3 * k + L] = (
                     FD[r, index[0][L]] * F[k, 0] + FD[r, index[1][L]] * F[k, 1] + FD[r, index[2][L]] * F[k, 2]

@@ -1,8 +1,8 @@
 """Compiled formulas of the volume of a cell: its mean stress, and the moments of volume that are penalized.
 
-``shape`` and ``modes`` are tuples as long as a cell has nodes and mean stresses; ``tables`` are the reference
-gradients of the displacement (q, n, 3) and the shape functions of the mean stress (q, m). The functions are called by
-the loops of `turgor.engine.cells.kernels`, which name this file in `turgor.engine.compiled.calls`.
+``shape`` and ``modes`` are tuples as long as a cell has nodes and mean stresses; ``H`` (3, 3 q) are the slopes of the
+displacement in the reference cell, ``M`` (q, m) the shape functions of the mean stress. The functions are called by the
+loops of `turgor.engine.cells.kernels`, which name this file in `turgor.engine.compiled.calls`.
 
 Only hexahedra have moments that are penalized. Functions of moments return at once for other cells: numba knows the
 length of ``shape`` before it looks at the rest, and leaves that out. This spares a fifth of the time to compile.
@@ -15,7 +15,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from turgor.engine.cells import kernels_geometry
-from turgor.engine.cells.kernels_geometry import FAST, cofactor_at, deformation_gradient_at, gradient_at
+from turgor.engine.cells.kernels_geometry import FAST, cofactor_at, deformation_gradient_at
 from turgor.engine.compiled import INNER, calls
 from turgor.meshing.cells import HEXAHEDRON
 
@@ -77,19 +77,16 @@ def bulk_modulus(modes, compliance):
 
 @njit(**INNER, fastmath=FAST)
 @calls(kernels_geometry)
-def lost_moments(shape, modes, ue, p, tables, cell):
+def lost_moments(shape, modes, H, p, M, cell):
     """Moments ∫ φₖ (J − 1 − p/κ) dV of a cell, (k,)."""
     mean, Jinv, dV, compliance, penalty = cell
     if len(shape) != PENALIZED:
         return penalty[0]  # empty
     moments = np.zeros(penalty.shape[1])
-    dN, M = tables
-    G = np.empty((3, len(shape)))
     F = np.empty((3, 3))
     Cof = np.empty((3, 3))
-    for q in range(len(dN)):
-        gradient_at(shape, dN[q], Jinv[q], G)
-        deformation_gradient_at(shape, ue, G, F)
+    for q in range(len(dV)):
+        deformation_gradient_at(H, q, Jinv[q], F)
         J = cofactor_at(F, Cof)
         lost = lost_volume_at(modes, J, mean_stress_at(modes, M[q], p, mean, J, compliance), compliance)
         for k in range(len(moments)):
@@ -99,27 +96,25 @@ def lost_moments(shape, modes, ue, p, tables, cell):
 
 @njit(**INNER, fastmath=FAST)
 @calls(kernels_geometry)
-def moment_changes(shape, modes, ue, update, tables, cell):
-    """Changes of the moments of a cell with the updates of displacements (3, nodes) and mean stresses, (k,)."""
+def moment_changes(shape, modes, H, update, M, cell):
+    """Changes of the moments of a cell, (k,), with an ``update``: the slopes of displacements, and mean stresses."""
     mean, Jinv, dV, compliance, penalty = cell
     if len(shape) != PENALIZED:
         return penalty[0]  # empty
     changes = np.zeros(penalty.shape[1])
-    (de, dp), (dN, M) = update, tables
-    G = np.empty((3, len(shape)))
+    dH, dp = update
     F = np.empty((3, 3))
-    H = np.empty((3, 3))
+    dF = np.empty((3, 3))
     Cof = np.empty((3, 3))
-    for q in range(len(dN)):
-        gradient_at(shape, dN[q], Jinv[q], G)
-        deformation_gradient_at(shape, ue, G, F)
-        deformation_gradient_at(shape, de, G, H)
+    for q in range(len(dV)):
+        deformation_gradient_at(H, q, Jinv[q], F)
+        deformation_gradient_at(dH, q, Jinv[q], dF)
         cofactor_at(F, Cof)
         change = 0.0
         for i in range(3):
-            H[i, i] -= 1.0
+            dF[i, i] -= 1.0
             for J in range(3):
-                change += Cof[i, J] * H[i, J]
+                change += Cof[i, J] * dF[i, J]
         for m in range(len(modes)):
             change -= compliance * M[q, m] * dp[mean[m]]
         for k in range(len(changes)):

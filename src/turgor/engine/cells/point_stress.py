@@ -66,7 +66,7 @@ def _at_points(F, p, W, rows, stress, moduli):
     P, A, cofactor = np.empty((count, points, 9)), np.empty((count, points, 9, 9)), np.empty((count, points, 9))
     Cof = np.empty((3, 3))
     C, Ci, S, s1, s2, T = np.empty(6), np.empty(6), np.empty(6), np.empty(6), np.empty(6), np.empty(6)
-    D = np.empty((6, 6))
+    D, FD = np.empty((6, 6)), np.empty((9, 6))
     index = ((0, 3, 5), (3, 1, 4), (5, 4, 2))
     for c in range(count):
         for q in range(points):
@@ -79,7 +79,10 @@ def _at_points(F, p, W, rows, stress, moduli):
             if rows[c] >= 0:
                 add_stress(stress[rows[c], q], S)
                 add_moduli(moduli[rows[c], q], D)
-            push_forward(f, D, S, A[c, q])
+            push_forward(f, D, S, FD, A[c, q])
+            for i in range(6):
+                for j in range(3 * (i // 3 + 1), 9):
+                    A[c, q, j, i] = A[c, q, i, j]
             for i in range(3):
                 for j in range(3):
                     cofactor[c, q, 3 * i + j] = Cof[i, j]
