@@ -16,9 +16,11 @@ Loop = TypeVar("Loop", bound=Callable)
 
 
 #: Options of a loop that Python calls, and of a function that compiled loops alone call, which Python must not. Nothing
-#: here is called from C, and what numba adds for callers that do not exist takes a tenth of the time to compile.
+#: here is called from C, and what numba adds for callers that do not exist takes a tenth of the time to compile. Such
+#: functions are inlined. Else a loop takes the copy that its process compiled first, and a first run, which compiles
+#: all of them, has other last digits than one that finds the loops on disk.
 LOOP = {"cache": True, "no_cfunc_wrapper": True, "error_model": "numpy", "nogil": True}
-INNER = LOOP | {"no_cpython_wrapper": True}
+INNER = LOOP | {"no_cpython_wrapper": True, "forceinline": True}
 
 #: Threads of `over`, where `turgor.engine.runtime.use_threads` says how many.
 THREADS: ContextVar[int | None] = ContextVar("threads", default=None)
