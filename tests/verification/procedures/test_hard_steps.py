@@ -76,6 +76,9 @@ def test_twisted_in_one_step(degrees):
     assert np.linalg.norm(quick - slow) < 1e-6 * np.linalg.norm(slow)
 
 
+#: The nearer to straight, the sharper the turn of the path at Euler's load.
+BOWS = [(1e-3, tg.Static()), (2e-5, tg.Static()), (1.2e-5, tg.Static()), (1e-5, tg.Static()), (1e-2, ONE_STEP)]
+
 LENGTH, SIDE = 100 * mm, 1 * mm
 EULER = np.pi**2 * YOUNG * SIDE**4 / 12 / (4 * LENGTH**2)
 
@@ -86,7 +89,7 @@ def elastica(tip_degrees: float) -> tuple[float, float]:
     return float((2 * ellipk(m) / np.pi) ** 2), float(2 * np.sqrt(m) / ellipk(m))
 
 
-@pytest.mark.parametrize(("bow", "procedure"), [(1e-3, tg.Static()), (1e-5, tg.Static()), (1e-2, ONE_STEP)])
+@pytest.mark.parametrize(("bow", "procedure"), BOWS)
 def test_bowed_column_buckles(bow, procedure, record_verification):
     ratio, expected = elastica(100)
 

@@ -13,6 +13,7 @@ from turgor.engine.system import Evaluation, Stresses, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.constraints.loads import load_control
 from turgor.solvers.continuation.step_control import StepControl
+from turgor.solvers.continuation.thresholds import SMALLEST_TOLERANCE
 from turgor.solvers.listeners import silent
 from turgor.solvers.newton.border import rates
 from turgor.solvers.newton.contact_newton import newton_with_contact
@@ -210,7 +211,19 @@ def nothing(_: float) -> dict[str, float]:
 def solve_at(run: Run, parameter: float, start: Start, report: Report) -> NewtonResult:
     """Find the state at a parameter, with all that touches."""
     run.constraint = run.constraint.begun(parameter)
-    return newton_with_contact(run.constraint, run.task.tangent, start, parameter, run.task.settings, report)
+    settings = _for_short(run, parameter - run.history[-1].parameter)
+    return newton_with_contact(run.constraint, run.task.tangent, start, parameter, settings, report)
+
+
+def _for_short(run: Run, length: float) -> NewtonSettings:
+    """The settings of Newton's method; in a step shorter than the first one, with a smaller tolerance.
+
+    What the tolerance leaves does not shrink with the step. In a short one it is a large part of how far a soft body
+    moves, and the next prediction continues it.
+    """
+    settings = run.task.settings
+    smaller = settings.tolerance * length / run.task.procedure.first_step
+    return replace(settings, tolerance=min(settings.tolerance, max(SMALLEST_TOLERANCE, smaller)))
 
 
 def begin(run: Run, parameter: float, unknowns: Array, scalars: Array) -> None:
