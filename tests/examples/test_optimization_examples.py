@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from turgor.cli import main
-from turgor.cli.app import app
 from turgor.cli.exits import DONE, NOT_CONVERGED
+from turgor.cli.start.commands import COMMANDS
 from turgor.jobs import read_job
 from turgor.optimization.files.study_files import read_study_file
 
@@ -56,7 +56,7 @@ def test_the_page_on_the_finger_shows_the_files_of_the_example():
     example = tomllib.loads((ROOT / "examples" / "gripper_finger_study.toml").read_text(encoding="utf-8"))
     assert study | {"job": ""} == example | {"job": ""}
     assert set(sweep["factors"]) <= set(study["factors"])
-    known = {each.name for each in app.registered_commands}
+    known = set(COMMANDS)
     asked = set(re.findall(r"^    turgor (\w+)", page, re.MULTILINE))
     assert {"init", "check", "run", "sweep", "optimize", "uncertainty", "export"} == asked <= known
 

@@ -1,16 +1,12 @@
-"""Console: progress of a job, as a bar on a terminal and line by line elsewhere."""
+"""Console: progress of a job line by line, for files and pipes; `turgor.cli.live` has the bar of a terminal."""
 
+import os
 import sys
 from collections import deque
 from collections.abc import Sequence
 from math import pi
 from time import perf_counter
-from typing import Self
-
-from rich.console import Console
-from rich.progress import BarColumn, Progress, ProgressColumn, SpinnerColumn, Task, TextColumn
-from rich.table import Column
-from rich.text import Text
+from typing import Protocol, Self
 
 from turgor.cli.exits import write_nowhere
 from turgor.errors import TurgorError
@@ -23,17 +19,44 @@ from turgor.units import deg
 #: Number of last accepted steps for the estimate of the remaining time; only a few, because steps grow along a path.
 RECENT_STEPS = 4
 
-#: Characters of a line beside the texts that change: spinner, the shortest bar, times, and gaps between them.
-BESIDE = 2 + 10 + 7 + 5
+
+#: Variables by which rich takes a file or a pipe for a terminal.
+AS_TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE")
 
 
-class PatientConsole(Console):
-    """A console whose reader may go away, as in ``turgor run job.toml | head``: the run goes on in silence."""
+class Lines(Protocol):
+    """What lines are written to: a console of rich is one, too."""
 
-    def on_broken_pipe(self) -> None:
-        """Write nothing more."""
-        self.quiet = True
-        write_nowhere()
+    def out(self, text: str, *, highlight: bool) -> None:
+        """Write a line."""
+
+
+class PlainConsole:
+    """A console of lines whose reader may go away, as in ``turgor run job.toml | head``: the run goes on in silence.
+
+    Parameters
+    ----------
+    quiet : bool
+        Whether nothing is written.
+    """
+
+    def __init__(self, quiet: bool = False) -> None:
+        self.quiet = quiet
+
+    def out(self, text: str, *, highlight: bool = False) -> None:
+        """Write a line, in which nothing is ever highlighted."""
+        if self.quiet:
+            return
+        try:
+            print(text, flush=True)
+        except BrokenPipeError:
+            self.quiet = True
+            write_nowhere()
+
+
+def may_be_terminal() -> bool:
+    """Whether standard output may be a terminal, so that rich, which takes a while to load, has to be asked."""
+    return sys.stdout.isatty() or any(os.environ.get(name) for name in AS_TERMINAL)
 
 
 class Course:
@@ -93,7 +116,7 @@ def clock(seconds: float | None) -> str:
 class PlainDisplay:
     """Display for files and pipes: one line for each notice and each accepted step."""
 
-    def __init__(self, console: Console) -> None:
+    def __init__(self, console: Lines) -> None:
         self.told: list[Finding] = []
         self._console = console
         self._course = Course()
@@ -126,80 +149,6 @@ class PlainDisplay:
 
     def _line(self, text: str) -> None:
         self._console.out(f"[{clock(perf_counter() - self._began):>5}] {text}", highlight=False)
-
-
-class _Elapsed(ProgressColumn):
-    """Elapsed time of a task."""
-
-    def render(self, task: Task) -> Text:
-        """Write it as minutes and seconds."""
-        return Text(clock(task.elapsed or 0.0))
-
-
-class LiveDisplay:
-    """Display for terminals: a bar over the load factor with step, iteration, residual, angle and remaining time."""
-
-    def __init__(self, console: Console) -> None:
-        self.told: list[Finding] = []
-        self._console = console
-        self._course = Course()
-        self._bar = Progress(
-            SpinnerColumn(),
-            TextColumn("{task.description}", table_column=Column(no_wrap=True)),
-            BarColumn(bar_width=None),
-            TextColumn("{task.fields[state]}", table_column=Column(no_wrap=True)),
-            _Elapsed(),
-            TextColumn("{task.fields[left]}", table_column=Column(no_wrap=True)),
-            console=console,
-            transient=True,
-            refresh_per_second=5,
-        )
-        self._task = self._bar.add_task("starting", total=1.0, state="", left="")
-
-    def __enter__(self) -> Self:
-        self._bar.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._bar.stop()
-
-    def notify(self, text: str) -> None:
-        """Print a notice; results stay on the screen, activities do not."""
-        if ":" in text:
-            self._print(text)
-        else:
-            self._bar.update(self._task, description=fitting([text], self._console.width - BESIDE), state="", left="")
-
-    def found(self, finding: Finding) -> None:
-        """Print a finding above the bar."""
-        self.told.append(finding)
-        self._console.print(str(finding), highlight=False, markup=False)
-
-    def progress(self, iteration: Iteration, state: State | None) -> None:
-        """Move the bar; a rejected step leaves a line above it."""
-        self._course.follow(state)
-        if iteration.rejected is not None:
-            self._print(f"{of_stage(self._course.stage)}{cut_back(iteration)}")
-        factor, left = f"{self._course.load_factor:.3f}", f"{clock(self._course.seconds_left)} left"
-        free = self._console.width - BESIDE - len(left)
-        description = fitting([f"{of_stage(self._course.stage)}load factor {factor}", factor], free, alternatives=True)
-        work = (
-            f"step {iteration.step}",
-            f"iteration {iteration.iteration}",
-            f"residual {iteration.residual:.1e}",
-            *([bending(self._course.angle)[2:]] if self._course.angle is not None else []),
-        )
-        self._bar.update(
-            self._task,
-            completed=self._course.load_factor,
-            description=description,
-            state=fitting(work, free - len(description)),
-            left=left,
-        )
-
-    def _print(self, text: str) -> None:
-        """Print one line, cut off where the terminal ends."""
-        self._console.print(Text(text, overflow="ellipsis", no_wrap=True), highlight=False)
 
 
 def fitting(parts: Sequence[str], width: int, alternatives: bool = False) -> str:

@@ -65,7 +65,8 @@ def _sizes(text: str) -> int | list[float]:
 def _solve(job: "Job", sizes: int | list[float], measure: str) -> "Convergence":
     from rich.console import Console
 
-    from turgor.cli.console import LiveDisplay, PlainDisplay
+    from turgor.cli.console import PlainDisplay
+    from turgor.cli.live import LiveDisplay
     from turgor.job.convergence import convergence
 
     console = Console()

@@ -4,19 +4,19 @@ import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.answers.results import run_result
 from turgor.cli.exits import DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
 from turgor.cli.signals import ends_at_once
 from turgor.loops import begin_early
 
 if TYPE_CHECKING:
+    from turgor.cli.console import PlainDisplay
+    from turgor.cli.live import LiveDisplay
     from turgor.finding import Finding
     from turgor.job.output.outcome import RunOutcome
 
@@ -52,7 +52,7 @@ def run(chosen: RunOptions) -> None:
         outcome, told = _solve(chosen)
         if not chosen.quiet:
             _tell(outcome)
-        answer.give(partial(run_result, outcome))
+        answer.give(lambda: _result(outcome))
         heavy = matter(outcome.findings, mesh_error=False)
         answer.warn(outcome.findings, [found for found in heavy if found not in told])
         if not outcome.solution.complete and not chosen.as_json:
@@ -82,13 +82,11 @@ def loading() -> Iterator[None]:
 def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
     """Run a job; return the outcome, and the findings that were printed before the solve."""
     with loading():
-        from turgor.cli.console import LiveDisplay, PatientConsole, PlainDisplay
         from turgor.job.run import run_job
 
         job = asked_job(chosen.job, chosen.changes)
-    quiet = chosen.quiet or chosen.as_json
-    console = PatientConsole(quiet=quiet)
-    with LiveDisplay(console) if console.is_terminal and not quiet else PlainDisplay(console) as show:
+        display = _display(chosen.quiet or chosen.as_json)
+    with display as show:
         outcome = run_job(
             job,
             chosen.output,
@@ -100,6 +98,24 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
             found=show.found,
         )
     return outcome, show.told
+
+
+def _display(quiet: bool) -> "LiveDisplay | PlainDisplay":
+    """Make a bar for a terminal, lines for anything else."""
+    from turgor.cli.console import PlainConsole, PlainDisplay, may_be_terminal
+
+    if quiet or not may_be_terminal():
+        return PlainDisplay(PlainConsole(quiet))
+    from turgor.cli.live import LiveDisplay, PatientConsole  # here: rich is slow to load, and logs need no bar
+
+    console = PatientConsole()
+    return LiveDisplay(console) if console.is_terminal else PlainDisplay(console)
+
+
+def _result(outcome: "RunOutcome") -> object:
+    from turgor.cli.answers.results import run_result  # here: it is for programs
+
+    return run_result(outcome)
 
 
 def _tell(outcome: "RunOutcome") -> None:

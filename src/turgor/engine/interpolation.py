@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.engine.cells.element import element_of
 from turgor.engine.cells.reference import reference_nodes, tables_at
@@ -61,6 +60,8 @@ class Interpolation:
 
 def _placed(mesh: Mesh, cells: Ints, points: Array) -> tuple[Ints, Array]:
     """Among some cells of a mesh, the one that holds each point (p, 3), and the point's reference coordinates in it."""
+    from scipy.spatial import cKDTree  # slow to load, and few runs have a second mesh
+
     nodes = mesh.cell_type.nodes
     corners = mesh.points[mesh.cells[cells]]
     count = min(CANDIDATES, len(cells))

@@ -27,6 +27,7 @@ from turgor.geometry.shapes.late import LateShape
 from turgor.meshing.enveloped.kept import FOLDER
 from turgor.meshing.instead import INSTEAD
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.quality.answers import answers_of
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.sizes import extent_of
 from turgor.store.archive import Content, read_archive, write_archive
@@ -46,6 +47,9 @@ LARGEST_SHARE = 0.25
 _FAMILIES = "turgor.geometry.actuators."
 _ROOMS = ("turgor.geometry", "turgor.meshing")
 _MAKERS = ("turgor", "netgen-mesher", "numpy", "scipy")
+
+#: Name of the answers to questions about a mesh, which are an entry beside it.
+ANSWERS = "answers"
 
 #: What an unreadable entry leads to.
 _DAMAGE = (TurgorError, OSError, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, MemoryError)
@@ -101,7 +105,14 @@ def mesh_on_disk(actuator: Family, settings: MeshSettings) -> Mesh | None:
     Mesh or None
     """
     found = None if INSTEAD.get() is not None else _found(actuator, settings)
-    return found if isinstance(found, Mesh) else None
+    if not isinstance(found, Mesh):
+        return None
+    told = _found(actuator, settings, ANSWERS)
+    if isinstance(told, dict):
+        answers = answers_of(found)
+        answers.known.update(told)
+        answers.on_disk = len(told)
+    return found
 
 
 def keep(actuator: Family, geometry: Geometry, settings: MeshSettings, mesh: Mesh) -> None:
@@ -126,6 +137,7 @@ def keep(actuator: Family, geometry: Geometry, settings: MeshSettings, mesh: Mes
         low, high = geometry._shape.bounding_box
         _keep(replace(geometry, _shape=(tuple(low), tuple(high))), actuator)
     _keep(mesh, actuator, settings)
+    _keep_answers(mesh, actuator, settings)
 
 
 def folder() -> Path:
@@ -179,6 +191,17 @@ def _keep(value: object, *asked: object) -> None:
         _drop_oldest(file.parent, most)
     except (OSError, TurgorError):
         return
+
+
+def _keep_answers(mesh: Mesh, actuator: Family, settings: MeshSettings) -> None:
+    """Keep what is known of a mesh beside it, unless the entry holds as much."""
+    answers, file = answers_of(mesh), _file((actuator, settings, ANSWERS))
+    if file is None or len(answers.known) <= answers.on_disk:
+        return
+    with suppress(OSError):
+        file.unlink(missing_ok=True)  # of a job that asked for less
+        _keep(answers.known, actuator, settings, ANSWERS)
+        answers.on_disk = len(answers.known)
 
 
 def _drop_oldest(where: Path, most: float) -> None:

@@ -5,11 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from turgor.finding import Finding, Severity
 from turgor.geometry.wedge import HIGH, LOW
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.cells import side_type
 from turgor.meshing.mesh import Mesh
 
@@ -98,8 +97,7 @@ def find_rims(mesh: Mesh, rim: Ints) -> tuple[Rim, ...]:
         return ()
     nodes, ends = np.unique(rim[:, :2], return_inverse=True)
     ends = ends.reshape(-1, 2)
-    graph = coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(nodes), len(nodes)))
-    label = connected_components(graph, directed=False)[1]
+    label = groups_of(len(nodes), ends[:, 0], ends[:, 1])
     degree = np.bincount(ends.ravel(), minlength=len(nodes))
     fine = (degree == 2) | ((degree == 1) & np.isfinite(mirror[nodes]).any(axis=1))
     return tuple(
@@ -183,8 +181,7 @@ def _in_void(mesh: Mesh, surface: Ints, node: int) -> bool:
         origin[across] = np.array(mesh.wedge.center)[across]
     walls = surface[~on_mirror, :corners]
     owner = np.repeat(np.arange(len(walls)), corners)
-    graph = coo_array((np.ones(walls.size), (owner, walls.ravel())), shape=(len(walls), len(mesh.points)))
-    label = connected_components(graph @ graph.T, directed=False)[1]
+    label = groups_of(len(walls) + len(mesh.points), owner, len(walls) + walls.ravel())[: len(walls)]
     ours = walls[label == label[(walls == node).any(axis=1)][0]]
     a, b, c = (mesh.points[ours[:, i]] - origin for i in range(3))
     volume = np.einsum("fi,fi->", a, np.cross(b, c))

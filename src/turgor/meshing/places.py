@@ -2,8 +2,8 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
+
+from turgor.meshing.bodies.groups import groups_of
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -31,7 +31,6 @@ def same_places(points: Array) -> tuple[Ints, Ints]:
     from scipy.spatial import cKDTree  # slow to load, and the engine imports this file
 
     pairs = cKDTree(points).query_pairs(SAME_PLACE * float(np.ptp(points, axis=0).max()), output_type="ndarray")
-    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(points),) * 2)
-    _, label = connected_components(graph, directed=False)
+    label = groups_of(len(points), pairs[:, 0], pairs[:, 1])
     _, kept, number = np.unique(label, return_index=True, return_inverse=True)
     return number, kept

@@ -2,13 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 from turgor.errors import TurgorError
-from turgor.meshing.bodies.bodies import find_bodies
 from turgor.meshing.mesh import Mesh
-from turgor.meshing.quality.mirror_gap import faces_its_image
-from turgor.meshing.quality.proximity import find_facing_walls
+from turgor.meshing.quality.meeting import may_meet
 from turgor.model.obstacles import Obstacle, SelfContact
 
 #: Name of the results of the contact of the actuator with itself.
@@ -74,12 +71,4 @@ class Contact:
         """Return the self-contact of a mesh; None where there is none."""
         if not self.automatic or self.self_contact is None:
             return self.self_contact
-        return self.self_contact if _may_meet(mesh) else None
-
-
-@lru_cache(maxsize=4)  # asked by every check, and by the engine
-def _may_meet(mesh: Mesh) -> bool:
-    """Whether a mesh has several bodies, or walls that face each other or their image."""
-    if not mesh.cell_type.side.triangles:
-        return False
-    return len(find_bodies(mesh)) > 1 or len(find_facing_walls(mesh).pairs) > 0 or faces_its_image(mesh)
+        return self.self_contact if may_meet(mesh) else None

@@ -6,11 +6,11 @@ import pytest
 import typer.main
 
 from turgor.cli import main
-from turgor.cli.app import app
 from turgor.cli.exits import BAD_INPUT, DONE
+from turgor.cli.start.commands import app_of
 
 FINGER = str(Path(__file__).parents[3] / "examples" / "actuators" / "slow_pneunet.toml")
-COMMANDS = typer.main.get_command(app).commands
+COMMANDS = typer.main.get_command(app_of()).commands
 WITH_JOB = [name for name, command in COMMANDS.items() if any(each.name == "job" for each in command.params)]
 
 

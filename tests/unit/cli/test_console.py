@@ -8,7 +8,8 @@ import pytest
 import results_cases as cases
 from rich.console import Console
 
-from turgor.cli.console import LiveDisplay, PlainDisplay
+from turgor.cli.console import PlainDisplay
+from turgor.cli.live import LiveDisplay
 from turgor.finding import Finding, Severity
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.solution import Iteration

@@ -7,7 +7,6 @@ from time import perf_counter
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
-from scipy.sparse.linalg import LinearOperator, gmres
 
 from turgor.engine.algebra.free_solver import solver_of
 from turgor.engine.algebra.iterative.levels import levels_of
@@ -245,6 +244,8 @@ class Tangent:
 
     def _with_rubbing(self, rubbing: sp.csc_matrix, right: Array) -> Array:
         """Solve with the unsymmetric part of friction, by GMRES preconditioned with the symmetric factors."""
+        from scipy.sparse.linalg import LinearOperator, gmres  # slow to load, and few runs have walls that rub
+
         size, active = len(right), self._active
         operator = LinearOperator((size, size), matvec=lambda x: x + active.solve(rubbing @ x), dtype=np.float64)
         first = active.solve(right)

@@ -10,11 +10,10 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from turgor.engine.algebra.rings import rings_of, shared_numbers
 from turgor.materials.material import Material
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import cell_sides, corner_keys
 from turgor.model.loads import Force, Pressure, Traction
@@ -143,9 +142,7 @@ def _numbered(
     at_vertices: Ints, bordering: NDArray[np.bool_], links: tuple[Ints, Ints], first: int
 ) -> tuple[Ints, int]:
     """One number for each connected group of places at a bordering vertex; the vertex's own number for one of them."""
-    places = at_vertices.size
-    graph = coo_matrix((np.ones(len(links[0]), dtype=np.int8), links), shape=(places, places))
-    _, group = connected_components(graph, directed=False)
+    group = groups_of(at_vertices.size, *links)
     vertex = at_vertices.ravel()
     split = np.flatnonzero(bordering[vertex])
     pairs, inverse = np.unique(np.stack([vertex[split], group[split]], axis=1), axis=0, return_inverse=True)

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.engine.contact.closest import foot_point, overhang, place, shapes
 from turgor.geometry.wedge import Wedge
@@ -122,6 +121,8 @@ def _in_sector(mesh: Mesh, wedge: Wedge, point: Array) -> Attached:
 
 def _nearest(points: Array, sides: NDArray[np.int64], point: Array) -> tuple[float, int, Array]:
     """Distance of a point from the nearest side, that side, and the place on it."""
+    from scipy.spatial import cKDTree  # slow to load, and few models have points on sides
+
     corners = _corners(points, sides)
     places = _places(corners.shape[1])
     weights = np.array([_shape_functions(corners.shape[1], at) for at in places])

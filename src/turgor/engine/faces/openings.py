@@ -2,9 +2,8 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.mesh import Mesh
 
 Array = NDArray[np.float64]
@@ -48,8 +47,7 @@ def rim_loops(edges: Ints) -> list[Ints]:
         return []
     nodes, ends = np.unique(edges[:, :2], return_inverse=True)
     ends = ends.reshape(-1, 2)
-    graph = coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(nodes), len(nodes)))
-    label = connected_components(graph, directed=False)[1][ends[:, 0]]
+    label = groups_of(len(nodes), ends[:, 0], ends[:, 1])[ends[:, 0]]
     return [edges[label == i] for i in range(int(label.max()) + 1)]
 
 

@@ -4,11 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.cells import side_type
 
 Array = NDArray[np.float64]
@@ -46,6 +44,8 @@ class Contour:
 
     def project(self, points: Array) -> tuple[Array, Array]:
         """Length along the contour next to each point (k, 3), and the distance from it, (k,) [m] each."""
+        from scipy.spatial import cKDTree  # slow to load, and few models have threads
+
         points = points - np.outer(points @ self.axis, self.axis)
         nearest = cKDTree(self.points).query(points)[1]
         last = len(self.points) - 2
@@ -78,8 +78,7 @@ def contour_of(points: Array, sides: Ints, axis: Array, name: str) -> Contour:
     across = np.abs(ends @ axis) < 0.7 * np.linalg.norm(ends, axis=1)
     edges = edges[across]
     if len(edges):
-        graph = coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(len(points),) * 2)
-        part = connected_components(graph, directed=False)[1][edges[:, 0]]
+        part = groups_of(len(points), edges[:, 0], edges[:, 1])[edges[:, 0]]
         lowest = min(np.unique(part), key=lambda p: along[edges[part == p]].mean())
         chain = _chain(edges[part == lowest])
     if not len(edges) or chain is None:

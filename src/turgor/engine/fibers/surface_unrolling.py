@@ -7,10 +7,10 @@ together without gaps and finding the side under a point is a problem in two dim
 
 from dataclasses import dataclass
 from functools import cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.engine.cells.reference import reference_cell, reference_nodes
 from turgor.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE
@@ -18,6 +18,9 @@ from turgor.engine.fibers.contour import Contour, contour_of
 from turgor.errors import TurgorError
 from turgor.meshing.cells import side_type
 from turgor.units import mm
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -87,7 +90,7 @@ class UnrolledSurface:
     contour: Contour
     start: float
     end: float
-    _tree: cKDTree
+    _tree: "cKDTree"
     _seeds: tuple[Ints, Array, Array]
 
     def find(self, points: Array) -> tuple[Ints, Array]:
@@ -203,6 +206,8 @@ def unroll(points: Array, sides: Ints, axis: Array, name: str) -> UnrolledSurfac
 
 
 def _indexed(sides: Ints, flat: Array, contour: Contour, along: Array) -> UnrolledSurface:
+    from scipy.spatial import cKDTree  # slow to load, and few models have threads
+
     count = sides.shape[1]
     step = (np.arange(SEEDS) + 0.5) / SEEDS
     grid = np.stack(np.meshgrid(step, step), axis=-1).reshape(-1, 2)

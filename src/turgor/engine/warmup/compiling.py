@@ -187,12 +187,13 @@ def _without_collection() -> Iterator[Garbage]:
     Where there is ``much`` in the end, all objects count as old, so that the first step does not wait for the search
     for it: that comes with the next search of old objects.
     """
-    before, frozen, left = gc.isenabled(), gc.get_freeze_count(), Garbage()
+    before, left = gc.isenabled(), Garbage()
     gc.disable()
     try:
         yield left
     finally:
         if left.much:
+            frozen = gc.get_freeze_count()  # which looks at all of them
             gc.freeze()
             if not frozen:  # else the command has frozen what it loaded, and ends after this run
                 gc.unfreeze()

@@ -1,7 +1,8 @@
 """Facets: the surface of a CAD part as flat triangles, for cavities and wall thickness.
 
 The triangles are those of the display of the CAD kernel. They are available at once and share their corners, but a
-circle has 36 corners only. They give positions and topology; volumes need the exact faces.
+circle has 36 corners only. They give positions and topology; volumes need the exact faces. SciPy's graphs and trees are
+imported in functions, because they are slow to load and every job loads this file.
 """
 
 from collections.abc import Sequence
@@ -10,9 +11,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import breadth_first_order, connected_components
-from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError
 from turgor.geometry import occ
@@ -221,6 +219,10 @@ def _unique(shapes: Any) -> list[Any]:
 
 def weld(corners: Array) -> tuple[Array, Ints]:
     """Join the corners of separate triangles, (3t, 3), to points (n, 3) and triangles (t, 3) that share them."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
     points, index = np.unique(corners, axis=0, return_inverse=True)
     reach = WELD * float(np.ptp(points, axis=0).max())
     near = cKDTree(points).query_pairs(reach, output_type="ndarray")
@@ -232,6 +234,9 @@ def weld(corners: Array) -> tuple[Array, Ints]:
 
 def _outward(points: Array, triangles: Ints, body: str) -> Ints:
     """Orient the triangles of one body: its largest shell is the outside, all others are voids."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     pairs, _, coherent = edge_pairs(triangles)
     count = len(triangles)
     graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count)).tocsr()
@@ -248,6 +253,9 @@ def _outward(points: Array, triangles: Ints, body: str) -> Ints:
 
 def turned_alike(triangles: Ints, pairs: Ints, coherent: NDArray[np.bool_], starts: list[int]) -> Ints:
     """Orient triangles alike: neighbors have opposite directions along their common edge."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import breadth_first_order
+
     pairs, first = np.unique(pairs, axis=0, return_index=True)
     sign = np.where(coherent[first], 1.0, 2.0)  # no entry of a sparse matrix may be zero
     count = len(triangles)

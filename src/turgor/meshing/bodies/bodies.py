@@ -5,10 +5,8 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.mesh import Mesh
 
 Array = NDArray[np.float64]
@@ -67,9 +65,7 @@ def find_bodies(mesh: Mesh) -> tuple[Body, ...]:
     corners = mesh.cells[:, : mesh.cell_type.corners]
     owner = np.repeat(np.arange(len(corners)), corners.shape[1])
     nodes = len(corners) + corners.ravel()
-    size = len(corners) + len(mesh.points)
-    graph = coo_array((np.ones(len(owner)), (owner, nodes)), shape=(size, size))
-    label = connected_components(graph, directed=False)[1][: len(corners)]
+    label = groups_of(len(corners) + len(mesh.points), owner, nodes)[: len(corners)]
     return tuple(_body(mesh, np.flatnonzero(label == one)) for one in dict.fromkeys(label.tolist()))
 
 
@@ -121,6 +117,8 @@ def _is_inside(mesh: Mesh, points: Array) -> NDArray[np.bool_]:
     rows = np.flatnonzero(inside)
     if not len(rows):
         return inside
+    from scipy.spatial import cKDTree  # slow to load, and few meshes have several bodies
+
     kind = mesh.cell_type
     corners = mesh.points[mesh.cells[:, : kind.corners]]
     near = cKDTree(corners.mean(axis=1)).query(points[rows], k=min(NEAREST, len(corners)))[1].reshape(len(rows), -1)

@@ -3,9 +3,8 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.cells import CellType
 from turgor.meshing.exchange.formats.raw import Array, Ints
 from turgor.meshing.exchange.solids import Solids, side_numbers
@@ -94,14 +93,8 @@ def _facing_alike(sides: Sides) -> Sides:
     other = np.where(upward[left] == upward[right], count, 0)  # neighbors run along their edge in opposite senses
     left, right = owner[left], owner[right]
     # every side stands here twice, as it is and turned over; what faces alike hangs together
-    links = coo_array(
-        (
-            np.ones(2 * len(left)),
-            (np.concatenate([left, left + count]), np.concatenate([right + other, right + count - other])),
-        ),
-        shape=(2 * count, 2 * count),
-    )
-    label = connected_components(links, directed=False)[1]
+    one, two = np.concatenate([left, left + count]), np.concatenate([right + other, right + count - other])
+    label = groups_of(2 * count, one, two)
     area = np.linalg.norm(sides.vector_areas[outer], axis=1)
     weight = np.bincount(label[:count], weights=area, minlength=int(label.max()) + 1)
     turned = outer[weight[label[:count]] < weight[label[count:]]]
@@ -151,8 +144,7 @@ def components(sides: Sides, rows: Ints) -> list[Ints]:
         return []
     edges, owner = _edges(sides, rows)
     number = np.asarray(np.unique(edges, axis=0, return_inverse=True)[1]).ravel()
-    links = coo_array((np.ones(len(owner)), (owner, number)), shape=(len(rows), int(number.max()) + 1)).tocsr()
-    label = connected_components(links @ links.T, directed=False)[1]
+    label = groups_of(len(rows) + int(number.max()) + 1, owner, len(rows) + number)[: len(rows)]
     return [rows[label == part] for part in np.unique(label)]
 
 

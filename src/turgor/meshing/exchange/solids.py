@@ -4,7 +4,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError
 from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON, CellType
@@ -130,6 +129,8 @@ def _drop_repeated(solids: Solids) -> None:
 
 def _merge_nodes(solids: Solids, raw: RawMesh) -> None:
     """Make nodes at the same place one, and leave out those of no solid cell."""
+    from scipy.spatial import cKDTree  # slow to load, and every job loads this file
+
     kind = solids.kind
     corners = solids.points[solids.cells[:, : kind.corners]]
     edges = np.stack([corners[:, b] - corners[:, a] for a, b in kind.edges], axis=1)

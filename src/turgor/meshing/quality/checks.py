@@ -1,13 +1,12 @@
 """Checks of a mesh before a solve; each returns findings."""
 
-from functools import lru_cache
-
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.finding import Finding, Severity
 from turgor.meshing.cells import TETRAHEDRON, six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
+from turgor.meshing.quality.answers import asked_once
 from turgor.meshing.quality.facing import OPPOSED, edge_keys, unit_normals
 from turgor.meshing.surface import among, check_surface, outer_triangles
 from turgor.units import mm
@@ -44,7 +43,7 @@ def check_mesh(mesh: Mesh) -> tuple[Finding, ...]:
     return (*mesh.findings, *_checked(mesh))
 
 
-@lru_cache(maxsize=2)  # the next run of a sweep often has the same mesh
+@asked_once
 def _checked(mesh: Mesh) -> tuple[Finding, ...]:
     return (*_thin_walls(mesh), *check_surface(mesh))
 

@@ -2,10 +2,8 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.mesh import TRIANGLE_EDGES
 
 Array = NDArray[np.float64]
@@ -60,6 +58,8 @@ def first_hits(points: Array, triangles: Ints, reach: float, rays: NDArray[np.bo
     (f,) int array
         Triangle that is hit first, -1 where there is none within reach, or no ray.
     """
+    from scipy.spatial import cKDTree  # slow to load, and what the next run asks of its mesh is on disk
+
     corners = points[triangles[:, :3]]
     origin, normal = corners.mean(axis=1), unit_normals(points, triangles)
     radii = np.linalg.norm(corners - origin[:, None], axis=2).max(axis=1)
@@ -144,8 +144,7 @@ def find_walls(points: Array, triangles: Ints, hit: Ints) -> tuple[Ints, Ints]:
     facing = _extended(facing, normal, left, right)
     together = facing[left] & facing[right]
     size = len(triangles)
-    graph = coo_array((np.ones(int(together.sum())), (left[together], right[together])), shape=(size, size))
-    label = connected_components(graph, directed=False)[1]
+    label = groups_of(size, left[together], right[together])
     wall = np.full(size, -1, dtype=np.int64)
     wall[facing] = np.unique(label[facing], return_inverse=True)[1]
     pairs = np.sort(np.stack([wall[seeing], wall[hit[seeing]]], axis=1), axis=1)

@@ -5,9 +5,8 @@ from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.facing import OPPOSED, first_hits, unit_normals
@@ -141,8 +140,7 @@ def faces_its_image(mesh: Mesh) -> bool:
 def _apart(triangles: Ints, off: NDArray[np.bool_]) -> bool:
     """Return whether any connected group of triangles (f, 3) has no corner in the plane."""
     nodes, local = np.unique(triangles, return_inverse=True)
-    rows, size = local.reshape(-1, 3), len(nodes)
-    links = (np.ones(2 * len(rows)), (np.tile(rows[:, 0], 2), rows[:, 1:].T.ravel()))
-    label = connected_components(coo_array(links, shape=(size, size)), directed=False)[1] if size else nodes
+    rows = local.reshape(-1, 3)
+    label = groups_of(len(nodes), np.tile(rows[:, 0], 2), rows[:, 1:].T.ravel())
     touching = np.unique(label[rows[~off]])
     return bool(np.setdiff1d(label, touching).size)

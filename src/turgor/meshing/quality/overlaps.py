@@ -2,12 +2,12 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.geometry.cad.surface.crossing import winding
 from turgor.meshing.bodies.bodies import find_bodies
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
+from turgor.meshing.quality.answers import asked_once
 from turgor.meshing.quality.facing import edge_keys, unit_normals
 from turgor.meshing.surface import outer_triangles
 
@@ -85,6 +85,25 @@ def find_overlaps(mesh: Mesh, points: Array | None = None) -> Array:
     return np.concatenate([found, middle])[inside]
 
 
+@asked_once  # a run checks before it solves, and `solve` itself does
+def overlap_at_rest(mesh: Mesh) -> tuple[float, float, float] | None:
+    """A place [m] where a mesh overlaps itself at rest; None where it does not.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    (float, float, float) or None
+    """
+    places = find_overlaps(mesh)
+    if not len(places):
+        return None
+    x, y, z = places[len(places) // 2]
+    return float(x), float(y), float(z)
+
+
 def _samples(x: Array, triangles: Ints, normals: Array, most: int) -> tuple[Array, Array]:
     """Points all over the surface, and the points a little below them."""
     some = _spread(len(triangles), most)
@@ -118,6 +137,8 @@ def _crossings(x: Array, edges: Ints, triangles: Ints, normals: Array) -> tuple[
 
 def _near(x: Array, edges: Ints, triangles: Ints) -> tuple[Ints, Ints]:
     """Pairs of an edge and a triangle that may intersect and share no corner."""
+    from scipy.spatial import cKDTree  # slow to load, and what the next run asks of its mesh is on disk
+
     middle, center = x[edges].mean(axis=1), x[triangles].mean(axis=1)
     half = np.linalg.norm(x[edges[:, 1]] - x[edges[:, 0]], axis=1) / 2
     radius = np.linalg.norm(x[triangles] - center[:, None], axis=2).max(axis=1)

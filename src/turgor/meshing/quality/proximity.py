@@ -6,7 +6,6 @@ from math import inf, isfinite
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.errors import TurgorError
 from turgor.meshing.cells import six_node_triangles
@@ -166,6 +165,8 @@ def smallest_gap(walls: FacingWalls, displacement: Array | None = None) -> float
 
 def _nearest(x: Array, side: _Side) -> tuple[Array, Ints]:
     """Gap of each node to the tangent plane at its nearest partner node, and the nearest partner nodes."""
+    from scipy.spatial import cKDTree  # slow to load, and few runs follow gaps
+
     partners = x[side.partners]
     count = min(NEAREST, len(partners))
     _, index = cKDTree(partners).query(x[side.nodes], k=count)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.engine.fibers.fiber_kernels import Pieces
 from turgor.engine.fibers.fiber_trusses import FiberTrusses
@@ -133,6 +132,8 @@ def smooth_tension(pieces: Pieces, tension: Array) -> Array:
 
 def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:
     """Threads of the whole actuator, (k, 3) [m] each, with the tension at their points, (k,) [N]."""
+    from scipy.spatial import cKDTree  # slow to load, and every job loads the list of measures
+
     lines = drawn_threads(at)
     if not lines:
         return []

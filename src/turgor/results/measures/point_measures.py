@@ -4,7 +4,6 @@ from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation as Turn
 
 from turgor.engine.points.motion import PointMotion
 from turgor.errors import unknown
@@ -132,6 +131,8 @@ def _read(at: StateFields, point: str, what: str) -> Array:
         case "displacement":
             return motion.displacement
         case "rotation":
+            from scipy.spatial.transform import Rotation as Turn  # slow to load, and few jobs ask for it
+
             return np.asarray(Turn.from_matrix(motion.rotation).as_rotvec())
         case "twist":
             return np.array([_twist(motion.rotation, axis) for axis in range(3)])

@@ -2,14 +2,12 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import lru_cache
 
 import numpy as np
 
 from turgor.finding import Finding, Severity
-from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.mirror_gap import find_mirror_walls, mirror_gap
-from turgor.meshing.quality.overlaps import find_overlaps
+from turgor.meshing.quality.overlaps import overlap_at_rest
 from turgor.meshing.quality.proximity import find_facing_walls, smallest_gap
 from turgor.meshing.wedge import sectors
 from turgor.model.contact import SELF
@@ -34,10 +32,10 @@ def check_contact(model: Model) -> tuple[Finding, ...]:
     mesh = model.mesh
     if not mesh.cell_type.side.triangles or model.contact.for_mesh(mesh) is None:
         return ()
-    place = _overlap(mesh)
+    place = overlap_at_rest(mesh)
     if place is None:
         return ()
-    x, y, z = place
+    x, y, z = (coordinate / mm for coordinate in place)
     return (
         Finding(
             code="B07",
@@ -47,16 +45,6 @@ def check_contact(model: Model) -> tuple[Finding, ...]:
             advice="Move the bodies apart before meshing, or mend the mesh there.",
         ),
     )
-
-
-@lru_cache(maxsize=4)  # a run checks before it solves, and `solve` itself does
-def _overlap(mesh: Mesh) -> tuple[float, float, float] | None:
-    """A place where a mesh overlaps itself at rest [mm]; None where it does not."""
-    places = find_overlaps(mesh)
-    if not len(places):
-        return None
-    x, y, z = places[len(places) // 2] / mm
-    return float(x), float(y), float(z)
 
 
 def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:

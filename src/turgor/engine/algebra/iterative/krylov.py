@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import lstsq
 
 Array = NDArray[np.float64]
 Map = Callable[[Array], Array]
@@ -33,6 +32,8 @@ def gmres(product: Map, precondition: Map, right: Array, tolerance: float, limit
 
 def _cycle(product: Map, precondition: Map, right: Array, wanted: float, limit: int) -> tuple[Array, int]:
     """One start: the change of the solution, and the iterations."""
+    from scipy.linalg import lstsq  # slow to load, and factors serve most models
+
     size = float(np.linalg.norm(right))
     basis = np.empty((limit + 1, len(right)), dtype=np.float32)  # pages that are never written take no memory
     basis[0] = right / size

@@ -5,7 +5,6 @@ from collections import deque
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from turgor.geometry.cad.facets import edge_pairs
 from turgor.units import deg
@@ -111,6 +110,8 @@ def _truly_plane(region: Ints, normal: Array, area: Array, pairs: Ints) -> NDArr
 
 
 def _components(count: int, links: Ints) -> Ints:
+    from scipy.sparse.csgraph import connected_components  # slow to load, and every job loads this file
+
     graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(count, count))
     return np.asarray(connected_components(graph, directed=False)[1]).astype(np.int64)
 
