@@ -23,6 +23,9 @@ VARIABLE = "NUMBA_CACHE_DIR"
 #: Loops that every model needs: where they are compiled, so is probably the rest.
 FIRST = "pattern"
 
+#: How the names of threads begin that pass through loops; between two loops they wait.
+POOL = "turgor-loop"
+
 _ENGINE = Path(__file__).parent / "engine"
 
 

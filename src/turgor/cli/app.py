@@ -8,6 +8,7 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
+from typing import NoReturn
 
 import typer
 
@@ -15,6 +16,7 @@ from turgor.cli.answers.document import document
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
 from turgor.cli.options import JSON
 from turgor.cli.start.commands import app_of
+from turgor.cli.start.ending import leave
 from turgor.cli.start.late import load_late
 
 #: How many new objects start a search for garbage, and how many searches a wider one. Loading libraries, compiling and
@@ -23,6 +25,11 @@ PATIENT = (100_000, 20, 50)
 
 #: Variables that say how many threads OpenBLAS has, the linear algebra of NumPy and SciPy.
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
+
+
+def command() -> NoReturn:
+    """Run the command line in a process of its own, and end the process."""
+    leave(main())
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
