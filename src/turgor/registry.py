@@ -1,5 +1,6 @@
 """Registry: what the files of a folder define, by name, so that a new file is all that a new law or actuator needs."""
 
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from importlib import import_module
 from pkgutil import iter_modules
@@ -52,7 +53,8 @@ class Registry(Mapping[str, Found], Generic[Found]):
         return len(self._found())
 
     def _now(self) -> tuple[str, ...]:
-        return tuple(import_module(self._package).__path__)
+        package = sys.modules.get(self._package) or import_module(self._package)  # asked a thousand times by a run
+        return tuple(package.__path__)
 
     def _of_its_file(self, name: str, places: tuple[str, ...]) -> Found | None:
         """What the file of this name defines under it: most names are found without importing the other files."""

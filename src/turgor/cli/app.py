@@ -26,6 +26,9 @@ PATIENT = (100_000, 20, 50)
 #: Variables that say how many threads OpenBLAS has, the linear algebra of NumPy and SciPy.
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
 
+#: The variable by which pydantic looks for no plugins, among all packages that are installed: job files need none.
+NO_PLUGINS = ("PYDANTIC_DISABLE_PLUGINS", "__all__")
+
 
 def command() -> NoReturn:
     """Run the command line in a process of its own, and end the process."""
@@ -46,13 +49,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def settle() -> None:
     """Set what a process of our own needs before it loads anything heavy.
 
-    That is: few searches for garbage, one thread of OpenBLAS, and no code that nobody uses.
+    That is: few searches for garbage, one thread of OpenBLAS, no plugins, and no code that nobody uses.
 
     The engine and what fits surrogates limit OpenBLAS to one thread; other products are small. Further threads would
     only spin as they start. What the user has set stays; MKL, which factors tangents, has variables of its own.
     """
     gc.set_threshold(*PATIENT)
     load_late()
+    os.environ.setdefault(*NO_PLUGINS)
     if not any(name in os.environ for name in BLAS_THREADS):
         os.environ[BLAS_THREADS[0]] = "1"
 

@@ -13,7 +13,6 @@ from turgor.finding import Finding, Severity
 from turgor.meshing.bodies.bodies import find_bodies
 from turgor.model.model import Model
 from turgor.solvers.continuation.load_control import follow_load
-from turgor.solvers.continuation.scalar_control.cavity_control import controlled_faces, follow_gas, follow_volume
 from turgor.solvers.energies import too_viscous, unbalanced
 from turgor.solvers.outcomes import Outcome
 from turgor.solvers.problem import Problem
@@ -49,6 +48,24 @@ def _follow_arc(problem: Problem, procedure: ArcLength) -> Outcome:
     from turgor.solvers.continuation.scalar_control.arc_length import follow_arc
 
     return follow_arc(problem, procedure)
+
+
+def _follow_volume(problem: Problem, procedure: VolumeControl) -> Outcome:
+    from turgor.solvers.continuation.scalar_control.cavity_control import follow_volume
+
+    return follow_volume(problem, procedure)
+
+
+def _follow_gas(problem: Problem, procedure: GasMass) -> Outcome:
+    from turgor.solvers.continuation.scalar_control.cavity_control import follow_gas
+
+    return follow_gas(problem, procedure)
+
+
+def _filled(model: Model, procedure: VolumeControl | GasMass) -> tuple[str, ...]:
+    from turgor.solvers.continuation.scalar_control.cavity_control import controlled_faces
+
+    return controlled_faces(model, procedure)
 
 
 def _follow_auto(problem: Problem, procedure: Auto) -> Outcome:
@@ -102,8 +119,8 @@ class Method:
 METHODS: Mapping[type, Method] = MappingProxyType(
     {
         Static: Method(follow=follow_load),
-        VolumeControl: Method(follow=follow_volume, controlled=controlled_faces),
-        GasMass: Method(follow=follow_gas, controlled=controlled_faces),
+        VolumeControl: Method(follow=_follow_volume, controlled=_filled),
+        GasMass: Method(follow=_follow_gas, controlled=_filled),
         ArcLength: Method(follow=_follow_arc),
         Auto: Method(follow=_follow_auto, limit_points=Severity.WARNING),
         Dynamic: Method(follow=_follow_motion, may_be_free=_always, findings=unbalanced),

@@ -10,7 +10,6 @@ from turgor.model.continuing import continued, movable, with_loads
 from turgor.model.drive import pressures_at
 from turgor.model.loads import Pressure
 from turgor.model.model import Model
-from turgor.solvers.continuation.scalar_control.cavity_control import asked_cavities
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.methods import method_of
 from turgor.solvers.pressures import pressures_of
@@ -102,6 +101,9 @@ def _question(model: Model, stage: Stage, last: _End | None) -> Model:
         return with_loads(model, stage.loads, stage.displacements, stage.moves)
     pressures = dict(last.pressures)
     if isinstance(stage.procedure, VolumeControl | GasMass):
+        # here, as in `turgor.solvers.methods`: few procedures fill cavities
+        from turgor.solvers.continuation.scalar_control.cavity_control import asked_cavities
+
         stated = {load.face for load in stage.loads if isinstance(load, Pressure)}
         for name in asked_cavities(last.model, stage.procedure):
             if name not in stated:

@@ -157,7 +157,7 @@ def test_wheel_holds_data_and_command(tmp_path):
     with zipfile.ZipFile(tmp_path / run.stdout.splitlines()[-1]) as wheel:
         held = {name for name in wheel.namelist() if "__pycache__" not in name}
         entry = next(name for name in held if name.endswith("entry_points.txt"))
-        assert "turgor = turgor.cli:main" in wheel.read(entry).decode()
+        assert "turgor = turgor.cli:command" in wheel.read(entry).decode()
         metadata = message_from_bytes(wheel.read(entry.replace("entry_points.txt", "METADATA")))
     assert metadata["Description-Content-Type"] == "text/markdown"
     assert metadata.get_payload().startswith("# turgor\n")

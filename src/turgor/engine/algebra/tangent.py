@@ -9,8 +9,6 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.free_solver import solver_of
-from turgor.engine.algebra.iterative.levels import levels_of
-from turgor.engine.algebra.iterative.solver import IterativeSolver
 from turgor.engine.algebra.linear import (
     AUTO,
     ITERATIVE,
@@ -202,7 +200,12 @@ class Tangent:
         make = partial(linear_solver, name, threads=self._threads)
         direct = partial(solver_of, make, pattern, system.held)
         asked = name == ITERATIVE or (name == AUTO and not factors_fit(pattern, self._threads))
-        levels = levels_of(system) if asked else None
+        if not asked:
+            return direct()
+        from turgor.engine.algebra.iterative.levels import levels_of  # here: factors serve most models
+        from turgor.engine.algebra.iterative.solver import IterativeSolver
+
+        levels = levels_of(system)
         return direct() if levels is None else IterativeSolver(levels, pattern, self._threads, direct)
 
     def use_double(self) -> None:

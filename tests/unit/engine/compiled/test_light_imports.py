@@ -13,11 +13,21 @@ HEAVY = {"numpy", "numba", "scipy", "pydantic", "netgen"}
 #: What a plain run may not load before its solve: it may be needed afterwards, or by other jobs.
 LATER = {
     "matplotlib",
+    "rich",
     "scipy.interpolate",
+    "scipy.linalg",
     "scipy.optimize",
+    "scipy.sparse.csgraph",
+    "scipy.sparse.linalg",
+    "scipy.spatial",
+    "scipy.special",
     "sympy",
     "turgor.adaptivity.mesh_error",
     "turgor.adaptivity.mesh_to",
+    "turgor.cli.analyses.sweep",
+    "turgor.cli.answers.results",
+    "turgor.cli.live",
+    "turgor.engine.algebra.iterative.solver",
     "turgor.geometry.actuators.manta_fin",
     "turgor.geometry.cad.read",
     "turgor.job.output.write",
@@ -30,12 +40,20 @@ LATER = {
     "turgor.results.pictures",
     "turgor.rod",
     "turgor.section",
+    "turgor.solvers.continuation.scalar_control.cavity_control",
     "turgor.solvers.dynamics",
 }
 
 READING = (
-    "from turgor.cli.console import PlainDisplay; from turgor.job.run import run_job; "
-    f"from turgor.job.read import read_job; read_job({str(DEMO)!r})"
+    "from turgor.cli.run import run_command; from turgor.cli.console import PlainDisplay; "
+    "from turgor.job.run import run_job; from turgor.job.read import read_job; "
+    f"job = read_job({str(DEMO)!r})"
+)
+
+#: What the job does before its solve; the mesh is kept for the next process.
+PREPARING = (
+    f"{READING}; from turgor.job.prepare import prepare; prepare(job); "
+    "from turgor.job.meshes import keep_mesh_of; keep_mesh_of(job)"
 )
 
 
@@ -43,6 +61,14 @@ def loaded(script: str) -> set[str]:
     """Modules that a process has loaded after a script."""
     command = [sys.executable, "-c", f"import sys; {script}; print(*sys.modules)"]
     return set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()[-1].split())
+
+
+def test_a_run_that_finds_its_mesh_on_disk_is_light_up_to_the_solve(tmp_path, monkeypatch):
+    monkeypatch.setenv("TURGOR_CACHE", str(tmp_path))
+    monkeypatch.setenv("TURGOR_CACHE_MB", "100")
+    making = loaded(PREPARING)
+    assert making & {"netgen", "scipy.spatial", "turgor.meshing.generate"}
+    assert loaded(PREPARING) & (LATER | {"netgen"}) == set()
 
 
 @pytest.mark.parametrize(
