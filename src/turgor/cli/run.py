@@ -11,7 +11,7 @@ import typer
 
 from turgor.cli.exits import DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
-from turgor.cli.signals import ends_at_once
+from turgor.cli.start.signals import ends_at_once
 from turgor.loops import begin_early
 
 if TYPE_CHECKING:

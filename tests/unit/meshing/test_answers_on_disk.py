@@ -86,10 +86,11 @@ def test_an_entry_that_holds_as_much_is_not_written_again(made, folder):
     geometry, mesh = made
     may_meet(mesh)
     keep(FINGER, geometry, SETTINGS, mesh)
-    before = {file.name: file.stat().st_ino for file in folder.iterdir()}
+    found = mesh_on_disk(FINGER, SETTINGS)
+    before = {file.name: file.stat().st_mtime_ns for file in folder.iterdir()}
     assert len(before) == 3
-    keep(FINGER, geometry, SETTINGS, mesh_on_disk(FINGER, SETTINGS))
-    assert {file.name: file.stat().st_ino for file in folder.iterdir()} == before
+    keep(FINGER, geometry, SETTINGS, found)
+    assert {file.name: file.stat().st_mtime_ns for file in folder.iterdir()} == before
 
 
 def test_a_damaged_entry_is_asked_anew(made, folder):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Protocol
 
 import typer
 
-from turgor.cli.signals import kept_in_folder
+from turgor.cli.start.signals import kept_in_folder
 
 if TYPE_CHECKING:
     from turgor.study.factor import Factor

@@ -9,7 +9,7 @@ import typer
 from turgor.cli.analyses.calibrate import told_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, Retry, asked_job, command_of
-from turgor.cli.signals import ends_at_once, kept_in_folder
+from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
     from turgor.optimization.files.jobs import JobOptimization

@@ -9,7 +9,7 @@ from turgor.cli.analyses.calibrate import often
 from turgor.cli.analyses.surrogate import At, Measures, Output, Processes, Scheduler, StudyPath
 from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, Retry, command_of
-from turgor.cli.signals import ends_at_once
+from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

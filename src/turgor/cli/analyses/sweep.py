@@ -10,7 +10,7 @@ import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, Json, Retry, command_of
-from turgor.cli.signals import ends_at_once
+from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
     from turgor.study.designs import Designs

@@ -9,7 +9,7 @@ import typer
 from turgor.cli.analyses.calibrate import often, told_run
 from turgor.cli.exits import DONE, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of
-from turgor.cli.signals import ends_at_once, kept_in_folder
+from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
