@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize_scalar
 
 from turgor.errors import TurgorError, unknown
 from turgor.laboratory.runs import SPREAD, branches, interpolated
@@ -184,6 +183,8 @@ def best_shift(computed: Response, x: str, y: str, measured: Array) -> tuple[flo
         if within.mean() < LEAST_OVERLAP:
             return FAR
         return _rms((at - measured[:, 1])[within])
+
+    from scipy.optimize import minimize_scalar  # slow to load, and every run loads this file
 
     reach = float(np.ptp(measured[:, 0])) / 2
     tried = np.linspace(-reach, reach, TRIED)

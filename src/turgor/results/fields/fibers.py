@@ -132,11 +132,11 @@ def smooth_tension(pieces: Pieces, tension: Array) -> Array:
 
 def threads_with_tension(at: StateFields) -> list[tuple[Array, Array]]:
     """Threads of the whole actuator, (k, 3) [m] each, with the tension at their points, (k,) [N]."""
-    from scipy.spatial import cKDTree  # slow to load, and every job loads the list of measures
-
     lines = drawn_threads(at)
     if not lines:
         return []
+    from scipy.spatial import cKDTree  # slow to load, and few models have threads
+
     found = fiber_results(at)
     places = np.concatenate([image.of(each.positions) for image in at.facts.images for each in found])
     tension = np.tile(np.concatenate([each.tension for each in found]), len(at.facts.images))

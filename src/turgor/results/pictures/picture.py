@@ -13,7 +13,6 @@ from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.results.fields.state_fields import MeshFacts, StateFields
-from turgor.results.pictures.cad_picture import named_faces_figure
 from turgor.results.pictures.colors import VON_MISES, Field
 from turgor.results.pictures.mesh_picture import mesh_figure
 from turgor.results.pictures.state_picture import Style, shared_view, state_figure
@@ -191,6 +190,9 @@ def geometry_figure(geometry: Geometry, title: str, width: int) -> Figure:
     if isinstance(shape, MeshedShape):
         return mesh_figure(shape.mesh, title, width)
     faces = [(name, corners * geometry.length_scale) for name, corners in named_facets(shape) if len(corners)]
+    # here: it loads all that looks at CAD parts, which a run does not draw
+    from turgor.results.pictures.cad_picture import named_faces_figure
+
     figure = named_faces_figure(title, faces)
     figure.set_dpi(width / _GEOMETRY_WIDTH)
     return figure

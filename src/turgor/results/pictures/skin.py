@@ -8,10 +8,9 @@ from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from turgor.engine.cells.reference import reference_nodes, tables_at
+from turgor.meshing.bodies.groups import groups_of
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.mesh import TRIANGLE_EDGES, Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
@@ -179,8 +178,7 @@ def _smooth_patches(mesh: Mesh, triangles: Ints) -> Ints:
     first, second = order[:-1][same], order[1:][same]
     smooth = np.einsum("ei,ei->e", normals[first], normals[second]) > cos(EDGE_ANGLE)
     a, b = owner[first[smooth]], owner[second[smooth]]
-    graph = coo_matrix((np.ones(len(a)), (a, b)), shape=(len(triangles),) * 2)
-    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
+    return groups_of(len(triangles), a, b)
 
 
 def _turn(mesh: Mesh) -> Array:

@@ -79,6 +79,10 @@ def test_a_run_that_finds_its_mesh_on_disk_is_light_up_to_the_solve(tmp_path, mo
         ("import turgor.job.run; from turgor.job.job import ACTUATORS; list(ACTUATORS.values())", {"netgen"}),
         ("from turgor.results.measures.measures import find_measure as f; f('reaction')", {"scipy.optimize"}),
         (READING, LATER),
+        (
+            "import turgor.job.output.write",
+            {"scipy.optimize", "scipy.sparse.csgraph", "scipy.sparse.linalg", "scipy.spatial", "scipy.special"},
+        ),
     ],
     ids=[
         "before a command compiles",
@@ -86,6 +90,7 @@ def test_a_run_that_finds_its_mesh_on_disk_is_light_up_to_the_solve(tmp_path, mo
         "a run and all families",
         "the list of measures",
         "before a plain solve",
+        "what writes and draws the results",
     ],
 )
 def test_is_light(script, refused):

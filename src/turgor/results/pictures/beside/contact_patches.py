@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 from matplotlib.colors import Colormap
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.pictures.raycast import Camera, Hits
@@ -53,6 +52,8 @@ def _contact_skin(at: StateFields) -> Skin:
     skin = visible_skin(at, at.contact_pressure, chosen=chosen, parts=FINE)
     if not chosen.any():
         return skin
+    from scipy.spatial import cKDTree  # slow to load, and few states have walls that touch
+
     corners = at.points[triangles[chosen][:, :3]]
     reach = BLUR * float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
     area = np.bincount(skin.triangles.ravel(), np.repeat(skin.areas / 3, 3), minlength=len(skin.points))

@@ -4,9 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
+from turgor.meshing.bodies.groups import groups_of
 from turgor.results.fields.contact import drawn_obstacles, place_of
 from turgor.results.fields.state_fields import ITSELF, MeshFacts, MirrorPlane, StateFields
 from turgor.results.pictures.obstacle_shapes import outline
@@ -58,9 +57,7 @@ def _skin(points: Array, triangles: Ints) -> Skin:
     same = (edges[order[1:]] == edges[order[:-1]]).all(axis=1)
     a, b = owner[order[:-1][same]], owner[order[1:][same]]
     smooth = np.einsum("ei,ei->e", flat[a], flat[b]) > np.cos(EDGE_ANGLE)
-    size = len(triangles)
-    graph = coo_array((np.ones(int(smooth.sum())), (a[smooth], b[smooth])), shape=(size, size))
-    patch = connected_components(graph, directed=False)[1].astype(np.int64)
+    patch = groups_of(len(triangles), a[smooth], b[smooth])
     # a point has one copy for each patch that meets there, so that normals jump at sharp edges only
     key, corner = np.unique(patch[:, None] * len(points) + triangles, return_inverse=True)
     corner = corner.reshape(triangles.shape)
