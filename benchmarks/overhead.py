@@ -8,8 +8,9 @@ The job is the demo with a small pressure and without the estimate of the mesh e
 and keeps shape and mesh for the next ones. What counts as overhead is all but the mesh, the solve, the pictures and
 plots, fields and the report, which have targets of their own: starting Python, imports, reading, building or finding
 the shape, finding the mesh, checks, loading compiled loops, tables and files of the path, and the end of the process.
-The code of matplotlib and of what draws is loaded with the first picture, and counts as files. Exit code 1 beyond 1 CPU
-second.
+The code of matplotlib and of what draws is loaded with the first picture, and counts as files. The process ends as that
+of a command does. Output goes to a pipe; on a terminal, the code of the bar takes 0.03 CPU seconds more. Exit code 1
+beyond 1 CPU second.
 """
 
 import os
