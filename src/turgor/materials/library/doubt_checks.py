@@ -14,6 +14,7 @@ from turgor.materials.laws.conventions import law_from_printed, ogden_moduli
 from turgor.materials.laws.laws import Hooke, Law
 from turgor.materials.laws.pull import pull
 from turgor.materials.library.record import Record
+from turgor.materials.library.record_files import all_records
 
 #: Constants of two rubbers that lie this close are taken to be the same numbers.
 SAME = 0.1
@@ -64,10 +65,15 @@ class Doubt:
 
 @dataclass(frozen=True)
 class Case:
-    """A record with the others that it is compared with."""
+    """A record with the others that it is compared with; None for those of the library."""
 
     record: Record
-    others: Sequence[Record]
+    given: Sequence[Record] | None
+
+    @cached_property
+    def others(self) -> Sequence[Record]:
+        """The library is read once a check looks at it."""
+        return all_records() if self.given is None else self.given
 
     @cached_property
     def law(self) -> Law | Hooke | None:
@@ -115,11 +121,11 @@ def unstable_law(law: Law) -> Iterator[Doubt]:
 def _borrowed(case: Case) -> Iterator[Doubt]:
     """Find the same constants under two materials; the one whose properties they contradict has borrowed them."""
     record = case.record
-    lenders = [other for other in case.others if other.material_name != record.material_name and _same(record, other)]
-    if not lenders:
+    if not _misfit(record) > log(FAR):  # its own constants
         return
-    lender = min(lenders, key=_misfit)
-    if _misfit(record) > max(_misfit(lender), log(FAR)):
+    others = [other for other in case.others if other.material_name != record.material_name]
+    lender = min((other for other in others if _same(record, other)), key=_misfit, default=record)
+    if _misfit(record) > _misfit(lender):
         nearly = "" if record.constants == lender.constants else "nearly "
         text = (
             f"the constants ({record.printed}) are {nearly}those of {lender.material_name} ({lender.printed}, record "
@@ -254,14 +260,12 @@ def _same(one: Record, other: Record) -> bool:
 def _misfit(record: Record) -> float:
     """How badly the constants suit the name: the logarithm of the ratio to what the supplier states."""
     law = _law(record)
-    if law is None:
+    if law is None or (isinstance(law, Hooke) and record.kind == "rubber" and law.E > STIFFEST_RUBBER):
         return inf
-    if isinstance(law, Hooke):
-        return inf if record.kind == "rubber" and law.E > STIFFEST_RUBBER else 0.0
     stated = record.supplier.stress_at_stretch_2 if record.supplier else None
-    here = _stress_at_2(law)
-    if stated is None:
+    if isinstance(law, Hooke) or stated is None:
         return 0.0
+    here = _stress_at_2(law)
     return abs(log(here / stated)) if here > 0 else inf
 
 

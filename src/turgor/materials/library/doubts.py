@@ -11,7 +11,6 @@ from turgor.finding import Finding, Severity
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.doubt_checks import LOOKS, Case, Doubt, unstable_law
 from turgor.materials.library.record import Record
-from turgor.materials.library.record_files import all_records
 from turgor.materials.material import Material
 
 _ADVICE = {
@@ -50,7 +49,7 @@ def find_doubts(record: Record, others: Sequence[Record] | None = None) -> tuple
     >>> [(doubt.code, doubt.kind) for doubt in doubts]
     [('M04', 'borrowed'), ('M04', 'far from the supplier')]
     """
-    case = Case(record, all_records() if others is None else others)
+    case = Case(record, others)
     found = [doubt for look in LOOKS for doubt in look(case)]
     stated = [_stated(text) for text in record.stated_doubts]
     density = [

@@ -11,6 +11,7 @@ from turgor.materials.laws.homogeneous import equibiaxial, nominal_stress, plana
 from turgor.materials.laws.laws import NeoHooke
 from turgor.materials.laws.pull import pull
 from turgor.materials.laws.stability import first_instability
+from turgor.materials.library import doubt_checks
 from turgor.materials.library.doubt_checks import USUAL_RANGE, Case, Doubt, falls_at
 from turgor.materials.library.doubts import doubts_of, find_doubts
 from turgor.materials.library.records import all_records, find_record, from_library
@@ -164,3 +165,11 @@ def test_lost_stability_is_where_the_derivatives_of_the_energy_say() -> None:
                 assert nearest == pytest.approx(exact, abs=0.01)
                 compared += 1
     assert compared == 7
+
+
+@pytest.mark.parametrize(("name", "reads"), [("neo-hooke-polygerinos-2020", False), ("ogden-nuthi-2018", True)])
+def test_the_library_is_read_only_for_constants_that_do_not_suit_the_name(name, reads, monkeypatch) -> None:
+    record, asked = find_record("dragon-skin-10", name), []
+    monkeypatch.setattr(doubt_checks, "all_records", lambda: asked.append(record) or (record,))
+    find_doubts(record)
+    assert bool(asked) == reads
