@@ -11,6 +11,7 @@ from turgor.solvers.continuation.thresholds import (
     STRETCH,
     TOUCHING_GROWTH,
     TOUCHING_ITERATIONS,
+    TOUCHING_SHARE,
     WRINKLING_ITERATIONS,
 )
 from turgor.solvers.procedures.step_options import StepOptions
@@ -80,7 +81,8 @@ class StepControl:
     def accepted(self, increment: float, iterations: int, touches: bool = False) -> "StepControl":
         """Grow after an easy step, shrink after a hard one; a step shortened by a target does not shrink the next.
 
-        Where walls touch it does, because what shortened it was how deep they would be pressed into each other.
+        Where walls touch it does, to half at most, because what shortened it was how deep they would be pressed into
+        each other.
 
         Examples
         --------
@@ -88,12 +90,15 @@ class StepControl:
         >>> control = StepControl.of(Static(first_step=0.2, max_step=0.5))
         >>> [round(control.accepted(0.1, 4, touches).length, 3) for touches in (False, True)]
         [0.3, 0.175]
+        >>> round(control.accepted(0.01, 4, True).length, 3)  # half of 0.2, and longer because that was easy
+        0.175
         """
         comfortable = max(self.comfortable, TOUCHING_ITERATIONS) if touches else self.comfortable
         factor = min(TOUCHING_GROWTH if touches else 2.0, max(0.5, comfortable / max(iterations, 1)))
         if self.patience < 2:
             factor = min(factor, 1.0)
-        reference = max(increment, self.length) if factor >= 1 and not touches else increment
+        least = TOUCHING_SHARE * self.length if touches else self.length
+        reference = max(increment, least) if factor >= 1 else increment
         return replace(self, length=min(self.max_step, reference * factor), patience=self.patience + 1)
 
     def turned(self, first_step: float) -> "StepControl":

@@ -1,7 +1,7 @@
 """Line search: shorten an update of Newton's method until it is allowed.
 
-An update is too long if it turns a cell inside out, presses walls too deep into each other, or, with friction, if the
-residual force along it reverses.
+An update is too long if it turns a cell inside out, presses walls too deep into each other, or if the residual force
+along it reverses where friction acts, or many times over where other points touch than before.
 """
 
 from time import perf_counter
@@ -14,7 +14,12 @@ from turgor.engine.contact.part import Look
 from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
-from turgor.solvers.newton.thresholds import OVERSHOT, SHORTEST_STEP, SHORTEST_TOUCHING_STEP
+from turgor.solvers.newton.thresholds import (
+    OVERSHOT,
+    OVERSHOT_TOUCHING,
+    SHORTEST_STEP,
+    SHORTEST_TOUCHING_STEP,
+)
 
 Array = NDArray[np.float64]
 
@@ -74,11 +79,12 @@ def line_search(
 
 
 def length_allowed(system: System, at: Evaluation, new: Evaluation, update: Array) -> float:
-    """Share of an update to take: less than 1 if walls are pressed too deep, or if friction reverses the force."""
-    share = system.contact.shortening(at.contacts, new.contacts)
-    if share < 1 or not new.contacts.rubs:
+    """Share of an update to take: less than 1 if walls are pressed too deep, or if contact reverses the force."""
+    share, rubs = system.contact.shortening(at.contacts, new.contacts), new.contacts.rubs
+    if share < 1 or not (rubs or not new.contacts.touch_as(at.contacts)):
         return share
     free = system.moving & ~system.held
     along = update[free]
     before, after = float(at.residual[free] @ along), float(new.residual[free] @ along)
-    return 0.5 if after * before < 0 and abs(after) > OVERSHOT * abs(before) else 1.0
+    most = OVERSHOT if rubs else OVERSHOT_TOUCHING
+    return 0.5 if after * before < 0 and abs(after) > most * abs(before) else 1.0
