@@ -5,7 +5,7 @@ import json
 import pytest
 
 import turgor as tg
-from turgor.__main__ import main
+from turgor.cli import main
 from turgor.units import mm
 
 JOB = """
