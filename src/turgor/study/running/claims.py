@@ -53,6 +53,9 @@ class Claims:
             run = self._waiting.popleft()
             if self._folder is None:
                 return run
+            before = ended_before(run, self._folder)
+            if before is not None:  # without a lock, whose file would stay if this process were killed now
+                return before
             try:
                 lock = _locked(self._folder / f"{run.key}.lock")
             except Timeout:
