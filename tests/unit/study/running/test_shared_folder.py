@@ -13,6 +13,8 @@ from study_cases import fails, waits
 
 import turgor as tg
 from turgor.study.evaluations import Evaluations
+from turgor.study.running import claims
+from turgor.study.running.ended import Ended
 from turgor.study.runs import Run
 
 SCRIPT = """
@@ -142,3 +144,15 @@ def test_a_failure_that_is_mended_is_no_failure_any_more(tmp_path, monkeypatch):
         assert (ended.problem, ended.again) == (problem, False)
         (read,) = Evaluations(folder=folder).of([run])
         assert (read.problem, read.again) == (problem, True)
+
+
+def test_a_run_that_has_ended_is_read_without_a_lock(tmp_path, monkeypatch):
+    """The file of a lock would stay where its holder is killed while it only reads."""
+    (tmp_path / "gate").touch()
+    run = gated(tmp_path)[0]
+    with tg.studies.kept_in(tmp_path / "runs") as runs:
+        runs.of([run])
+    monkeypatch.setattr(claims, "_locked", lambda file: pytest.fail("locked"))
+    read = claims.Claims([run], tmp_path / "runs").take()
+    assert isinstance(read, Ended)
+    assert read.problem == ""
