@@ -15,7 +15,7 @@ import numpy as np
 
 import turgor as tg
 from peers.problem import STEPS as PEER_STEPS
-from peers.problem import mesh_file, stated
+from peers.problem import mesh_file, peak_memory, stated
 from turgor.engine.runtime import EngineOptions
 from turgor.meshing.mesh import TETRAHEDRON_EDGES
 from turgor.meshing.refining.split import split_edges
@@ -101,8 +101,7 @@ def peer_bender(*, solver: str, threads: int, size: str) -> dict[str, Any]:
     solution = tg.solve(bender_model(size, steps / STEPS), procedure, options=options)
     node = int(np.load(mesh_file(size))["tip"][0])
     got = {state.load_factor: (state.displacement[node] / mm).tolist() for state in solution.states}
-    told = facts(solution)
-    return told | {"tips": [got[factor] for factor in at], "memory": (told["memory"] or np.nan) / 2**20}
+    return facts(solution) | {"tips": [got[factor] for factor in at]}
 
 
 def demo(*, solver: str, threads: int) -> dict[str, Any]:
@@ -163,17 +162,7 @@ def facts(solution: tg.Solution) -> dict[str, Any]:
     }
 
 
-def peak_memory() -> float | None:
-    """Largest memory of this process so far [bytes]; None on Windows, which does not tell this way."""
-    try:
-        import resource
-    except ImportError:
-        return None
-    unit = 1 if sys.platform == "darwin" else 1024
-    return float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit)
-
-
-#: Memory of Python and the packages, before there is a problem.
+#: Memory of Python and the packages [MiB], before there is a problem.
 BEFORE = peak_memory()
 
 if __name__ == "__main__":

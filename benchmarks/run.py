@@ -56,7 +56,7 @@ def measure(request: Mapping[str, Any], cache: str | None = None) -> Facts:
 
 def memory(facts: Facts) -> str:
     """Peak memory in MiB."""
-    return "unknown" if facts["memory"] is None else f"{facts['memory'] / 2**20:.0f}"
+    return "unknown" if np.isnan(facts["memory"]) else f"{facts['memory']:.0f}"
 
 
 def rest(facts: Facts) -> float:
@@ -127,7 +127,7 @@ def growth() -> str:
     runs = [measure(asked | {"size": size, "halved": halved}) for size, halved in GROWTH]
     columns = {key: [run[key] / (1 if key == "setup" else run["iterations"]) for run in runs] for key in keys}
     columns["all"] = [run["total"] - run["compile"] for run in runs]
-    columns["memory"] = [((run["memory"] or np.nan) - (run["before"] or np.nan)) / 2**20 for run in runs]
+    columns["memory"] = [run["memory"] - run["before"] for run in runs]
     size = [run["unknowns"] for run in runs]
     rows = [
         (f"{n:,}", run["solver"], str(run["iterations"]), *(f"{columns[key][i]:.3g}" for key in columns))

@@ -72,7 +72,7 @@ def with_pip(name: str, *packages: str) -> Path:
 PEERS: dict[str, tuple[Callable[[], Path], str]] = {
     "FEniCSx": (lambda: with_debian("python3-dolfinx", "python3-petsc4py", "libopenblas0-pthread"), "fenicsx.py"),
     "NGSolve": (lambda: with_pip("ngsolve", "ngsolve", "numpy"), "ngsolve_.py"),
-    "FElupe": (lambda: with_pip("felupe", "felupe", "pypardiso"), "felupe_.py"),
+    "FElupe": (lambda: with_pip("felupe", "felupe", "pypardiso", "tensortrax"), "felupe_.py"),
 }
 
 

@@ -5,7 +5,6 @@ the loop over them stands here. Its tetrahedra have four points, so that the ans
 """
 
 import json
-import resource
 import sys
 import time
 
@@ -128,7 +127,7 @@ def main() -> None:
         "iterations": iterations,
         "solve": time.perf_counter() - began,
         "cpu": time.process_time(),
-        "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+        "memory": problem.peak_memory(),
         "tips": tips,
     }
     print(json.dumps(told))

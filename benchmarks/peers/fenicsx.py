@@ -5,7 +5,6 @@
 """
 
 import json
-import resource
 import sys
 import time
 
@@ -103,7 +102,7 @@ def main() -> None:
         "iterations": iterations,
         "solve": time.perf_counter() - began,
         "cpu": WORLD.allreduce(time.process_time()),
-        "memory": WORLD.allreduce(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024),
+        "memory": WORLD.allreduce(problem.peak_memory()),
         "tips": next(found for found in WORLD.allgather(tips) if found[0]),
     }
     if not WORLD.rank:

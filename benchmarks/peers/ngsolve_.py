@@ -4,7 +4,6 @@ python benchmarks/peers/ngsolve_.py FILE STEPS prints one line of JSON.
 """
 
 import json
-import resource
 import sys
 import time
 
@@ -91,7 +90,7 @@ def main() -> None:
                 "iterations": iterations,
                 "solve": time.perf_counter() - began,
                 "cpu": time.process_time(),
-                "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+                "memory": problem.peak_memory(),
                 "tips": tips,
             }
         )

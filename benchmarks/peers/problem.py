@@ -5,6 +5,8 @@ edges are straight, because the peers read linear geometry. Lengths are in mm, s
 """
 
 import json
+import math
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -22,6 +24,22 @@ STEPS = {"S": 20, "M": 20, "L": 1}
 #: Corners of the edges that carry the nodes 4 to 9 of a cell, and 3 to 5 of a triangle.
 CELL_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
 SIDE_EDGES = ((0, 1), (1, 2), (0, 2))
+
+
+def peak_memory() -> float:
+    """Largest memory of this process so far [MiB]; no number where the system does not tell, as on Windows.
+
+    Linux counts it anew for each process here; `ru_maxrss` begins with that of the process that started this one.
+    """
+    status = Path("/proc/self/status")
+    found = re.search(r"VmHWM:\s+(\d+) kB", status.read_text(encoding="utf-8")) if status.exists() else None
+    if found:
+        return int(found[1]) / 1024
+    try:
+        import resource
+    except ImportError:
+        return math.nan
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / (2**20 if sys.platform == "darwin" else 1024)
 
 
 def stated() -> dict[str, Any]:
