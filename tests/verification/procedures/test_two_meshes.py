@@ -16,6 +16,7 @@ import turgor as tg
 from turgor.adaptivity.mesh_error import estimate_mesh_error
 from turgor.results.measures.measures import find_measure
 from turgor.solvers import solve as solving
+from turgor.solvers.continuation.guide import Guide
 from turgor.solvers.solution import Iteration
 from turgor.units import MPa, kPa, mm
 
@@ -88,6 +89,20 @@ def test_states_are_those_of_the_fine_mesh_alone(
     assert np.abs(moves(two) - moves(alone)).max() < 1e-5 * largest
     assert two.iterations < alone.iterations
     assert f"The path on a coarse mesh of {coarse.unknown_count:,} unknowns led in" in two.message
+
+
+@pytest.mark.parametrize(("steps", "between_walls"), [(10, False), (4, True)], ids=["short", "long"])
+def test_between_walls_that_touch_it_leads_long_steps_only(
+    fine: tg.Model, coarse: tg.Mesh, monkeypatch: pytest.MonkeyPatch, steps: int, between_walls: bool
+) -> None:
+    """In short ones the tangent of the path does better."""
+    led, at = [], Guide.at
+    monkeypatch.setattr(Guide, "at", lambda self, load: led.append(load) or at(self, load))
+    factors = tuple((i + 1) / steps for i in range(steps - 1))
+    found = tg.solve(bent(fine.mesh, floor=True), tg.Static(at=factors, max_step=1.0), coarse=coarse)
+    meets = next(each.load_factor for each in found.states if each.touches["floor"].area > 0)
+    assert 0 < meets < 0.7
+    assert max(led) == (1.0 if between_walls else meets)
 
 
 def test_time_and_factorizations_are_those_of_both_meshes(led: tg.Solution) -> None:

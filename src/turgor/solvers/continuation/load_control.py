@@ -12,7 +12,7 @@ from turgor.engine.system import Evaluation, Stresses
 from turgor.model.drive import kinks
 from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.constraints.loads import load_control
-from turgor.solvers.continuation.guide import ASTRAY, Guide
+from turgor.solvers.continuation.guide import ASTRAY, LONG_BETWEEN_WALLS, Guide
 from turgor.solvers.continuation.path_follower import accept, follow, noted
 from turgor.solvers.continuation.path_points import (
     Ending,
@@ -24,7 +24,7 @@ from turgor.solvers.continuation.path_points import (
     plain_point,
     settings_of,
 )
-from turgor.solvers.continuation.predictor import BY_LOAD, gentle_share, predicted
+from turgor.solvers.continuation.predictor import BY_LOAD, gentle_share, knows_touch, predicted
 from turgor.solvers.continuation.step_acceptance import turns_aside, why_rejected
 from turgor.solvers.continuation.step_control import StepControl
 from turgor.solvers.continuation.tangent_response import others_move, rate_at, response_in_step
@@ -163,7 +163,7 @@ class LoadStrategy:
         load = run.stepping.next_load(now)
         while load - now > run.stepping.min_step and turns_aside(run.task.system, now, load):
             load = now + 0.5 * (load - now)
-        if run.task.tangent.plain or self._leads_to(load):
+        if run.task.tangent.plain or self._leads(run, load):
             return load
         gently = now + gentle_share(run.task.system, run.history, load) * (load - now)
         return min(load, max(gently, now + run.stepping.min_step))
@@ -173,15 +173,20 @@ class LoadStrategy:
         last = run.history[-1]
         if run.task.tangent.plain:
             return Start(last.unknowns, last.stresses)
-        led = self._led(run, parameter) if self._leads_to(parameter) else None
+        led = self._led(run, parameter) if self._leads(run, parameter) else None
         if led is not None:
             return self._start(run, led)
         start = predicted(run.constraint, run.task.tangent, run.history, parameter, BY_LOAD)
         begins, self.factored_at_rest = self.factored_at_rest, False
         return replace(start, fresh=not begins)
 
-    def _leads_to(self, load: float) -> bool:
-        return self.guide is not None and self.guide.leads_to(load)
+    def _leads(self, run: Run, load: float) -> bool:
+        """Whether the guide leads to a load, and no worse than the tangent of the path between walls that touch."""
+        if self.guide is None or not self.guide.leads_to(load):
+            return False
+        last, system = run.history[-1], run.task.system
+        short = self.guide.interpolated and load - last.parameter <= LONG_BETWEEN_WALLS
+        return not (short and knows_touch(system, run.history))
 
     def _led(self, run: Run, parameter: float) -> Evaluation | None:
         """The last state moved on as the guide moves; None where that turns a cell inside out."""

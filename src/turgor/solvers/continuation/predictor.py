@@ -19,7 +19,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between, unknowns_between
@@ -133,7 +132,7 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
         return 1.0
     last = history[-1]
     here = system.contacts(last.unknowns, last.parameter)
-    ahead = _ahead(last, parameter) if _knows_touch(here, history) else unknowns_between(history, parameter)
+    ahead = _ahead(last, parameter) if knows_touch(system, history) else unknowns_between(history, parameter)
     return system.contact.shortening(here, system.contacts(ahead, parameter))
 
 
@@ -150,9 +149,23 @@ def _moves_on(system: System, tangent: Tangent, at: Evaluation | None) -> bool:
     return at is not None and tangent.mixed_points and not at.contacts.touch and not system.model.sheets_wrinkle
 
 
-def _knows_touch(here: Contacts, history: Sequence[Point]) -> bool:
-    """Whether walls touch at the last point and the tangent of the path is known there; not beyond a kink of loads."""
-    return here.touch and len(history) > 1 and history[-1].change is not None
+def knows_touch(system: System, history: Sequence[Point]) -> bool:
+    """Whether walls touch at the last point and the tangent of the path is known there; not beyond a kink of loads.
+
+    Parameters
+    ----------
+    system : System
+    history : sequence of Point
+        The last points of load control.
+
+    Returns
+    -------
+    bool
+    """
+    last = history[-1]
+    if not system.contact.parts or len(history) < 2 or last.change is None:
+        return False
+    return system.contacts(last.unknowns, last.parameter).touch
 
 
 def _ahead(last: Point, parameter: float) -> Array:
@@ -166,7 +179,7 @@ def _along_tangent(
 ) -> Start | None:
     """Move on along the tangent where walls touch; None elsewhere, or where that turns a cell inside out."""
     system, last = constraint.sought.system, history[-1]
-    if not system.contact.parts or not _knows_touch(system.contacts(last.unknowns, last.parameter), history):
+    if not knows_touch(system, history):
         return None
     here = evaluate(constraint, tangent, (last.unknowns, last.scalars), parameter)
     ahead = _ahead(last, parameter)
