@@ -67,7 +67,7 @@ def section(cases: Sequence[tuple[int, int, float, float]] = CASES) -> str:
     head += ("led: on the fine mesh", "on the coarse", "both, CPU s", "bending off by")
     text = (
         "The demo and shorter ones, to 22.5 kPa, states spread evenly, one thread: the path on one mesh, and led by a "
-        "coarse one (`solve(coarse=...)`). It pays where few states are asked for and no walls touch."
+        "coarse one (`solve(coarse=...)`). Walls touch in all of them. The mesh error comes on top."
     )
     return f"## Two meshes\n\n{text}\n\n{table(head, [compare(*case) for case in cases])}\n"
 
