@@ -132,7 +132,8 @@ def gentle_share(system: System, history: Sequence[Point], parameter: float) -> 
         return 1.0
     last = history[-1]
     here = system.contacts(last.unknowns, last.parameter)
-    ahead = _ahead(last, parameter) if knows_touch(system, history) else unknowns_between(history, parameter)
+    along = here.touch and last.change is not None
+    ahead = _ahead(last, parameter) if along else unknowns_between(history, parameter)
     return system.contact.shortening(here, system.contacts(ahead, parameter))
 
 
