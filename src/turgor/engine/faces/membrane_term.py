@@ -1,4 +1,4 @@
-"""Membranes and shells: thin layers on faces that stretch in their plane, and the shear layers of shells."""
+"""Membranes and shells: thin layers on faces that stretch in their plane."""
 
 from dataclasses import dataclass
 
@@ -6,11 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.faces import membranes
-from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
 from turgor.engine.faces.tension_field import TensionField, tension_field
 from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.materials.laws.laws import Hooke
-from turgor.meshing.cells import TETRAHEDRON
 from turgor.model.model import Model
 
 Array = NDArray[np.float64]
@@ -24,7 +22,7 @@ class MembraneTerm(Term):
     Parameters
     ----------
     nodes : (f, n) int array
-        Nodes of the sides, or of the cells that carry a layer of a shell.
+        Nodes of the sides.
     gradients : (f, q, n, 2) array
         In-plane gradients of the shape functions at the Gauss points.
     areas : (f, q) array
@@ -108,22 +106,15 @@ class MembraneTerm(Term):
 
 
 def membrane_terms(setting: Setting) -> list[MembraneTerm]:
-    """One for each membrane, several for each shell on hexahedra; `plate_terms` makes the bending on tetrahedra."""
+    """One for each membrane and shell; `plate_terms` makes the bending of shells."""
     model, terms = setting.model, []
     for name, membrane in model.membranes.items():
         law, scale = membrane.material.law, membrane.thickness / (setting.length * setting.stress)
         assert isinstance(law, Hooke)
         moduli = membranes.plane_stress_moduli(law) * scale
         field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
-        if membrane.bending and model.mesh.cell_type is not TETRAHEDRON:
-            layers = shell_layers(model.mesh, name, membrane.thickness, setting.length)
-            across = shear_layers(model.mesh, name, setting.length)
-            shear = shear_moduli(law) * scale
-            terms += [MembraneTerm(*layer, shear) for layer in across]
-        else:
-            sides = np.ascontiguousarray(model.mesh.face(name))
-            layers = [(sides, *membranes.surface_gradients(setting.points, sides))]
-        terms += [MembraneTerm(*layer, moduli, field) for layer in layers]
+        sides = np.ascontiguousarray(model.mesh.face(name))
+        terms.append(MembraneTerm(sides, *membranes.surface_gradients(setting.points, sides), moduli, field))
     return terms
 
 

@@ -50,10 +50,10 @@ class Frames:
     areas: Array
 
 
-def surface_frames(points: Array, triangles: NDArray[np.int64]) -> Frames:
-    """Compute the frames at the points where membranes are integrated."""
+def surface_frames(points: Array, triangles: NDArray[np.int64], degree: int | None = None) -> Frames:
+    """Compute the frames at the points where membranes are integrated, or at those of another degree."""
     nodes = triangles.shape[1]
-    reference = reference_cell(nodes, MEMBRANE_QUADRATURE_DEGREE[side_type(nodes).corners])
+    reference = reference_cell(nodes, degree or MEMBRANE_QUADRATURE_DEGREE[side_type(nodes).corners])
     tangents = np.einsum("qad,fai->fqid", reference.dN, points[triangles])
     r, s = tangents[..., 0], tangents[..., 1]
     normal = np.cross(r, s)

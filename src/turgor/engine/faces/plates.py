@@ -23,7 +23,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import tables_at
-from turgor.meshing.cells import TRIANGLE
 
 Array = NDArray[np.float64]
 
@@ -77,21 +76,25 @@ def covariant(at: Surface, slopes: Array, seconds: Array, z: Array) -> Array:
     return np.asarray(seconds - along @ np.swapaxes(slopes, -1, -2))
 
 
-def second_derivatives() -> Array:
-    """Second derivatives (6, 2, 2) of the shape functions of a six-node triangle, which are constant."""
-    corners = np.vstack([np.zeros(2), np.eye(2)])
-    dN = tables_at(TRIANGLE.nodes, corners, np.ones(3)).dN
-    return np.stack([dN[1] - dN[0], dN[2] - dN[0]], axis=-1)
+def second_derivatives(nodes: int, points: Array) -> Array:
+    """Second derivatives (q, n, 2, 2) of the shape functions of a side at reference points (q, 2).
+
+    First derivatives are quadratic at most along each parameter, for which central differences are exact.
+    """
+    weights, steps = np.ones(len(points)), 0.5 * np.eye(2)
+    ends = [[tables_at(nodes, points + way * step, weights).dN for way in (1, -1)] for step in steps]
+    return np.stack([ahead - behind for ahead, behind in ends], axis=-1)
 
 
-def curvature_numbers(tangents: Array, first: Array, second: Array) -> Array:
-    """Numbers (..., 6) of the second derivative of the position along two unit vectors (..., 3) of a surface.
+def curvature_numbers(tangents: Array, seconds: Array, first: Array, second: Array) -> Array:
+    """Numbers (..., n) of the second derivative of the position along two unit vectors (..., 3) of a surface.
 
-    ``tangents`` (..., 2, 3) are those along the parameters of the triangle at rest.
+    ``tangents`` (..., 2, 3) and ``seconds`` (..., n, 2, 2) are derivatives along the parameters of the side, the
+    tangents those at rest.
     """
     dual = np.linalg.inv(tangents @ np.swapaxes(tangents, -1, -2)) @ tangents
     parts = (np.einsum("...ai,...i->...a", dual, vector) for vector in (first, second))
-    return np.einsum("...a,...b,nab->...n", *parts, second_derivatives())
+    return np.einsum("...a,...b,...nab->...n", *parts, seconds)
 
 
 def quadratic(left: Array, right: Array) -> Array:
