@@ -22,12 +22,14 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Penalty η of the angles at edges. On flat triangles the energy is positive above 3. Above 6 the deflection of a flat
-#: plate hardly depends on it. Too little of it makes a curved shell too soft, too much makes it too stiff: the pinched
-#: cylinder of 16 × 16 cells is 9 % too soft with 4, 2 % with 10, and 3.5 % too stiff with 50.
-PENALTY = 10.0
+#: Penalty η of the angles at edges, by corners of the sides. On flat sides that are not very skew the energy is positive
+#: above 3, and the deflection of a flat plate hardly depends on it. Too little of it makes a curved shell too soft, too
+#: much makes it too stiff: the pinched cylinder of 16 × 16 cells is 9, 2 and −3.5 % too soft on triangles with 4, 10 and
+#: 50, and 5, −1.4 and −6 % on quadrilaterals with 2.5, 4 and 10.
+PENALTY = {3: 10.0, 4: 5.0}
 
-#: Points of a side for its curvature, by corners: 3 of triangles, 3 × 3 of quadrilaterals.
+#: Points of a side for its curvature, by corners: 3 of triangles, 3 × 3 of quadrilaterals. With 2 × 2, skew
+#: quadrilaterals can bend for less than nothing.
 PLATE_QUADRATURE_DEGREE = {3: 2, 4: 5}
 
 #: Where on an edge its angle counts, and for which share of its length, by corners of the sides. See `HingeTerm`.
@@ -167,7 +169,8 @@ def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Memb
     law = sheet.material.law
     assert isinstance(law, Hooke)
     D = plane_stress_moduli(law)[0, 0] * _stiffness(setting, sheet)
-    at, shares = np.tile(EDGE_POINTS[side_type(pair[0].nodes.shape[1]).corners], (len(pair[0].place), 1)).T
+    corners = side_type(pair[0].nodes.shape[1]).corners
+    at, shares = np.tile(EDGE_POINTS[corners], (len(pair[0].place), 1)).T
     first, second = (edges[np.repeat(np.arange(len(edges.place)), len(at) // len(edges.place))] for edges in pair)
     alike = (first.ends == second.ends).all(axis=1)
     nodes, places = _patches(first, second)
@@ -180,7 +183,7 @@ def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Memb
             along[rows, places[k]] = here.tangent
         if whole or k == 0:
             moments[rows, k, places[k]] = D * (0.5 if whole else 1.0) * (here.across + law.nu * here.along)
-            penalty += PENALTY * D * (0.5 if whole else 2.0) / here.height
+            penalty += PENALTY[corners] * D * (0.5 if whole else 2.0) / here.height
     slopes[alike, 1] = slopes[alike, 1, :, ::-1]  # turns the normal of a side that is wound the other way
     lengths = shares * np.linalg.norm(np.einsum("em,emi->ei", along, setting.points[nodes]), axis=1)
     hinge = HingeTerm(nodes, slopes, moments, along, np.zeros((len(nodes), 2)), lengths, penalty)
