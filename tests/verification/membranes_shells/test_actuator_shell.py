@@ -2,7 +2,8 @@
 
 Problem: three-chamber fast PneuNet with paper of 0.5 mm between body and base, which resists bending, under 4 kPa, just
 before its walls touch. Without the bending stiffness of the paper it bends several times as far.
-Reference: the shell on hexahedra of 4 mm. Tolerance: 5 % on tetrahedra of 4 mm, which have a third of the unknowns.
+Reference: the shell on hexahedra of 4 mm (1.349°; 1.347° on 3 mm). Tolerance: 5 % on tetrahedra of 3 mm, which have a
+third of the unknowns (1.22, 1.33 and 1.40° on 4, 3 and 2 mm: the walls are one cell thick).
 """
 
 from dataclasses import replace
@@ -13,10 +14,10 @@ import turgor as tg
 from turgor.units import deg, kPa, mm
 
 
-def _angle(cells, bending):
+def _angle(cells, size, bending):
     """Bending angle [deg]."""
     finger = replace(tg.FastPneuNet(), length=29.3 * mm, chambers=3)
-    mesh = tg.mesh(finger.build(), size=4 * mm, cells=cells)
+    mesh = tg.mesh(finger.build(), size=size * mm, cells=cells)
     rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
     paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), 0.5 * mm, bending=bending)
     materials = {"body": rubber, "base": rubber, "strain_limiting_layer": paper}
@@ -26,7 +27,7 @@ def _angle(cells, bending):
 
 @pytest.mark.slow
 def test_shell_in_an_actuator(record_verification):
-    expected, got, free = _angle("hexahedra", True), _angle("tetrahedra", True), _angle("tetrahedra", False)
+    expected, got, free = _angle("hexahedra", 4, True), _angle("tetrahedra", 3, True), _angle("tetrahedra", 3, False)
     record_verification(
         claim="fast PneuNet with stiff paper, tetrahedra: bending angle [deg]",
         source="shell on hexahedra",

@@ -5,7 +5,8 @@ opposite forces; an eighth of it, on 1 mm of very soft rubber. (b) Panel of 50 m
 of 50 MPa on 1 mm of rubber, clamped all around; a quarter of it, blown out by 20 kPa, where the deflection is 3.6 times
 the thickness, and pressed in by 0.5 kPa, half of what makes it snap.
 Reference: (a) deflection 164.24 P/(E t) under the force (Flügge's series, in the obstacle course of Belytschko et al.
-1985, doi 10.1016/0045-7825(85)90035-0); (b) the shell on hexahedra, which does not change with refinement.
+1985, doi 10.1016/0045-7825(85)90035-0); (b) the shell on hexahedra (pressed in: 0.1336, 0.1306
+and 0.1293 of the thickness on 6, 9 and 12 cells).
 Tolerance: (a) 1 % on 32 × 32 cells, half the error from mesh to mesh at least: angles at edges that are too soft and
 curvatures that are too stiff cancel in part; (b) 1 %, and 2 % where it is pressed in.
 """
@@ -74,7 +75,7 @@ def _panel(kind, cells, face, pressure):
 
 @pytest.mark.parametrize(("face", "pressure"), [("film", 2e4), ("outside", 5e2)], ids=["out", "in"])
 def test_clamped_panel(face, pressure, record_verification):
-    expected, got = _panel(HEXAHEDRON, 6, face, pressure), _panel(TETRAHEDRON, 12, face, pressure)
+    expected, got = _panel(HEXAHEDRON, 9, face, pressure), _panel(TETRAHEDRON, 12, face, pressure)
     way = "blown out" if face == "film" else "pressed in"
     record_verification(
         claim=f"clamped panel {way}, tetrahedra: deflection over thickness at half and all of the pressure",

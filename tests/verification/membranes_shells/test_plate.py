@@ -1,9 +1,9 @@
 """A stiff sheet on hardly any rubber bends as Kirchhoff's plate, and keeps its bending stiffness with refinement.
 
 Problem: square plate of 100 mm and 1 mm (E = 1 GPa, ν = 0.3) on a slab of 2 mm of very soft rubber, tetrahedra and
-hexahedra, an even dead load that deflects the middle by 2 % of the thickness; a quarter is modeled. Its edges are simply
-supported (the sides of the slab are held across the plate only) or clamped (they are held in all directions). Also on a
-mesh whose lines are bent.
+hexahedra, an even dead load that deflects the middle by 2 % of the thickness; a quarter is modeled. Its edges are
+simply supported (the sides of the slab are held across the plate only) or clamped (they are held in all directions).
+Also on a mesh whose lines are bent.
 Exact: 0.00406235 q a⁴/D and 0.00126532 q a⁴/D (Timoshenko and Woinowsky-Krieger 1959, tables 8 and 35; series).
 Tolerance: 1 % on 16 × 16 cells of the quarter on tetrahedra (2 % on bent lines) and 1.5 % on 8 × 8 hexahedra (3 %), and
 each halving of the size divides the error by 3 at least (rate 1.58; the method is of second order). The rubber and the

@@ -22,10 +22,10 @@ from turgor.units import mm
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Penalty η of the angles at edges, by corners of the sides. On flat sides that are not very skew the energy is positive
-#: above 3, and the deflection of a flat plate hardly depends on it. Too little of it makes a curved shell too soft, too
-#: much makes it too stiff: the pinched cylinder of 16 × 16 cells is 9, 2 and −3.5 % too soft on triangles with 4, 10 and
-#: 50, and 5, −1.4 and −6 % on quadrilaterals with 2.5, 4 and 10.
+#: Penalty η of the angles at edges, by corners of the sides. On flat sides that are not very skew the energy is
+#: positive above 3, and the deflection of a flat plate hardly depends on it. Too little of it makes a curved shell too
+#: soft, too much makes it too stiff: the pinched cylinder of 16 × 16 cells is 9, 2 and −3.5 % too soft on triangles
+#: with 4, 10 and 50, and 5, −1.4 and −6 % on quadrilaterals with 2.5, 4 and 10.
 PENALTY = {3: 10.0, 4: 5.0}
 
 #: Points of a side for its curvature, by corners: 3 of triangles, 3 × 3 of quadrilaterals. With 2 × 2, skew

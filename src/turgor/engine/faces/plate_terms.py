@@ -1,14 +1,14 @@
-"""PlateTerm and HingeTerm: bending of sheets on tetrahedra, by C0 interior penalty on their six-node triangles.
+"""PlateTerm and HingeTerm: bending of shells, by C0 interior penalty on the quadratic sides of cells.
 
-The energy of a plate that may also bend at the edges of its triangles, by angles θ that the penalty keeps small, is
+The energy of a plate that may also bend at the edges of its sides, by angles θ that the penalty keeps small, is
 
     ∫ ½ κ : ℂ : κ dA + Σ ∫ (−{m} θ + η D / (2 h) θ²) dL,        m = D (κ_νν + ν κ_ττ)
 
 (Engel et al. 2002, doi 10.1016/S0045-7825(02)00286-4; Brenner and Sung 2005, doi 10.1007/s10915-004-4135-7, for
-linear plates). κ is the change of the curvature n·x,ₐᵦ, and θ that of the angle between the normals of two triangles,
+linear plates). κ is the change of the curvature n·x,ₐᵦ, and θ that of the angle between the normals of two sides,
 so that rotations cost nothing. {m} is the mean of the bending moments on both sides across the edge, and h the height
 of the triangles over it. The middle term is what makes the plate converge: without it, the penalty would have to grow
-with refinement, and the plate with it. On flat triangles the energy is positive for η > 3, whatever their shape.
+with refinement, and the plate with it. On flat sides that are not very skew the energy is positive for η > 3.
 """
 
 from dataclasses import dataclass
@@ -25,14 +25,14 @@ Ints = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlateTerm(Term):
-    """The bending of triangles.
+    """The bending of sides.
 
     Parameters
     ----------
-    nodes : (f, 6) int array
-    slopes : (f, q, 6, 2) array
+    nodes : (f, n) int array
+    slopes : (f, q, n, 2) array
         Derivatives of the shape functions along two parameters.
-    seconds : (f, q, 3, 6) array
+    seconds : (f, q, 3, n) array
         Second derivatives along 11, 22 and twice 12 of a frame in the surface at rest.
     rest : (f, q, 3) array
         Curvatures at rest.
@@ -92,25 +92,27 @@ class PlateTerm(Term):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HingeTerm(Term):
-    """The angles at edges: between two triangles of a sheet, or one and the side of a body that holds its slope.
+    """The angles at edges: between two sides of a sheet, or one and the side of a body that holds its slope.
 
-    Everything is taken in the middle of an edge. The mean moment of flat triangles sees the mean angle alone; with two
-    points the penalty would hold its change along the edge too, and coarse plates would be three times too stiff.
+    Everything is taken at points of edges. Triangles have one, the middle of the edge. The mean moment of flat
+    triangles sees the mean angle alone; with two points the penalty would hold its change along the edge too, and
+    coarse plates would be three times too stiff. Quadrilaterals have two points of Gauss, because their angle is
+    quadratic along the edge.
 
     Parameters
     ----------
-    nodes : (e, 9) int array
-        Nodes of both triangles.
-    slopes : (e, 2, 9, 2) array
-        Derivatives of the shape functions of both triangles along their parameters; zero at nodes of the other one.
-    moments : (e, 2, 9) array
-        Second derivatives of the position whose curvature is the share of each triangle in the mean moment.
-    along : (e, 9) array
+    nodes : (e, m) int array
+        Nodes of both sides.
+    slopes : (e, 2, m, 2) array
+        Derivatives of the shape functions of both sides along their parameters; zero at nodes of the other one.
+    moments : (e, 2, m) array
+        Second derivatives of the position whose curvature is the share of each side in the mean moment.
+    along : (e, m) array
         Derivatives along the edge.
     rest : (e, 2) array
         Mean moment and angle at rest.
     lengths, penalty : (e,) arrays
-        Length of each edge, and its moment per angle and length.
+        Length of the edge that each point stands for, and its moment per angle and length.
     """
 
     couples = True
@@ -187,18 +189,18 @@ class Bent:
     Parameters
     ----------
     surface : Surface
-        Those of both triangles (e, 2).
+        Those of both sides (e, 2).
     conormal : (e, 2, 3) array
         Unit vectors t × n.
     stretch : (e,) array
         Derivative of the position along the edge.
-    curving, turning : (e, 2, 9) arrays
+    curving, turning : (e, 2, m) arrays
         Numbers of v and of w.
     curvature : (e, 2) array
         Shares in the mean moment, without those at rest.
     values : (e, 2) array
         Changes of mean moment and angle since rest.
-    changes : (e, 2, 9, 3) array
+    changes : (e, 2, m, 3) array
         The variations of both.
     """
 
@@ -213,7 +215,7 @@ class Bent:
 
 
 def _pairs(rows_of_both: Array) -> tuple[Array, Array]:
-    """Rows (e, 2, r, m, 3) of two triangles as two arrays (e, r, m, 3)."""
+    """Rows (e, 2, r, m, 3) of two sides as two arrays (e, r, m, 3)."""
     return rows_of_both[:, 0], rows_of_both[:, 1]
 
 

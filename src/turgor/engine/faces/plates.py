@@ -1,7 +1,7 @@
-"""Plates: the bending of a sheet whose slope jumps between its six-node triangles, inside one of them and at an edge.
+"""Plates: the bending of a sheet whose slope jumps between the sides it lies on, inside one of them and at an edge.
 
-Tetrahedra carry no slope across their sides that is continuous from cell to cell. A sheet on them therefore bends in
-two places: its curvature inside each triangle, and its angle at each edge. Both come from the normal n of the surface
+Cells carry no slope across their sides that is continuous from cell to cell. A sheet on them therefore bends in
+two places: its curvature inside each side, and its angle at each edge. Both come from the normal n of the surface
 with tangents a₁, a₂, and both have first and second variations in closed form. Let aᵞ be the dual tangents, and let
 z = Σ zₐ xₐ be a combination of second derivatives of the position. Its curvature is b = n·z, and
 

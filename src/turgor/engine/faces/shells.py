@@ -1,4 +1,4 @@
-"""Shells on hexahedra: sheets that resist bending too, as two layers of a membrane above and below their face.
+"""Shells of sections: sheets that resist bending too, as two layers of a membrane above and below their face.
 
 The strain of each layer is that of the cells on its side of the face, at a distance of h/(2√3): the two points of
 Gauss through the thickness h, which give the membrane stiffness and the bending stiffness E h³/(12 (1 − ν²)) of
@@ -6,9 +6,8 @@ a plate. A sheet does not shear as rubber does: the angle between its surface an
 on both sides carry, is held by the sheet's own shear stiffness 5/6 G h (Mindlin's plate). Without it a stiff sheet
 would bend by shearing the rubber beside it, the sooner the shorter its span.
 
-On tetrahedra the layers would be cut along every edge, because only the displacement is continuous there, not its
-slope across the face, and the bending stiffness would get lost with refinement. There the sheet bends on its own
-triangles: `turgor.engine.faces.plate_terms`.
+Cells as small as the sheet is thick bend within its thickness instead. Whole actuators therefore have plates on the
+sides of their cells: `turgor.engine.faces.plate_terms`.
 """
 
 import numpy as np
