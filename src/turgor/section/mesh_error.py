@@ -57,13 +57,14 @@ def with_mesh_error(
     findings : tuple of Finding
         N03 where no state was found on the refined cells.
     """
-    rows = sorted({max(1, round(share * len(points))) - 1 for share in PLACES}) if len(points) else []
-    refined, transfer, refinement = _refined(equations)
-    found = {row: _again(points[row], (equations, refined), transfer, refinement) for row in rows}
-    rows = [row for row in rows if found[row] is not None]
+    if not points:
+        return tuple(columns), ()
+    rows = sorted({max(1, round(share * len(points))) - 1 for share in PLACES})
+    refined, found = _again(equations, [points[row] for row in rows])
+    rows = rows[: len(found)]
     if not rows:
-        return tuple(columns), (_not_estimated(),) if points else ()
-    again = columns_of(refined, [point for point in found.values() if point is not None])
+        return tuple(columns), (_not_estimated(),)
+    again = columns_of(refined, found)
     values = {column.name: column.values for column in again}
     rest = REST | {"cavity_volume_per_length": float(equations.volumes(equations.rest).sum()) * equations.area}
     out: list[Column] = []
@@ -85,34 +86,47 @@ def _refined(equations: Equations) -> tuple[Equations, Transfer, Refinement]:
     return refined, Transfer(model.mesh, refinement), refinement
 
 
-def _again(point: Point, both: tuple[Equations, Equations], transfer: Transfer, refinement: Refinement) -> Point | None:
-    """The state of a point on the refined cells, from the interpolated one, else from rest."""
+def _again(equations: Equations, points: Sequence[Point]) -> tuple[Equations, list[Point]]:
+    """States of points on the refined cells, each from its interpolated start, else all along a path from rest."""
+    refined, transfer, refinement = _refined(equations)
+    questions = [_scaled(point.question, equations, refined) for point in points]
+    found: list[Point] = []
+    for point, question in zip(points, questions, strict=True):
+        state = newton(refined, _interpolated(point.unknowns, (equations, refined), transfer, refinement), question)
+        if state is None:  # a stiff sheet makes a large residual of a small change of its shape
+            return refined, list(follow(refined, questions).points)
+        found.append(state)
+    return refined, found
+
+
+def _scaled(question: Question, equations: Equations, refined: Equations) -> Question:
+    """A question to the refined equations, which have another unit of length."""
+    (force, strain), (fine_force, fine_strain) = scales(equations), scales(refined)
+    return Question(
+        pressures=question.pressures,
+        volumes=question.volumes * equations.area / refined.area,
+        held=question.held * strain / fine_strain,
+        forces=question.forces * force / fine_force,
+    )
+
+
+def _interpolated(
+    at: Unknowns, both: tuple[Equations, Equations], transfer: Transfer, refinement: Refinement
+) -> Unknowns:
+    """A state on the refined cells."""
     equations, refined = both
-    at = point.unknowns
-    scale = equations.plane.length / refined.plane.length
-    places = transfer.nodal(at.y[equations.plane.node_of] * scale)[near_nodes(refined.plane)]
+    places = transfer.nodal(at.y[equations.plane.node_of])[near_nodes(refined.plane)]
     x, y = np.moveaxis(refinement.corners[:, :4, :2], 2, 0)
     bilinear = np.stack([(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y], axis=-1)
     p = np.empty(refined.rubber.mean_count)
     p[refined.rubber.mean] = np.einsum("cka,ca->ck", bilinear, at.p[equations.rubber.mean[refinement.parent]])
-    (force, strain), (fine_force, fine_strain) = scales(equations), scales(refined)
-    question = Question(
-        pressures=point.question.pressures,
-        volumes=point.question.volumes * scale**2,
-        held=point.question.held * strain / fine_strain,
-        forces=point.question.forces * force / fine_force,
-    )
-    start = Unknowns(
-        y=places,
-        strains=at.strains * strain / fine_strain,
+    return Unknowns(
+        y=places * equations.plane.length / refined.plane.length,
+        strains=at.strains * scales(equations)[1] / scales(refined)[1],
         p=p,
         multipliers=np.zeros(len(refined.numbers.conditions)),
         pressures=at.pressures,
     )
-    found = newton(refined, start, question)
-    if found is None:
-        (found,) = follow(refined, [question]).points or (None,)
-    return found
 
 
 def _scale(column: Column, equations: Equations) -> float:
