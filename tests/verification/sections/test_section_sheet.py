@@ -1,8 +1,8 @@
 """V22: a half-round section on a sheet does what a slice of finite elements does.
 
 Problem: the default semicircular bender of Elastosil M4601 on 0.1 mm of paper, as a membrane and as a shell, at 50 kPa.
-A slice between two sections that stay plane and parallel is solved with 27-node hexahedra, the sheet by the engine's own
-terms on their sides. The section is solved with its curvature fixed at zero. Both have the same cells.
+A slice between two sections that stay plane and parallel is solved with 27-node hexahedra, the sheet by the terms of
+the engine on their sides. The section is solved with its curvature fixed at zero. Both have the same cells.
 Reference: the slice. A prismatic actuator that stays straight has no other solution.
 Tolerance: 1e-6, what the solvers leave.
 """
@@ -29,9 +29,7 @@ def slice_model(section):
     pin = np.full((1, 9), np.linalg.norm(mesh.points, axis=1).argmin())
     faces = {**mesh.faces, "symmetry_x": sides[at["low"]], "end": sides[at["high"]], "pin": pin}
     supports = [tg.supports.PlaneSection("end"), tg.Fixed("pin", "z")]
-    return tg.Model(
-        replace(mesh, faces=faces), section.model.materials, supports, [tg.Pressure("cavity", PRESSURE)]
-    )
+    return tg.Model(replace(mesh, faces=faces), section.model.materials, supports, [tg.Pressure("cavity", PRESSURE)])
 
 
 @pytest.mark.parametrize("bending", [False, True], ids=["membrane", "shell"])
