@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from turgor.results.measures.markers import marker as marker
     from turgor.results.measures.measures import bending_angle as bending_angle
     from turgor.results.measures.measures import cavity_volume as cavity_volume
+    from turgor.results.measures.measures import check_measures as check_measures
     from turgor.results.measures.measures import reaction as reaction
     from turgor.results.measures.measures import smallest_gap as smallest_gap
     from turgor.results.measures.measures import tip_displacement as tip_displacement

@@ -10,10 +10,10 @@ if TYPE_CHECKING:
     from turgor.geometry.shapes.sections import half_disc as half_disc
     from turgor.geometry.shapes.sections import polygon as polygon
     from turgor.geometry.shapes.sections import rectangle as rectangle
-    from turgor.section.cut import cut as cut
     from turgor.section.rod_section import rod_section as rod_section
     from turgor.section.section import Section as Section
-    from turgor.section.sketch import Sketch as Sketch
+    from turgor.section.shapes.cut import cut as cut
+    from turgor.section.shapes.sketch import Sketch as Sketch
     from turgor.section.solution import SectionError as SectionError
     from turgor.section.solution import SectionSolution as SectionSolution
     from turgor.section.stiffness import SectionStiffness as SectionStiffness

@@ -37,7 +37,7 @@ def bent_section(
     -------
     Computed
     """
-    found = solved_twice(lambda cells: section_of(cells).solve(pressure, throw=False), size)
+    found = solved_twice(lambda cells: section_of(cells).solve(pressure, throw=False, mesh_error=False), size)
     response = found.response
     columns = []
     for column in response.columns:

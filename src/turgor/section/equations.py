@@ -129,6 +129,8 @@ class Equations:
 
     Attributes
     ----------
+    model : Model
+    closed : bool
     plane : Plane
     stress : float [Pa]
         Scale of stresses.
@@ -138,10 +140,11 @@ class Equations:
     """
 
     def __init__(self, model: Model, closed: bool) -> None:
+        self.model = model
         self.plane: Plane = plane_of(model.mesh)
         self.stress = max(m.law.shear_modulus for m in model.region_materials.values())
         self.copies = model.mesh.symmetry_factor
-        self._closed = closed
+        self.closed = closed
         self.rubber: Rubber = rubber_of(model, self.plane, self.stress)
         self.sheets: list[Sheet | Threads] = sheets_of(model, self.plane, self.stress)
         self.cavities = {
@@ -152,6 +155,11 @@ class Equations:
         self._pieces = self._unknowns_of_pieces()
         self._turns = [self.numbers.turned(nodes) for nodes, _ in self._pieces]
         self._locate()
+
+    @property
+    def area(self) -> float:
+        """What scaled areas are multiplied with, for the whole section [m²]."""
+        return float(self.copies * self.plane.length**2)
 
     @property
     def rest(self) -> Unknowns:
@@ -241,7 +249,7 @@ class Equations:
             right=right,
             below=below,
             corner=corner,
-            pushed=-self._gradients_of(at, held, closed=self._closed).T,
+            pushed=-self._gradients_of(at, held, closed=self.closed).T,
             gradients=self._gradients_of(at, held, closed=True),
             missed=(question.volumes - self.volumes(at))[held],
             held=held,
@@ -265,7 +273,7 @@ class Equations:
             parts.append((sheet.vectors.gradient(B, P), sheet.vectors.hessian(B, P, A)))
         for loop, pressure in zip(self.cavities.values(), at.pressures, strict=True):
             r, K = loop.derivatives(at.y, at.strains)
-            if not self._closed:
+            if not self.closed:
                 r[:, 9:], K[:, 9:] = 0.0, 0.0
             parts.append((-pressure * r, -pressure * K))
         for (r, K), (chosen, turn) in zip(parts, self._turns, strict=True):
@@ -293,7 +301,7 @@ class Equations:
 
     def volume_gradients(self, at: Unknowns, *, closed: bool | None = None) -> list[Array]:
         """Derivatives (size,) of the volume of each cavity; of open ends, without those by the strains."""
-        closed = self._closed if closed is None else closed
+        closed = self.closed if closed is None else closed
         found: list[Array] = []
         first = 1 + len(self.sheets)
         for k, loop in enumerate(self.cavities.values(), start=first):

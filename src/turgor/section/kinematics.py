@@ -127,12 +127,24 @@ def from_slice(plane: Plane, nodes: Ints, tables: Array, height: Array, weights:
     below = plane.node_of[nodes]
     own = np.sort(below, axis=1)[:, ::3]
     to = (below[:, :, None] == own[:, None, :]).astype(np.float64)
-    level = np.abs(height - height.min()) < 1e-9 * plane.thickness
-    chosen = np.flatnonzero(level.all(axis=0))
+    chosen = lowest(height, plane.thickness)
     # x(s, Y) = y + s w near a point: the derivative of a slice that is straight there gives g⁰ and g¹
-    above = plane.height[nodes][:, None, :] - height[:, chosen, None]
-    tables = tables[:, chosen]
+    above = plane.height[nodes][:, None, :] - np.take_along_axis(height, chosen, axis=1)[..., None]
+    tables = np.take_along_axis(tables, chosen[..., None, None], axis=1)
     plain = np.einsum("fqmk,fmn->fqnk", tables, to, optimize=True)
     along = np.einsum("fqmk,fqm,fmn->fqnk", tables, above, to, optimize=True)
-    share = weights.sum(axis=1) / weights[:, chosen].sum(axis=1) / plane.thickness
-    return Vectors(nodes=own, plain=plain, along=along, weights=weights[:, chosen] * share[:, None])
+    kept = np.take_along_axis(weights, chosen, axis=1)
+    share = weights.sum(axis=1) / kept.sum(axis=1) / plane.thickness
+    return Vectors(nodes=own, plain=plain, along=along, weights=kept * share[:, None])
+
+
+def lowest(height: Array, thickness: float) -> Ints:
+    """Integration points (f, r) of the lowest level of each side; which these are depends on how it is numbered.
+
+    Examples
+    --------
+    >>> lowest(np.array([[0.2, 0.8, 0.2, 0.8], [0.2, 0.2, 0.8, 0.8]]), 1.0).tolist()
+    [[0, 2], [0, 1]]
+    """
+    level = height - height.min(axis=1, keepdims=True) < 1e-9 * thickness
+    return np.nonzero(level)[1].reshape(len(height), -1)

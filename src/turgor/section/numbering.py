@@ -15,7 +15,7 @@ from turgor.errors import TurgorError
 from turgor.model.model import Model
 from turgor.model.supports import Radial, Symmetry
 from turgor.section.kinematics import STRAINS
-from turgor.section.plane import Plane, area_weights, tables
+from turgor.section.plane import Plane, area_weights, near_nodes, tables
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -132,9 +132,7 @@ def _check_supports(model: Model) -> None:
 def _held(model: Model, plane: Plane) -> tuple[Flags, Array]:
     """Prescribed components (n, 3) of the nodes of the section, and the directions of these components."""
     supports = held_components(model)
-    near = np.flatnonzero(plane.height < 0.25 * plane.thickness)
-    place = np.empty(len(plane.points), dtype=np.int64)
-    place[plane.node_of[near]] = near
+    place = near_nodes(plane)
     axes = np.tile(np.eye(3), (len(model.mesh.points), 1, 1))
     axes[supports.frames.nodes] = supports.frames.axes
     return supports.mask[place], axes[place]

@@ -98,6 +98,14 @@ def plane_of(mesh: Mesh) -> Plane:
     )
 
 
+def near_nodes(plane: Plane) -> Ints:
+    """Node of the slice in its near plane that each node of the section is, (n,)."""
+    near = np.flatnonzero(plane.height < 0.25 * plane.thickness)
+    place = np.empty(len(plane.points), dtype=np.int64)
+    place[plane.node_of[near]] = near
+    return place
+
+
 def _check_connected(mesh: Mesh, quads: Ints) -> None:
     """Refuse a section of several pieces: what joins them at the ends makes them bend each other on the way."""
     links = coo_array(

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.rod.sections.chamber import PressureTable, RodChamber
 from turgor.rod.sections.section import RodSection
+from turgor.section.plane import tables
 from turgor.section.solution import SectionSolution
 
 Array = NDArray[np.float64]
@@ -110,12 +111,11 @@ def _no_other_loads(solution: SectionSolution) -> None:
 
 
 def _gyration(solution: SectionSolution) -> Array:
-    """Squared radii of gyration of the solids about y and z (2,) [m²], each cell at its middle."""
+    """Squared radii of gyration of the solids about y and z (2,) [m²]."""
     equations = solution._equations
-    plane = equations.plane
-    middles = plane.points[plane.quads].mean(axis=1) * plane.length
-    areas = equations.rubber.vectors.weights.sum(axis=1)
-    return np.asarray(areas @ middles[:, :0:-1] ** 2 / areas.sum())
+    plane, areas = equations.plane, equations.rubber.vectors.weights
+    at = np.einsum("qa,cai->cqi", tables().N, plane.points[plane.quads]) * plane.length
+    return np.asarray(np.einsum("cq,cqi->i", areas, at[..., :0:-1] ** 2) / areas.sum())
 
 
 def _whole(matrix: Array, gyration: Array, shear: float | tuple[float, float] | None) -> Array:

@@ -17,22 +17,19 @@ from turgor.meshing.mesh import Mesh
 from turgor.model.fibers import Fibers
 from turgor.model.model import Membrane, Model
 from turgor.model.supports import Support
-from turgor.section.cut import slice_of_cut
 from turgor.section.equations import Equations, Question
 from turgor.section.path import follow
-from turgor.section.sketch import Sketch
-from turgor.section.slices import slice_of_geometry, slice_of_mesh
+from turgor.section.questions import Rows, questions_of
+from turgor.section.shapes.cut import slice_of_cut
+from turgor.section.shapes.sketch import Sketch
+from turgor.section.shapes.slices import slice_of_geometry, slice_of_mesh
 from turgor.section.solution import SectionError, SectionSolution, solution_of
-from turgor.section.stiffness import FORCE_NAMES, STRAIN_NAMES, scales
 from turgor.shown import Shown, listed
 from turgor.solvers.solution import Status
 from turgor.source import Source
 from turgor.units import kPa
 
 Array = NDArray[np.float64]
-
-#: What a table of loads holds for each name: one value, or one for each row.
-Rows = Mapping[str, float | Sequence[float] | Array]
 
 CLOSED, OPEN = "closed", "open"
 
@@ -125,7 +122,7 @@ class Section(Shown):
     def volume_at_rest(self) -> dict[str, float]:
         """Volume of each cavity for each length, at rest [m²]."""
         equations = self._equations
-        sizes = equations.volumes(equations.rest) * equations.copies * equations.plane.length**2
+        sizes = equations.volumes(equations.rest) * equations.area
         return dict(zip(self.cavities, sizes.tolist(), strict=True))
 
     def solve(
@@ -136,6 +133,7 @@ class Section(Shown):
         held: Rows = MappingProxyType({}),
         forces: Rows = MappingProxyType({}),
         throw: bool = True,
+        mesh_error: bool = True,
     ) -> SectionSolution:
         """Follow the section from rest through rows of pressures or volumes, prescribed strains and forces.
 
@@ -153,6 +151,9 @@ class Section(Shown):
             ``moment_y``, ``moment_z`` [Nm], which turn with the section; zero where not given.
         throw : bool
             Whether a path that ends early is an error.
+        mesh_error : bool
+            Whether the mesh error of each column is estimated: up to three states are solved for again on cells that
+            are cut in four.
 
         Returns
         -------
@@ -165,59 +166,17 @@ class Section(Shown):
         TurgorError
             If a name is unknown, a strain has a force too, or the numbers of rows differ.
         """
-        questions = self._questions(pressure, volume, held, forces)
+        questions = questions_of(self._equations, pressure, volume, held, forces)
         with use_threads(1):
             path = follow(self._equations, questions)
             outcome = (str(Status.CONVERGED), "")
             if len(path.points) < len(questions):
                 outcome = (str(Status.STEP_TOO_SMALL), self._end(questions, path.reached))
-            found = solution_of(self._equations, path, outcome, Source(text="section analysis", detail=repr(self)))
+            source = Source(text="section analysis", detail=repr(self))
+            found = solution_of(self._equations, path, outcome, source, mesh_error)
         if throw and outcome[1]:
             raise SectionError(outcome[1], found)
         return found
-
-    def _questions(
-        self, pressure: float | Sequence[float] | Array | Rows, volume: Rows, held: Rows, forces: Rows
-    ) -> list[Question]:
-        """Scaled questions, one for each row."""
-        equations, cavities = self._equations, self.cavities
-        _check_names("cavity", volume, cavities)
-        given = _pressures_of(pressure, cavities, volume)
-        _check_names("strain of a section", held, STRAIN_NAMES)
-        _check_names("force on a section", forces, FORCE_NAMES)
-        for name, other in zip(STRAIN_NAMES, FORCE_NAMES, strict=True):
-            if name in held and other in forces:
-                raise TurgorError(f"{name} is held, and {other} is given; a section takes one of both.")
-        fixed = {STRAIN_NAMES[i] for i in equations.numbers.fixed}
-        blocked = [
-            n for n, f in zip(STRAIN_NAMES, FORCE_NAMES, strict=True) if n in fixed and (n in held or f in forces)
-        ]
-        if blocked:
-            raise TurgorError(
-                f"{blocked[0]} is zero in a section that a mirror plane cuts; model the whole one (symmetric = false)."
-            )
-        columns = _as_rows({"pressure": 0.0} if not given else {}, given, volume, held, forces)
-        force, strain = scales(equations)
-        area = equations.copies * equations.plane.length**2
-        count = len(next(iter(columns.values())))
-        out = []
-        for row in range(count):
-            value = {name: float(values[row]) for name, values in columns.items()}
-            hold = [value[f"held {n}"] / s if n in held else np.nan for n, s in zip(STRAIN_NAMES, strain, strict=True)]
-            for i in equations.numbers.fixed:
-                hold[i] = 0.0
-            acting = [value.get(f"force {n}", 0.0) / s for n, s in zip(FORCE_NAMES, force, strict=True)]
-            pressures = [value.get(f"pressure {name}", 0.0) / equations.stress for name in cavities]
-            sizes = [value[f"volume {name}"] / area if name in volume else np.nan for name in cavities]
-            out.append(
-                Question(
-                    pressures=np.array(pressures),
-                    volumes=np.array(sizes),
-                    held=np.array(hold),
-                    forces=np.array(acting),
-                )
-            )
-        return out
 
     def _end(self, questions: Sequence[Question], reached: float) -> str:
         """Where a path ended, and what may help."""
@@ -262,37 +221,3 @@ def _elsewhere(shape: object, name: str) -> bool:
     """Whether a name belongs to a part of the actuator that its section does not have."""
     built = shape.build() if hasattr(shape, "build") else shape
     return name in (*getattr(built, "regions", ()), *getattr(built, "faces", ()))
-
-
-def _check_names(kind: str, given: Mapping[str, object], known: Sequence[str]) -> None:
-    for name in given:
-        if name not in known:
-            raise unknown(kind, name, known)
-
-
-def _pressures_of(
-    pressure: float | Sequence[float] | Array | Rows, cavities: Sequence[str], volume: Rows
-) -> dict[str, float | Sequence[float] | Array]:
-    """Pressures of the cavities whose volume is free."""
-    if not isinstance(pressure, Mapping):
-        if np.any(pressure) and volume:
-            raise TurgorError("a pressure is given for all cavities and a volume for some; give pressures by name.")
-        return {name: pressure for name in cavities if name not in volume}
-    _check_names("cavity", pressure, cavities)
-    for name in pressure:
-        if name in volume:
-            raise TurgorError(f"{name} has a pressure and a volume; a cavity takes one of both.")
-    return dict(pressure)
-
-
-def _as_rows(least: Rows, pressure: Rows, volume: Rows, held: Rows, forces: Rows) -> dict[str, Array]:
-    """Columns of equal length."""
-    named = dict(least) | {f"pressure {n}": v for n, v in pressure.items()}
-    named |= {f"volume {n}": v for n, v in volume.items()}
-    named |= {f"held {n}": v for n, v in held.items()} | {f"force {n}": v for n, v in forces.items()}
-    columns = {name: np.atleast_1d(np.asarray(values, dtype=np.float64)) for name, values in named.items()}
-    count = max(len(values) for values in columns.values())
-    for name, values in columns.items():
-        if values.ndim != 1 or len(values) not in (1, count) or not np.isfinite(values).all():
-            raise TurgorError(f"{name} has {values.size} values, others {count}; give one finite value for each row.")
-    return {name: np.broadcast_to(values, count) for name, values in columns.items()}

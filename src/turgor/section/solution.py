@@ -1,16 +1,18 @@
 """Solution of a section: the strains of the rod, the forces and the sizes along a path, as a `Response`."""
 
 from dataclasses import dataclass
-from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
-from turgor.response import Column, Response
+from turgor.finding import Finding
+from turgor.response import Response
+from turgor.section.columns import columns_of
 from turgor.section.equations import Equations
+from turgor.section.mesh_error import with_mesh_error
 from turgor.section.path import Path, Point
-from turgor.section.stiffness import FORCE_NAMES, STRAIN_NAMES, SectionStiffness, forces_of, scales, stiffness_of
+from turgor.section.stiffness import SectionStiffness, stiffness_of
 from turgor.shown import Shown
 from turgor.source import Source
 
@@ -38,7 +40,8 @@ class SectionSolution(Shown):
         ``outside_ballooning`` and ``cavity_ballooning`` are square roots of the ratio of the areas across the
         actuator, now and at rest: of a round tube, the ratio of its radii. ``axial_force``, ``torque``, ``moment_y``
         and ``moment_z`` act on the rod besides the pressures; they are zero unless given, or hold a strain.
-        ``largest_stretch`` is the largest principal stretch of the rubber.
+        ``largest_stretch`` is the largest principal stretch of the rubber. Each column is followed by its estimated
+        mesh error, such as ``curvature_y_mesh_error``.
     stable : tuple of bool
         Whether each state is stable against changes of the section that are the same all along it.
     """
@@ -80,7 +83,9 @@ class SectionSolution(Shown):
         return self._points[row]
 
 
-def solution_of(equations: Equations, path: Path, outcome: tuple[str, str], source: Source) -> SectionSolution:
+def solution_of(
+    equations: Equations, path: Path, outcome: tuple[str, str], source: Source, mesh_error: bool
+) -> SectionSolution:
     """Read the columns of a path.
 
     Parameters
@@ -89,56 +94,19 @@ def solution_of(equations: Equations, path: Path, outcome: tuple[str, str], sour
     path : Path
     outcome : (status, message)
     source : Source
+    mesh_error : bool
+        Whether the mesh error of the columns is estimated.
     """
-    columns = _pressures(equations, path.points)
-    strains = np.array([p.unknowns.strains for p in path.points]).reshape(-1, 4) * scales(equations)[1]
-    columns.append(Column("curvature", "1/m", np.hypot(strains[:, 2], strains[:, 3])))
-    for name in ("curvature_y", "curvature_z", "twist", "stretch"):
-        i = STRAIN_NAMES.index(name)
-        columns.append(Column(name, "1/m" if i else "", strains[:, i]))
-    columns += _sizes(equations, path.points)
-    forces = np.array([forces_of(equations, p) for p in path.points]).reshape(-1, 4)
-    columns += [Column(name, "N" if i == 0 else "Nm", forces[:, i]) for i, name in enumerate(FORCE_NAMES)]
-    stretched = [equations.rubber.largest_stretch(p.unknowns.y, p.unknowns.strains) for p in path.points]
-    columns.append(Column("largest_stretch", "", np.array(stretched)))
+    columns = tuple(columns_of(equations, path.points))
+    findings: tuple[Finding, ...] = ()
+    if mesh_error:
+        columns, findings = with_mesh_error(columns, equations, path.points)
     return SectionSolution(
-        response=Response(columns=tuple(columns), source=source, status=outcome[0], message=outcome[1]),
+        response=Response(columns=columns, source=source, status=outcome[0], message=outcome[1], findings=findings),
         stable=tuple(_is_stable(equations, p) for p in path.points),
         _equations=equations,
         _points=path.points,
     )
-
-
-def _pressures(equations: Equations, points: tuple[Point, ...]) -> list[Column]:
-    """One column if all cavities have the same pressure."""
-    names = list(equations.cavities)
-    table = np.array([p.unknowns.pressures for p in points]).reshape(len(points), len(names)) * equations.stress
-    if not names:
-        return []
-    if (table == table[:, :1]).all():
-        return [Column("pressure", "kPa", table[:, 0])]
-    return [Column(f"{name}_pressure", "kPa", values) for name, values in zip(names, table.T, strict=True)]
-
-
-def _sizes(equations: Equations, points: tuple[Point, ...]) -> list[Column]:
-    """Volume of the cavities for each reference length, and how far cavities and outside balloon."""
-    rest, columns = equations.rest, []
-    area = equations.copies * equations.plane.length**2
-
-    def enclosed(loops: list, at: Point | None) -> float:
-        state = rest if at is None else at.unknowns
-        return float(sum(loop.volume(state.y, state.strains) for loop in loops))
-
-    loops = list(equations.cavities.values())
-    if loops:
-        volumes = np.array([enclosed(loops, p) for p in points])
-        columns.append(Column("cavity_volume_per_length", "mm2", volumes * area))
-    for name, chosen in (("cavity", loops), ("outside", [equations.outside])):
-        if chosen:
-            first = enclosed(chosen, None)
-            ratio = [sqrt(max(enclosed(chosen, p) / p.unknowns.strains[0] / first, 0.0)) for p in points]
-            columns.append(Column(f"{name}_ballooning", "", np.array(ratio)))
-    return columns
 
 
 def _is_stable(equations: Equations, point: Point) -> bool:

@@ -10,7 +10,7 @@ from turgor.section.equations import Equations, Question, Unknowns
 from turgor.section.kinematics import skew
 from turgor.section.loops import Loop
 from turgor.section.path import follow
-from turgor.section.slices import slice_of_geometry
+from turgor.section.shapes.slices import slice_of_geometry
 from turgor.units import deg, kPa, mm
 
 RUBBER = tg.Material(name="rubber", law=tg.laws.MooneyRivlin(C10=0.10e6, C01=0.02e6))

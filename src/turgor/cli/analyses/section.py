@@ -46,6 +46,7 @@ def section_command(
         with claimed(output if output is not None else Path(f"{asked.name}-section"), force) as folder:
             _write(folder, asked, solution)
         _show(solution)
+        answer.warn(solution.response.findings)
         answer.give(lambda: section_result(asked.name, solution, folder))
         typer.echo(f"Table and plot in {folder}.")
         if solution.response.message:
@@ -73,10 +74,15 @@ def _write(folder: Path, job: "Job", solution: "SectionSolution") -> None:
 
 
 def _show(solution: "SectionSolution") -> None:
-    """Print a line for each state, with the columns that are not zero all along."""
+    """Print a line for each state, with the columns that are not zero all along, then the last one with mesh errors."""
+    from turgor.results.report.error_text import last_with_error
+
     response = solution.response
     names = [response.names[0], *(name for name in PRINTED if name in response and abs(response[name]).max() > 1e-9)]
     columns = [response.find(name) for name in names]
     typer.echo("  ".join(f"{column.header:>18}" for column in columns) + "  stable")
     for row, stable in enumerate(solution.stable):
         typer.echo("  ".join(f"{column.in_unit[row]:18.5g}" for column in columns) + ("  yes" if stable else "  no"))
+    if len(response):
+        last = [f"{column.words} {last_with_error(response, column)}" for column in columns]
+        typer.echo(f"Last state, ± the estimated mesh error: {', '.join(last)}.")

@@ -129,6 +129,16 @@ def reference_cell(nodes: int, degree: int) -> ReferenceCell:
     return tables_at(nodes, np.ascontiguousarray(points), np.ascontiguousarray(weights))
 
 
+@cache
+def product_rule(nodes: int, degree: int) -> ReferenceCell:
+    """Tables of a cell with that many nodes and a quadrature of equally many points in all directions.
+
+    All weights are positive, so that parts of a cell can be weighted with the points in them.
+    """
+    points, weights = basix.make_quadrature(_BASIX[nodes], degree, rule=basix.QuadratureType.gauss_jacobi)
+    return tables_at(nodes, np.ascontiguousarray(points), np.ascontiguousarray(weights))
+
+
 def side_tables(nodes: int) -> ReferenceCell:
     """Tables of a side with that many nodes for the integrals of pressure, volume and area."""
     return reference_cell(nodes, SURFACE_QUADRATURE_DEGREE[3 if nodes == TRIANGLE.nodes else 4])

@@ -35,7 +35,7 @@ def inflate(spacing: float, bonded: bool, size: float) -> Computed:
 
     def solve(cell: float) -> tg.sections.SectionSolution:
         section = tg.Section(shape, materials, reinforcements=[wound], size=cell)
-        return section.solve(np.linspace(0, PRESSURE * kPa, 29), throw=False)
+        return section.solve(np.linspace(0, PRESSURE * kPa, 29), throw=False, mesh_error=False)
 
     return solved_twice(solve, size * mm)
 

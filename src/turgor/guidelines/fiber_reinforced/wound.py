@@ -53,7 +53,7 @@ def tube(from_axis: float, spacing: float, hand: str, pressure: float, size: flo
 
     def solve(cell: float) -> tg.sections.SectionSolution:
         section = tg.Section(shape, {"body": elastosil()}, reinforcements=wound, size=cell)
-        return section.solve(np.linspace(0, pressure * kPa, 11), throw=False)
+        return section.solve(np.linspace(0, pressure * kPa, 11), throw=False, mesh_error=False)
 
     return solved_twice(solve, size * mm)
 
@@ -65,6 +65,6 @@ def bender(spacing: float, pressure: float, size: float) -> Computed:
 
     def solve(cell: float) -> tg.sections.SectionSolution:
         section = tg.Section(shape, {"body": elastosil()}, reinforcements=[*fabric(), *hoops], size=cell)
-        return section.solve(np.linspace(0, pressure * kPa, 11), throw=False)
+        return section.solve(np.linspace(0, pressure * kPa, 11), throw=False, mesh_error=False)
 
     return solved_twice(solve, size * mm)

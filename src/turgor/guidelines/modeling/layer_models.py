@@ -44,7 +44,10 @@ def bend(form: str, thickness: float, size: float) -> Computed:
     lines = {} if form == "solid" else {"layer": ("z", 0.0)}
     sketch = tg.sections.Sketch(areas=areas, lines=lines)
     return solved_twice(
-        lambda cells: tg.Section(sketch, materials, size=cells).solve(np.array(PRESSURES) * kPa, throw=False), size * mm
+        lambda cells: tg.Section(sketch, materials, size=cells).solve(
+            np.array(PRESSURES) * kPa, throw=False, mesh_error=False
+        ),
+        size * mm,
     )
 
 

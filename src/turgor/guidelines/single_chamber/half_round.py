@@ -47,6 +47,6 @@ def bend(radius: float, wall: float, base: float, hooped: bool, pressure: float,
 
     def solve(cell: float) -> tg.sections.SectionSolution:
         section = tg.Section(shape, {"body": elastosil()}, reinforcements=[*fabric(), *hoops], size=cell)
-        return section.solve(np.linspace(0, pressure * kPa, 11), throw=False)
+        return section.solve(np.linspace(0, pressure * kPa, 11), throw=False, mesh_error=False)
 
     return solved_twice(solve, size * mm)

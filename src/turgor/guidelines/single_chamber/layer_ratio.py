@@ -48,7 +48,7 @@ def _bend(
 ) -> Computed:
     def solve(cell: float) -> tg.sections.SectionSolution:
         section = tg.Section(shape, materials, reinforcements=[threads()] if hooped else [], size=cell)
-        return section.solve(np.linspace(0, PRESSURE * kPa, 11), throw=False)
+        return section.solve(np.linspace(0, PRESSURE * kPa, 11), throw=False, mesh_error=False)
 
     return solved_twice(solve, size * mm)
 

@@ -76,7 +76,7 @@ def bend_on_plate(radius: float, wall: float, pressure: float, size: float) -> C
     def solve(cell: float) -> tg.sections.SectionSolution:
         materials = {"body": elastosil(), "plate": stiff}
         section = tg.Section(sketch, materials, reinforcements=[threads()], size=cell)
-        return section.solve(np.linspace(0, pressure * kPa, 7), throw=False)
+        return section.solve(np.linspace(0, pressure * kPa, 7), throw=False, mesh_error=False)
 
     return solved_twice(solve, size * mm)
 
@@ -114,7 +114,7 @@ def inflate(shape: str, hooped: bool, base: str, size: float) -> Computed:
 
     def solve(cell: float) -> tg.sections.SectionSolution:
         section = tg.Section(sketch, materials, reinforcements=wound, size=cell)
-        return section.solve(np.linspace(0, PRESSURE * kPa, 7), throw=False)
+        return section.solve(np.linspace(0, PRESSURE * kPa, 7), throw=False, mesh_error=False)
 
     return solved_twice(solve, size * mm)
 

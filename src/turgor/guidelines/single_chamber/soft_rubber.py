@@ -60,8 +60,8 @@ def bend(rubber: str, size: float) -> Computed:
     def solve(cell: float) -> tuple[tg.Response, tg.sections.SectionSolution]:
         shape = tg.actuators.FiberReinforcedBender(skin=0.0)
         section = tg.Section(shape, {"body": material}, reinforcements=wound, size=cell)
-        free = section.solve(pressures, throw=False)
-        still = section.solve(pressures, held={"curvature_y": 0.0}, throw=False).response
+        free = section.solve(pressures, throw=False, mesh_error=False)
+        still = section.solve(pressures, held={"curvature_y": 0.0}, throw=False, mesh_error=False).response
         rows = min(len(free.response), len(still))
         columns = [Column(each.name, each.unit, each.values[:rows]) for each in free.response.columns]
         columns.append(Column("blocked_moment", "Nm", -still["moment_y"][:rows]))

@@ -37,7 +37,9 @@ def push(width: float, hooped: bool, size: float) -> Computed:
 
     def solve(cell: float) -> tuple[tg.Response, tg.sections.SectionSolution]:
         section = tg.Section(shape, {"body": elastosil()}, reinforcements=[*fabric(), *hoops], size=cell)
-        still = section.solve(np.linspace(0, PRESSURE * kPa, 13), held={"curvature_y": 0.0}, throw=False)
+        still = section.solve(
+            np.linspace(0, PRESSURE * kPa, 13), held={"curvature_y": 0.0}, throw=False, mesh_error=False
+        )
         held = still.response
         columns = [*held.columns, Column("blocked_moment", "Nm", -held["moment_y"])]
         return tg.Response(columns=tuple(columns), source=held.source, message=held.message), still

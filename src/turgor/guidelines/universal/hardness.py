@@ -42,7 +42,7 @@ def extend(rubber: str, record: str, size: float) -> Computed:
         section = tg.Section(
             tg.actuators.FiberReinforcedCylinder(), {"body": material}, reinforcements=[threads()], size=cell
         )
-        return section.solve(np.linspace(0, highest, 13), throw=False)
+        return section.solve(np.linspace(0, highest, 13), throw=False, mesh_error=False)
 
     return solved_twice(solve, size * mm)
 

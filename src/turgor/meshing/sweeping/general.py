@@ -86,6 +86,7 @@ def _generate(outlines: Sequence[Outline], fine: Fineness, close: bool) -> tuple
         try:
             mesh: Any = planar_faces(outlines).GenerateMesh(
                 dim=2,
+                mp=_sizes_at_corners(fine),
                 maxh=2 * fine.size / METERS_PER_CAD_UNIT,
                 grading=fine.grading,
                 curvaturesafety=max(fine.curvature / 2, 1.0),
@@ -104,6 +105,16 @@ def _generate(outlines: Sequence[Outline], fine: Fineness, close: bool) -> tuple
     triangles[clockwise] = triangles[clockwise, ::-1]
     segments = mesh.Elements1D().NumPy()["nodes"][:, :2].astype(np.int64) - 1
     return points, triangles, np.unique(np.sort(segments, axis=1), axis=0)
+
+
+def _sizes_at_corners(fine: Fineness) -> Any:
+    """Smaller triangles at corners, as the generator takes them; None without any."""
+    if not fine.corners or fine.edge is None:
+        return None
+    parameters = netgen.MeshingParameters()
+    for y, z in fine.corners:
+        parameters.RestrictH(y / METERS_PER_CAD_UNIT, z / METERS_PER_CAD_UNIT, 0.0, 2 * fine.edge / METERS_PER_CAD_UNIT)
+    return parameters
 
 
 #: Center and radius of the arc that each curved segment of the outlines lies on.

@@ -51,6 +51,8 @@ class Fineness:
         Cells around a quarter of a turn, even; None takes as many as size and curvature ask for.
     along : float or None [m]
         Longest edge along a straight path, if it is larger than the size: cells grow to it from a third of the size.
+    corners : tuple of (2,) floats [m]
+        Places in the section about which cells are as short as ``edge``.
     """
 
     size: float
@@ -60,6 +62,7 @@ class Fineness:
     edge: float | None = None
     quarter_cells: int | None = None
     along: float | None = None
+    corners: tuple[Point, ...] = ()
 
     @property
     def of_path(self) -> "Fineness":

@@ -116,7 +116,7 @@ def is_lattice(geometry: Geometry, fine: Fineness) -> bool:
 
 def _lattice(sweep: Sweep, outlines: Sequence[Outline], fine: Fineness) -> SectionMesh | None:
     section = grid_section(outlines, fine)
-    if section is None and not isinstance(sweep.path, Turned):
+    if section is None and not isinstance(sweep.path, Turned) and not fine.corners:  # rays have no short cells
         section = polar_section(sweep.layers, outlines, fine)
     return section
 

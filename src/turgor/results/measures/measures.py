@@ -149,15 +149,27 @@ def fitting_measures(faces: Collection[str]) -> tuple[Measure, ...]:
     return tuple(each for each in STANDARD_MEASURES if each.fits(faces))
 
 
-def check_measures(model: Model, measures: Sequence[Measure]) -> None:
-    """Try measures on the undeformed state, so that a missing face is reported before the solve and not after it."""
+def check_measures(model: Model, measures: Sequence[Measure | str]) -> None:
+    """Try measures on the undeformed state, before the solve: a face may be missing, or the mesh be too coarse.
+
+    Parameters
+    ----------
+    model : Model
+    measures : sequence of Measure or str
+
+    Raises
+    ------
+    TurgorError
+        If one has no value there.
+    """
+    wanted = tuple(map(as_measure, measures))
     mesh = model.mesh
     rest = State(
         model=model, load_factor=0.0, displacement=np.zeros_like(mesh.points),
         mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
     )  # fmt: skip
     at = StateFields(rest)
-    for each in fitting_measures(mesh.faces) if tuple(measures) == STANDARD_MEASURES else measures:
+    for each in fitting_measures(mesh.faces) if wanted == STANDARD_MEASURES else wanted:
         if each not in OF_ANY_MESH:  # these need no face, and stresses of a whole mesh take seconds
             each.read([at])
 

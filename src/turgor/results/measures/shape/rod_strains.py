@@ -13,11 +13,12 @@ from turgor.errors import TurgorError
 from turgor.results.fields.state_fields import MeshFacts, StateFields
 from turgor.results.measures.reading import Measure
 from turgor.results.measures.shape.screws import rotation_vector
-from turgor.results.measures.shape.sections import Pieces, pieces_of, sections_of
+from turgor.results.measures.shape.sections import Pieces, cell_length, sections_of, windows_of
+from turgor.units import mm
 
 Array = NDArray[np.float64]
 
-#: Pieces between two stations.
+#: Cross-sections between two stations.
 PIECES = 5
 
 #: Stations of the ready-made measures, as shares of the length.
@@ -82,14 +83,15 @@ def _strain(low: float, high: float, which: int, at: StateFields) -> float:
 
 
 def _pieces(facts: MeshFacts, low: float, high: float) -> Pieces:
-    """Find the integration points between the stations."""
-    pieces = pieces_of(facts, low, high, PIECES)
-    if pieces is None:
+    """Find the integration points between the stations; within a cell the sections say nothing of their own."""
+    length, long = float(np.ptp(facts.mesh.points[:, 0])), cell_length(facts, low, high)
+    if long > (high - low) * length:
         raise TurgorError(
-            f"the part between {low:.0%} and {high:.0%} of the length has too few cells along x for its curvature; "
-            "take stations farther apart or a finer mesh."
+            f"the part between {low:.0%} and {high:.0%} of the length has too few cells along x for its curvature: it "
+            f"is {(high - low) * length / mm:.4g} mm long, its cells {long / mm:.4g} mm; take stations farther apart "
+            "or a finer mesh."
         )
-    return pieces
+    return windows_of(facts, low, high, PIECES)
 
 
 def _chord(vector: Array) -> float:

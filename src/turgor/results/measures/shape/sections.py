@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.cells import kernels_geometry
-from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, reference_cell
+from turgor.engine.cells.reference import CELL_QUADRATURE_DEGREE, product_rule, reference_cell
 from turgor.results.fields.state_fields import Image, MeshFacts, StateFields
 
 Array = NDArray[np.float64]
@@ -18,6 +18,9 @@ Ints = NDArray[np.int64]
 
 #: Integration points that each piece must have for its map to be known.
 FEWEST_POINTS = 40
+
+#: Points along a cell for each distance of sections that it is long, and at least and at most so many.
+POINTS_APART, FEWEST_ALONG, MOST_ALONG = 3, 2, 12
 
 
 class Pieces(NamedTuple):
@@ -75,6 +78,59 @@ def pieces_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces |
     middles = np.tile(_centroid(facts, place, weight), (count, 1))
     middles[:, 0] = start + length * (low + (high - low) * (np.arange(count) + 0.5) / count)
     return Pieces(mesh.cells[cell], table.N[point], place, weight, piece, middles)
+
+
+def windows_of(facts: MeshFacts, low: float, high: float, count: int) -> Pieces:
+    """Lay overlapping windows on the part of a mesh between two stations, equally far apart along x.
+
+    The weight of a window falls smoothly to zero at its two ends, a distance of windows from its middle. So what is
+    integrated hardly depends on where cells end and where their integration points lie, even in cells that are longer
+    than a window.
+
+    Parameters
+    ----------
+    facts : MeshFacts
+    low, high : float
+        Stations as shares of the length; the windows lie within.
+    count : int
+        How many windows.
+
+    Returns
+    -------
+    Pieces
+        A point within two windows is in there twice.
+    """
+    mesh = facts.mesh
+    start, length = float(mesh.points[:, 0].min()), float(np.ptp(mesh.points[:, 0]))
+    apart = (high - low) / (count + 1)
+    centers = low + apart * (1 + np.arange(count))
+    cells = _cells_between(facts, low, high)
+    long = float(np.ptp(mesh.points[mesh.cells[cells], 0], axis=1).max()) / length
+    along = int(np.clip(np.ceil(POINTS_APART * long / apart), FEWEST_ALONG, MOST_ALONG))
+    table = product_rule(mesh.cells.shape[1], 2 * along - 1)
+    shape = (0,) * mesh.cells.shape[1]
+    _, volumes = kernels_geometry.reference_geometry(shape, mesh.points, mesh.cells[cells], table.dN, table.weights)
+    places = np.einsum("qa,cai->cqi", table.N, mesh.points[mesh.cells[cells]])
+    aside = ((places[..., 0] - start) / length - centers[:, None, None]) / apart
+    piece, cell, point = np.nonzero(np.abs(aside) < 1)
+    place = places[cell, point]
+    weight = volumes[cell, point] * (1 - aside[piece, cell, point] ** 2) ** 2
+    middles = np.tile(_centroid(facts, place, weight), (count, 1))
+    middles[:, 0] = start + length * centers
+    return Pieces(mesh.cells[cells[cell]], table.N[point], place, weight, piece, middles)
+
+
+def cell_length(facts: MeshFacts, low: float, high: float) -> float:
+    """Mean extent along x of the cells that reach into the part between two stations [m]."""
+    cells = facts.mesh.cells[_cells_between(facts, low, high)]
+    return float(np.ptp(facts.mesh.points[cells, 0], axis=1).mean())
+
+
+def _cells_between(facts: MeshFacts, low: float, high: float) -> Ints:
+    """Cells that reach into the part between two stations."""
+    x = facts.mesh.points[facts.mesh.cells, 0]
+    share = (x - facts.mesh.points[:, 0].min()) / np.ptp(facts.mesh.points[:, 0])
+    return np.flatnonzero((share.max(axis=1) > low) & (share.min(axis=1) < high))
 
 
 def images_across(facts: MeshFacts) -> list[Image]:

@@ -15,6 +15,7 @@ from turgor.meshing.sweeping.hexahedra import fill
 from turgor.meshing.sweeping.naming import assemble
 from turgor.meshing.sweeping.section import Fineness, is_solid, names_at
 from turgor.meshing.sweeping.swept import section_of
+from turgor.section.shapes.corners import sharp_corners
 from turgor.units import mm
 
 Ints = NDArray[np.int64]
@@ -24,6 +25,10 @@ PRISMATIC = 0.5
 
 #: Cells that the default size would make if the solids were a square lattice.
 CELLS = 60
+
+#: Length of the cells at sharp corners, as a share of the size. An omnidirectional actuator with half-round chambers,
+#: their flat side outward, bends at 20 kPa by 7 % too little without short cells, by 3 % with 1/4, by 1 % with this.
+SHORTEST = 0.08
 
 #: Points along each side of the square in which the area of the solids is counted.
 LATTICE = 160
@@ -76,7 +81,9 @@ def meshed(name: str, regions: tuple[str, ...], sweep: Sweep, layer: Layer, size
     middle, half = (layer.start + layer.end) / 2, min(layer.end - layer.start, chosen) / 4
     rules = tuple(rule for rule in sweep.names if not (isinstance(rule, PlaneName | RangeName) and rule.axis == 0))
     thin = Sweep(layers=(replace(layer, start=middle - half, end=middle + half),), names=rules)
-    fine = Fineness(size=chosen)
+    mirrors = [rule.axis for rule in rules if isinstance(rule, PlaneName) and rule.name.startswith("symmetry")]
+    corners = tuple((float(y), float(z)) for y, z in sharp_corners(layer, mirrors))
+    fine = Fineness(size=chosen, edge=SHORTEST * chosen if corners else None, corners=corners)
     flat = Geometry(
         name=name, smallest_wall=chosen, cavity_volumes={}, solid_volume=0.0, regions=regions, faces=(), _shape=None
     )

@@ -11,7 +11,7 @@ from turgor.geometry.geometry import Geometry
 from turgor.geometry.sweep import Layer, Sweep
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import cell_sides, corner_keys
-from turgor.section.slices import meshed, slice_of_mesh
+from turgor.section.shapes.slices import meshed, slice_of_mesh
 
 Ints = NDArray[np.int64]
 

@@ -1,0 +1,1 @@
+"""Shapes: what a section is made from, and the slice of hexahedra that it becomes."""
