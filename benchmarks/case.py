@@ -124,11 +124,11 @@ def growth(*, solver: str, threads: int, size: float, halved: bool = False) -> d
 
 
 def growth_model(size: float, halved: bool = False, paper: bool = True) -> tg.Model:
-    """The fast PneuNet of `growth`, with a membrane of paper or without."""
+    """The fast PneuNet of `growth`, with a shell of paper or without."""
     mesh = tg.mesh(tg.FastPneuNet(chambers=6, length=60 * mm).build(), size=size)
     mesh = split_edges(mesh, every_edge(mesh)) if halved else mesh
     rubber_ = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-    sheet = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+    sheet = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
     materials = {"body": rubber_, "base": rubber_} | ({"strain_limiting_layer": sheet} if paper else {})
     return tg.Model(mesh, materials=materials, supports=[tg.Fixed("fixed")], loads=[tg.Pressure("cavity", 20 * kPa)])
 

@@ -6,7 +6,7 @@ from turgor.units import MPa, mm
 
 ELASTOSIL = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
 STIFF = tg.Material(name="stiff rubber", law=tg.laws.NeoHooke(C10=2.2 * MPa))
-PAPER = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+PAPER = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
 FAST = tg.FastPneuNet(chambers=3, length=30 * mm)
 ON_PAPER = {"body": ELASTOSIL, "base": ELASTOSIL, "strain_limiting_layer": PAPER}
 ON_STIFF = {"body": ELASTOSIL, "base": STIFF}

@@ -56,8 +56,9 @@ if TYPE_CHECKING:
     from turgor.model.loads import Gravity as Gravity
     from turgor.model.loads import Pressure as Pressure
     from turgor.model.loads import Traction as Traction
-    from turgor.model.model import Membrane as Membrane
     from turgor.model.model import Model as Model
+    from turgor.model.sheets import Membrane as Membrane
+    from turgor.model.sheets import Shell as Shell
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
     from turgor.optimization.optimize import optimize as optimize

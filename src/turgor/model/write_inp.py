@@ -26,8 +26,9 @@ from turgor.model.inp.reference_points import (
     step_lines,
 )
 from turgor.model.loads import Force, Gravity, Hanging, Moment, Pressure
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
 from turgor.model.points import RIGID, Hinge, ReferencePoint, Rotation
+from turgor.model.sheets import Sheet
 from turgor.model.supports import Fixed, PlaneSection, Radial, Symmetry
 from turgor.units import MPa, mm
 
@@ -141,7 +142,7 @@ def compressible(model: Model, poisson: float) -> Model:
     """
     if not 0 <= poisson < 0.5:
         raise TurgorError(f"poisson is {poisson}; allowed is 0 to less than 0.5.")
-    materials: dict[str, Material | Membrane] = dict(model.materials)
+    materials: dict[str, Material | Sheet] = dict(model.materials)
     for name, material in model.region_materials.items():
         law = material.law
         if material.incompressible and not isinstance(law, Hooke):

@@ -17,7 +17,8 @@ from turgor.engine.fibers.smeared import smeared_pieces
 from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke
 from turgor.model.fibers import DISCRETE, SMEARED, Fibers
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane, Shell
 from turgor.section.kinematics import Vectors, from_slice
 from turgor.section.plane import Plane
 
@@ -118,18 +119,18 @@ def smeared(fibers: Fibers) -> Fibers:
     return replace(fibers, form=SMEARED, bending=False) if fibers.form == DISCRETE else fibers
 
 
-def _sheets(model: Model, plane: Plane, name: str, membrane: Membrane, stress: float) -> list[Sheet]:
+def _sheets(model: Model, plane: Plane, name: str, membrane: Shell | Membrane, stress: float) -> list[Sheet]:
     law, thickness = membrane.material.law, membrane.thickness / plane.length
     assert isinstance(law, Hooke)
     sides = np.ascontiguousarray(model.mesh.face(name))
     moduli = plane_stress_moduli(law) / stress * thickness
     field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
-    if not membrane.bending:
+    if not isinstance(membrane, Shell):
         layers = [(sides, *surface_gradients(model.mesh.points / plane.length, sides))]
         return [Sheet(vectors=_vectors(plane, sides, layer), moduli=moduli, field=field) for layer in layers]
     found = [
         Sheet(vectors=_vectors(plane, sides, layer), moduli=moduli)
-        for layer in shell_layers(model.mesh, name, membrane.thickness, plane.length)
+        for layer in shell_layers(model.mesh, name, membrane.layer_distance, plane.length)
     ]
     shear = shear_moduli(law) / stress * thickness
     across = shear_layers(model.mesh, name, plane.length)

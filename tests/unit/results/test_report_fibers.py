@@ -24,7 +24,7 @@ def test_fibers_sheets_and_radial_supports_in_words():
         compression=0.5,
         form="discrete",
     )
-    sheet = tg.Membrane(paper, 0.5 * mm, bending=True)
+    sheet = tg.Shell(paper, 0.5 * mm)
     regions = dict.fromkeys(mesh.regions, results_cases.RUBBER)
     model = tg.Model(mesh, regions | {face: sheet}, [Radial(face)], [], reinforcements=[braid, rods])
     *_, shell, first, second = describe.materials(model)

@@ -12,6 +12,7 @@ from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displ
 from turgor.materials.laws.laws import Hooke
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.model.model import Model
+from turgor.model.sheets import Shell
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -115,8 +116,8 @@ def membrane_terms(setting: Setting) -> list[MembraneTerm]:
         assert isinstance(law, Hooke)
         moduli = membranes.plane_stress_moduli(law) * scale
         field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
-        if membrane.bending and model.mesh.cell_type is not TETRAHEDRON:
-            layers = shell_layers(model.mesh, name, membrane.thickness, setting.length)
+        if isinstance(membrane, Shell) and model.mesh.cell_type is not TETRAHEDRON:
+            layers = shell_layers(model.mesh, name, membrane.layer_distance, setting.length)
             across = shear_layers(model.mesh, name, setting.length)
             shear = shear_moduli(law) * scale
             terms += [MembraneTerm(*layer, shear) for layer in across]

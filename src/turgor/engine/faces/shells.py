@@ -1,10 +1,11 @@
 """Shells on hexahedra: sheets that resist bending too, as two layers of a membrane above and below their face.
 
-The strain of each layer is that of the cells on its side of the face, at a distance of h/(2√3): the two points of
-Gauss through the thickness h, which give the membrane stiffness and the bending stiffness E h³/(12 (1 − ν²)) of
-a plate. A sheet does not shear as rubber does: the angle between its surface and the line across it, which the cells
-on both sides carry, is held by the sheet's own shear stiffness 5/6 G h (Mindlin's plate). Without it a stiff sheet
-would bend by shearing the rubber beside it, the sooner the shorter its span.
+The strain of each layer is that of the cells on its side of the face. Its distance from the face is h/(2√3) for a
+plate of thickness h: the two points of Gauss give the membrane stiffness and the bending stiffness E h³/(12 (1 − ν²)).
+A fabric that bends more easily has layers nearer to the face. A sheet does not shear as rubber does: the angle between
+its surface and the line across it, which the cells on both sides carry, is held by the sheet's own shear stiffness
+5/6 G h (Mindlin's plate). Without it a stiff sheet would bend by shearing the rubber beside it, the sooner the shorter
+its span.
 
 On tetrahedra the layers would be cut along every edge, because only the displacement is continuous there, not its
 slope across the face, and the bending stiffness would get lost with refinement. There the sheet bends on its own
@@ -26,19 +27,18 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 
-def shell_layers(mesh: Mesh, face: str, thickness: float, length: float) -> list[tuple[Ints, Array, Array]]:
-    """The two layers of a sheet: nodes of cells (f, n), gradients (f, q, n, 2), areas (f, q); lengths are scaled."""
+def shell_layers(mesh: Mesh, face: str, distance: float, length: float) -> list[tuple[Ints, Array, Array]]:
+    """The two layers of a sheet, at a distance [m]: nodes of cells (f, n), gradients (f, q, n, 2), areas (f, q)."""
     sides = mesh.face(face)
     points = mesh.points / length
     frames = surface_frames(points, sides)
     owners = _cells_at(mesh, sides)
-    offset = thickness / length / (2 * np.sqrt(3))
     layers = []
     for sign in (1.0, -1.0):
         cells = mesh.cells[_on_side(mesh, sides, owners, frames.normal.mean(axis=1) * sign)]
         gradients = np.empty((len(sides), frames.areas.shape[1], mesh.cells.shape[1], 2))
         for f, nodes in enumerate(cells):
-            G = _gradients(points[nodes], _local(nodes, sides[f]), sign * offset * frames.normal[f])
+            G = _gradients(points[nodes], _local(nodes, sides[f]), sign * distance / length * frames.normal[f])
             gradients[f, ..., 0] = np.einsum("qad,qd->qa", G, frames.e1[f])
             gradients[f, ..., 1] = np.einsum("qad,qd->qa", G, frames.e2[f])
         layers.append((np.ascontiguousarray(cells), gradients, frames.areas / 2))

@@ -39,8 +39,7 @@ def bend(base):
     paper = tg.Material(law=tg.laws.Hooke(E=1 * GPa, nu=0.2), name="paper")
     model = tg.Model(
         made,
-        materials=dict.fromkeys(made.regions, rubber)
-        | {"strain_limiting_layer": tg.Membrane(paper, thickness=0.1 * mm)},
+        materials=dict.fromkeys(made.regions, rubber) | {"strain_limiting_layer": tg.Shell(paper, thickness=0.1 * mm)},
         supports=[tg.supports.Fixed("fixed")],
         loads=[tg.loads.Pressure("cavity", 5 * kPa)],
     )
