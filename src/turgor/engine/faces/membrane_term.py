@@ -1,11 +1,12 @@
 """Membranes and shells: thin layers on faces that stretch in their plane, and the shear layers of shells."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.faces import membranes
+from turgor.engine.faces.plate_edges import plate_terms
 from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
 from turgor.engine.faces.tension_field import TensionField, tension_field
 from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
@@ -154,3 +155,32 @@ def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, 
     stress = membranes.membrane_stress(points + displacement, still, sides, gradients, areas, moduli)
     half = 0.5 * (stress[..., 0] - stress[..., 1])
     return 0.5 * (stress[..., 0] + stress[..., 1]) - np.hypot(half, stress[..., 2]), areas
+
+
+def bending_energy(model: Model, name: str, displacement: Array) -> float:
+    """Compute the energy that a membrane would store by bending, were it a shell with free edges [J].
+
+    Parameters
+    ----------
+    model : Model
+    name : str
+        Face of the membrane.
+    displacement : (n, 3) array [m]
+
+    Raises
+    ------
+    TurgorError
+        If the sheet branches, so that it cannot bend.
+    """
+    mesh, sheet = model.mesh, model.membranes[name]
+    shell, moved = Shell(sheet.material, sheet.thickness), mesh.points + displacement
+    if mesh.cell_type is TETRAHEDRON:
+        alone = replace(model, materials={**model.region_materials, name: shell})
+        setting = Setting(alone, mesh.points, np.zeros(mesh.points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
+        return sum(term.energy(moved) for term in plate_terms(setting))
+    law, sides = sheet.material.law, np.ascontiguousarray(mesh.face(name))
+    assert isinstance(law, Hooke)
+    moduli = membranes.plane_stress_moduli(law) * sheet.thickness
+    flat = MembraneTerm(sides, *membranes.surface_gradients(mesh.points, sides), moduli)
+    layers = shell_layers(mesh, name, shell.layer_distance, 1.0)
+    return sum(MembraneTerm(*layer, moduli).energy(moved) for layer in layers) - flat.energy(moved)
