@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from turgor.geometry.geometry import Geometry as Geometry
     from turgor.gradients.gradient import gradient as gradient
     from turgor.laboratory.compare import compare as compare
-    from turgor.materials.experiments.read_tests import read_test as read_test
     from turgor.materials.fitting.fit_laws import fit as fit
     from turgor.materials.laws.laws import Yeoh as Yeoh
     from turgor.materials.library.records import from_library as from_library

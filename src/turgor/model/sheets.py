@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from math import sqrt
-from typing import ClassVar
 
 from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke
@@ -32,15 +31,21 @@ class Shell:
     '0.000564 N m'
     """
 
-    bending: ClassVar[bool] = True
-    wrinkles: ClassVar[bool] = False
-    compression: ClassVar[float] = 1.0
-
     material: Material
     thickness: float
 
     def __post_init__(self) -> None:
         _check("shell", self.material, self.thickness)
+
+    @property
+    def compression(self) -> float:
+        """Share of the stiffness that works in compression: all of it; a shell buckles by itself."""
+        return 1.0
+
+    @property
+    def wrinkles(self) -> bool:
+        """Whether it bears less compression than tension."""
+        return False
 
     @property
     def bending_stiffness(self) -> float:
@@ -76,8 +81,6 @@ class Membrane:
         Share of the stiffness that works in compression: 1 for a sheet that bears compression, 0 for one that wrinkles
         and bears tension only (tension field).
     """
-
-    bending: ClassVar[bool] = False
 
     material: Material
     thickness: float

@@ -340,5 +340,5 @@ def test_what_inp_files_cannot_say_is_refused(tmp_path):
         write_inp(plain, tmp_path / "a.inp", program="abaqus")
     sheet = Shell(from_library("kevlar-fiber"), 0.1 * mm)
     bent = Model(model.mesh, {**model.materials, "outside": sheet}, [Fixed("fixed")], model.loads)
-    with pytest.raises(TurgorError, match="the sheet on 'outside', which resists bending, has no form"):
+    with pytest.raises(TurgorError, match="the shell on 'outside' has no form in"):
         write_inp(bent, tmp_path / "a.inp", program="abaqus")
