@@ -106,6 +106,11 @@ class Model(Saved, Shown):
             if isinstance(material, Sheet):
                 if name not in self.mesh.faces:
                     raise unknown("face for a sheet", name, self.mesh.faces)
+            elif name in self.mesh.faces and name not in self.mesh.regions:
+                raise TurgorError(
+                    f"materials.{name}: '{name}' is a face, and a sheet of '{material.name}' on it needs a thickness; "
+                    "give a Shell(material, thickness)."
+                )
             elif name not in self.mesh.regions:
                 raise unknown("region for a material", name, self.mesh.regions)
             elif isinstance(material.law, Hooke):

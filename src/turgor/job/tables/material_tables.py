@@ -71,8 +71,8 @@ class LibraryTable(Table):
     library: str = Field(examples=['"ecoflex-00-30"'])
     record: str | None = Field(default=None, examples=['"yeoh-steck-2019"'])
     thickness: Length | None = None
-    form: str | None = None
-    compression: float | None = None
+    form: str | None = Field(default=None, examples=['"shell"'])
+    compression: float | None = Field(default=None, examples=["0"])
     bending_stiffness: BendingStiffness | None = None
     density: Density | None = None
     viscoelasticity: Viscoelasticity | None = None
@@ -135,8 +135,8 @@ class StatedTable(Table):
     law: str = Field(examples=['"yeoh"'])
     name: str | None = Field(default=None, examples=['"my silicone"'])
     thickness: Length | None = None
-    form: str | None = None
-    compression: float | None = None
+    form: str | None = Field(default=None, examples=['"shell"'])
+    compression: float | None = Field(default=None, examples=["0"])
     bending_stiffness: BendingStiffness | None = None
     density: Density | None = None
     stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
