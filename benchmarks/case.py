@@ -105,7 +105,7 @@ def peer_bender(*, solver: str, threads: int, size: str) -> dict[str, Any]:
 
 
 def demo(*, solver: str, threads: int) -> dict[str, Any]:
-    """The actuator of `examples/fast_pneunet.toml`, on a finer mesh, until shortly before its walls meet."""
+    """The actuator of `examples/fast_pneunet.toml`, on a finer mesh, until about its walls meet."""
     job = tg.jobs.read_job(ROOT / "examples" / "fast_pneunet.toml")
     mesh = tg.mesh(job.actuator.build(), size=2.2 * mm, grading=job.mesh.grading)
     model = tg.Model(mesh, materials=job.materials, supports=job.supports, loads=[tg.Pressure("cavity", 6 * kPa)])

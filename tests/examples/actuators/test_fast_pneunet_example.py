@@ -24,14 +24,14 @@ def test_fast_pneunet_bends_far_at_6_kPa(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.slow
 def test_fast_pneunet_turns_two_thirds(tmp_path, monkeypatch):
-    """Its walls meet at 8 kPa and push each other apart from there."""
+    """Its walls meet at 6 kPa and push each other apart from there."""
     monkeypatch.chdir(tmp_path)
     ran = runpy.run_path(str(EXAMPLE))
     response, solution = ran["response"], ran["solution"]
     assert response.column("bending_angle")[-1] / deg == pytest.approx(250.1, rel=0.005)
     touching = [state.touches["self"].area > 0 for state in solution.states[1:]]
     meet = response.column("pressure")[1:][touching][0] / kPa
-    assert 7 < meet < 10
+    assert 5 < meet < 7
     assert all(touching[touching.index(True) :])
     assert max(state.touches["self"].share for state in solution.states[1:]) <= 1.0  # 1 % of the cell behind
     assert solution.findings == ()
