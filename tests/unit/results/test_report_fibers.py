@@ -29,7 +29,7 @@ def test_fibers_sheets_and_radial_supports_in_words():
     model = tg.Model(mesh, regions | {face: sheet}, [Radial(face)], [], reinforcements=[braid, rods])
     *_, shell, first, second = describe.materials(model)
     words = face.replace("_", " ")
-    assert shell.where == f"{words} (sheet that resists bending)"
+    assert shell.where == f"{words} (shell)"
     assert (first.where, first.name) == (f"{words} (smeared fibers)", "Kevlar fiber")
     assert first.values == [
         ("coefficients", "E = 31.067 GPa, nu = 0.36"),
