@@ -105,7 +105,7 @@ def peer_bender(*, solver: str, threads: int, size: str) -> dict[str, Any]:
 
 
 def demo(*, solver: str, threads: int) -> dict[str, Any]:
-    """The actuator of `examples/fast_pneunet.toml`, on a finer mesh, until shortly before its walls meet."""
+    """The actuator of `examples/fast_pneunet.toml`, on a finer mesh, until about its walls meet."""
     job = tg.jobs.read_job(ROOT / "examples" / "fast_pneunet.toml")
     mesh = tg.mesh(job.actuator.build(), size=2.2 * mm, grading=job.mesh.grading)
     model = tg.Model(mesh, materials=job.materials, supports=job.supports, loads=[tg.Pressure("cavity", 6 * kPa)])
@@ -124,11 +124,11 @@ def growth(*, solver: str, threads: int, size: float, halved: bool = False) -> d
 
 
 def growth_model(size: float, halved: bool = False, paper: bool = True) -> tg.Model:
-    """The fast PneuNet of `growth`, with a membrane of paper or without."""
+    """The fast PneuNet of `growth`, with a shell of paper or without."""
     mesh = tg.mesh(tg.FastPneuNet(chambers=6, length=60 * mm).build(), size=size)
     mesh = split_edges(mesh, every_edge(mesh)) if halved else mesh
     rubber_ = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-    sheet = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+    sheet = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
     materials = {"body": rubber_, "base": rubber_} | ({"strain_limiting_layer": sheet} if paper else {})
     return tg.Model(mesh, materials=materials, supports=[tg.Fixed("fixed")], loads=[tg.Pressure("cavity", 20 * kPa)])
 

@@ -40,6 +40,8 @@ def surface_energies(case: Any, u: Any, load: Any, rounding: Any) -> Iterator[tu
     for face, pressure in case.pressures.items():  # −p V, V = −∫ x · cof(F) N / 3: the normal points into the cavity
         yield face, load * pressure * 1e3 / MPA / 3 * ng.InnerProduct(moved, ng.Cof(F) * normal)
     for face, sheet in case.materials.items():
+        if isinstance(sheet, tg.Shell):
+            raise RuntimeError(f"{case.name}: '{face}' is a shell, which this code does not have")
         if isinstance(sheet, tg.Membrane):
             yield face, membrane_energy(sheet, F * tangential, tangential)
     for fibers in case.reinforcements:

@@ -3,7 +3,7 @@
 python benchmarks/two_meshes.py [CHAMBERS STATES SIZE_MM COARSE_MM]
 python benchmarks/run.py two_meshes      a section of results.md
 
-The pressure is that of the demo, 22.5 kPa; walls meet at about 8 kPa. States are spread evenly over it. Times are CPU
+The pressure is that of the demo, 22.5 kPa; walls meet at about 6 kPa. States are spread evenly over it. Times are CPU
 seconds of one thread, without meshing; `both` is that of the coarse and of the fine mesh.
 """
 

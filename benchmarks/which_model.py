@@ -131,7 +131,7 @@ def parts(case: Case) -> tuple[Any, dict[str, Any], list[tg.Fibers]]:
     if case.family == "TwoMaterialBender":
         materials["base"] = STIFF
     if case.sheet:
-        materials["strain_limiting_layer"] = tg.Membrane(PAPER, thickness=0.1 * mm)
+        materials["strain_limiting_layer"] = tg.Shell(PAPER, thickness=0.1 * mm)
     fibers = []
     for face, angle, hand in case.threads:
         winding = tg.Winding(angle_from_axis=angle * deg, spacing=2 * mm, hand=hand)

@@ -6,7 +6,7 @@ from turgor.units import deg, kPa, mm
 finger = tg.FastPneuNet()
 mesh = tg.mesh(finger.build(), size=3 * mm)
 rubber = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
 model = tg.Model(
     mesh,
     materials={"body": rubber, "base": rubber, "strain_limiting_layer": paper},

@@ -9,7 +9,7 @@ mesh = tg.mesh(bender.build(), size=6 * mm, cells="hexahedra")
 
 # %% Thread goes around the round side and the flat side together; the paper resists bending too.
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
-paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm, bending=True)
+paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
 hoops = tg.Fibers(
     face=("outside", "strain_limiting_layer"),
     material=tg.from_library("kevlar-fiber"),

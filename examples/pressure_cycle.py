@@ -19,7 +19,7 @@ mesh = tg.mesh(bender.build(), size=6 * mm)
 law = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
 series = Prony(g=(0.08, 0.05), tau=(2.0, 40.0), moduli="long_term")
 rubber = replace(law, viscoelasticity=series, stress_softening=Mullins(r=4.0, m=5 * kPa))
-paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
 materials = {"body": rubber, "base": rubber, "strain_limiting_layer": paper}
 duration = 20.0
 history = over_time([(0, 0), (5, 1), (10, 0), (15, 1), (20, 0)], duration)

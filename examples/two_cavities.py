@@ -7,7 +7,7 @@ from turgor.units import deg, kPa, mm
 bender = BidirectionalBender()
 mesh = tg.mesh(bender.build(), size=6 * mm)
 rubber = tg.from_library("elastosil-m4601", record="neo-hooke-polygerinos-2020")
-paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
 model = tg.Model(
     mesh,
     materials={"body": rubber, "strain_limiting_layer": paper},

@@ -12,7 +12,7 @@ SOFTEST = tg.from_library("ecoflex-00-30", record="yeoh-elsayed-2014")
 SOFT_OGDEN = tg.from_library("ecoflex-00-30", record="ogden-steck-2019")
 STIFFEST = tg.from_library("fiberglass", record="yeoh-polygerinos-2015")
 ELASTOSIL = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-PAPER = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * MM)
+PAPER = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * MM)
 LEAP = tg.Static(first_step=1.0, max_step=1.0)
 
 

@@ -28,7 +28,7 @@ class Case:
         What it is, with its pressure and materials.
     actuator : dataclass of dimensions
         Makes the geometry with its ``build()``.
-    materials : mapping of str to Material or Membrane
+    materials : mapping of str to Material, Shell or Membrane
         As `turgor.Model` takes them.
     pressures : mapping of str to float [kPa]
         Pressure of each cavity, by its face.

@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from turgor.geometry.geometry import Geometry as Geometry
     from turgor.gradients.gradient import gradient as gradient
     from turgor.laboratory.compare import compare as compare
-    from turgor.materials.experiments.read_tests import read_test as read_test
     from turgor.materials.fitting.fit_laws import fit as fit
     from turgor.materials.laws.laws import Yeoh as Yeoh
     from turgor.materials.library.records import from_library as from_library
@@ -56,8 +55,9 @@ if TYPE_CHECKING:
     from turgor.model.loads import Gravity as Gravity
     from turgor.model.loads import Pressure as Pressure
     from turgor.model.loads import Traction as Traction
-    from turgor.model.model import Membrane as Membrane
     from turgor.model.model import Model as Model
+    from turgor.model.sheets import Membrane as Membrane
+    from turgor.model.sheets import Shell as Shell
     from turgor.model.supports import Displacement as Displacement
     from turgor.model.supports import Fixed as Fixed
     from turgor.optimization.optimize import optimize as optimize

@@ -64,6 +64,9 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "spring stiffness": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
         "force per length": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
         "moment": MappingProxyType({"N m": 1.0, "Nm": 1.0, "N mm": 1e-3, "mN m": 1e-3, "mNm": 1e-3}),
+        "bending stiffness": MappingProxyType(
+            {"N m": 1.0, "N mm": 1e-3, "mN m": 1e-3, "mN mm": 1e-6, "µN m": 1e-6, "uN m": 1e-6}
+        ),
         "rotational stiffness": MappingProxyType(
             {"N m/rad": 1.0, "Nm/rad": 1.0, "N mm/rad": 1e-3, "N mm/deg": 1e-3 / deg}
         ),
@@ -89,6 +92,7 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "spring stiffness": "50 N/m",
         "force per length": "2 N/m",
         "moment": "20 N mm",
+        "bending stiffness": "10 µN m",
         "rotational stiffness": "0.5 N m/rad",
         "inertia": "2 kg mm²",
         "contact stiffness": "10 MPa/mm",

@@ -71,7 +71,7 @@ def model_of(actuator: Actuator, *, size: float, pressure: float, contact: tg.Co
         materials={
             "body": rubber,
             "base": rubber,
-            "strain_limiting_layer": tg.Membrane(paper, thickness=0.1 * mm, bending=True),
+            "strain_limiting_layer": tg.Shell(paper, thickness=0.1 * mm),
         },
         supports=[tg.Fixed("fixed")],
         loads=[tg.Pressure("cavity", pressure * kPa)],

@@ -8,7 +8,7 @@ import turgor as tg
 def sheet(modulus, thickness, nu=0.3):
     """A sheet that resists bending."""
     law = tg.laws.Hooke(E=modulus, nu=nu)
-    return tg.Membrane(tg.Material(name="sheet", law=law), thickness, bending=True)
+    return tg.Shell(tg.Material(name="sheet", law=law), thickness)
 
 
 def stiffness(modulus, thickness, nu=0.3):

@@ -12,7 +12,8 @@ from turgor.gradients.variation import Variation
 from turgor.materials.material import Material
 from turgor.model.drive import common_pressure
 from turgor.model.loads import Pressure
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane, Shell
 
 #: Parts of a model that hold numbers, by the name that they have in job files.
 _PARTS = {"materials": "materials", "loads": "loads", "fibers": "reinforcements", "supports": "supports"}
@@ -24,7 +25,7 @@ COMMON = "loads.pressure"
 _LEFT_OUT = ("source", "stretch_range", "history", "starts", "viscoelasticity", "stress_softening")
 
 #: Fields whose content counts as that of the whole: constants of the law of a material, of the material of a sheet.
-_THROUGH = {Material: ("law",), Membrane: ("material",)}
+_THROUGH = {Material: ("law",), Shell: ("material",), Membrane: ("material",)}
 
 #: Units in which numbers are shown, by the last part of their key.
 _UNITS = (

@@ -7,7 +7,7 @@ from turgor.materials.material import Material
 from turgor.meshing.cells import cell_type
 from turgor.meshing.chosen import chosen_cells
 from turgor.meshing.exchange.mesh_file import MeshedShape
-from turgor.model.model import Membrane
+from turgor.model.sheets import Sheet
 
 
 def compile_for(job: Job) -> None:
@@ -28,5 +28,5 @@ def needs_of(job: Job) -> Needs:
         nodes=kind.nodes,
         sides=kind.side.nodes if touch else 0,
         stretches=in_stretches(each for each in materials if isinstance(each, Material)),
-        sheets=any(isinstance(each, Membrane) for each in materials),
+        sheets=any(isinstance(each, Sheet) for each in materials),
     )

@@ -17,8 +17,8 @@ from turgor.meshing.settings import MeshSettings
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Load
-from turgor.model.model import Membrane
 from turgor.model.rigid import RigidFile
+from turgor.model.sheets import Sheet
 from turgor.model.supports import Fixed, Support
 from turgor.registry import Registry, class_of_file, name_in
 from turgor.setups.values import Setup
@@ -131,8 +131,8 @@ class Job:
         Name of this measure; the first one of the output if it is not given.
     mesh_most_unknowns : int
         Largest number of unknowns of a refined mesh.
-    materials : mapping of str to Material or Membrane
-        A material for every region and a membrane for every face that is reinforced.
+    materials : mapping of str to Material, Shell or Membrane
+        A material for every region and a sheet for every face that is reinforced.
     supports : tuple of Fixed, Radial or PlaneSection
         Supports; those of mirror planes are added by themselves.
     loads : tuple of Pressure, Gravity or Force
@@ -164,7 +164,7 @@ class Job:
     mesh_target: float | None = None
     mesh_target_measure: str | None = None
     mesh_most_unknowns: int = 200_000
-    materials: Mapping[str, Material | Membrane]
+    materials: Mapping[str, Material | Sheet]
     supports: tuple[Held, ...] = (Fixed("fixed"),)
     loads: tuple[Driving, ...]
     fibers: Mapping[str, Fibers] = field(default_factory=dict)

@@ -35,6 +35,9 @@ class Material(Shown):
         How the isochoric stress relaxes; by default not at all.
     stress_softening : Mullins or None
         How the rubber softens below its largest stretch so far; by default not at all.
+    bending_stiffness : float or None [N m]
+        Moment per width and curvature of a sheet that bends more easily than a plate, such as a woven fabric; by
+        default a sheet bends like a plate of its thickness. For `Hooke` only.
 
     Examples
     --------
@@ -53,6 +56,7 @@ class Material(Shown):
     source: Source = field(default=UNSTATED)
     viscoelasticity: Prony | None = None
     stress_softening: Mullins | None = None
+    bending_stiffness: float | None = None
 
     def __post_init__(self) -> None:
         if not self.bulk_modulus > 0:
@@ -63,11 +67,20 @@ class Material(Shown):
             raise TurgorError(
                 f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
             )
+        if self.bending_stiffness is not None:
+            self._check_bending(self.bending_stiffness)
+
+    def _check_bending(self, value: float) -> None:
+        if not isinstance(self.law, Hooke):
+            raise TurgorError(f"material '{self.name}' is no sheet; a bending_stiffness is for the law Hooke.")
+        if not 0 < value < inf:
+            raise TurgorError(f"material '{self.name}': bending_stiffness is {value:g} N m; it must be positive.")
 
     def __repr__(self) -> str:
         told = [f"'{self.name}'", f"{self.law!r} [SI]"]
         if not isinstance(self.law, Hooke):
             told.append("incompressible" if self.incompressible else f"bulk modulus {self.bulk_modulus:.4g} Pa")
+        told += [f"bending stiffness {self.bending_stiffness:.4g} N m"] if self.bending_stiffness is not None else []
         told += [f"{self.density:g} kg/m³"] if self.density is not None else []
         if self.stretch_range is not None:
             told.append(f"fitted to stretches {self.stretch_range[0]:.4g} to {self.stretch_range[1]:.4g}")

@@ -30,4 +30,5 @@ def as_solid(material: Material) -> Material:
     law = material.law
     if not isinstance(law, Hooke):
         return material
-    return replace(material, law=NeoHooke(C10=law.shear_modulus / 2), bulk_modulus=law.bulk_modulus)
+    rubber = NeoHooke(C10=law.shear_modulus / 2)
+    return replace(material, law=rubber, bulk_modulus=law.bulk_modulus, bending_stiffness=None)

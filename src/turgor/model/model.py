@@ -17,6 +17,7 @@ from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
 from turgor.model.points import Hinge, ReferencePoint, Rotation
+from turgor.model.sheets import Sheet
 from turgor.model.supports import Displacement, Support, Symmetry
 from turgor.shown import Shown, listed
 from turgor.store.saved import Saved
@@ -27,53 +28,6 @@ MIXED, CONTINUOUS, DISPLACEMENT = "mixed", "continuous", "displacement"
 FORMULATIONS = (MIXED, CONTINUOUS, DISPLACEMENT)
 
 
-@dataclass(frozen=True, slots=True)
-class Membrane:
-    """A thin sheet on a face: stretches and shears like its material, and bends freely or like a plate.
-
-    Parameters
-    ----------
-    material : Material
-        Its law must be `Hooke`.
-    thickness : float [m]
-        Thickness of the sheet, in (0, 1 cm].
-    bending : bool
-        Whether it resists bending like a plate of its thickness (a shell); paper of 0.1 mm between layers of silicone
-        hardly does, a sheet of 0.5 mm does.
-    compression : float
-        Share of the stiffness that works in compression: 1 for a sheet that bears compression, 0 for one that wrinkles
-        and bears tension only (tension field). A sheet that resists bending keeps all of it.
-    """
-
-    material: Material
-    thickness: float
-    bending: bool = False
-    compression: float = 1.0
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.material.law, Hooke):
-            raise TurgorError(
-                f"membrane of '{self.material.name}': its law is {type(self.material.law).__name__}; "
-                "a membrane needs Hooke (Young's modulus and Poisson's ratio)."
-            )
-        if not 0 < self.thickness <= 0.01:
-            raise TurgorError(f"membrane thickness is {self.thickness * 1e3:g} mm; allowed is more than 0 up to 10 mm.")
-        if not 0 <= self.compression <= 1:
-            raise TurgorError(
-                f"membrane compression is {self.compression:g}; allowed is 0 (it wrinkles) to 1 (as in tension)."
-            )
-        if self.bending and self.compression < 1:
-            raise TurgorError(
-                f"membrane compression is {self.compression:g}, but the sheet resists bending; a shell bears "
-                "compression (1) and buckles by itself."
-            )
-
-    @property
-    def wrinkles(self) -> bool:
-        """Whether it bears less compression than tension."""
-        return self.compression < 1
-
-
 @dataclass(frozen=True, slots=True, init=False)
 class Model(Saved, Shown):
     """A mesh with its materials, supports and loads; the question that `solve` answers.
@@ -82,8 +36,8 @@ class Model(Saved, Shown):
     ----------
     mesh : Mesh
         Cells with named regions and faces.
-    materials : mapping of str to Material or Membrane
-        A `Material` for every region, a `Membrane` for any face that is reinforced.
+    materials : mapping of str to Material, Shell or Membrane
+        A `Material` for every region, a `Shell` (or a `Membrane`) for any face that is reinforced.
     supports : sequence of Support
         What holds the body. Faces named ``symmetry_*`` are mirror planes without being listed.
     loads : sequence of Load
@@ -106,7 +60,7 @@ class Model(Saved, Shown):
     """
 
     mesh: Mesh
-    materials: Mapping[str, Material | Membrane]
+    materials: Mapping[str, Material | Sheet]
     supports: tuple[Support, ...]
     loads: tuple[Load, ...]
     formulation: str
@@ -116,7 +70,7 @@ class Model(Saved, Shown):
     def __init__(
         self,
         mesh: Mesh,
-        materials: Mapping[str, Material | Membrane],
+        materials: Mapping[str, Material | Sheet],
         supports: Sequence[Support],
         loads: Sequence[Load],
         formulation: str = MIXED,
@@ -138,7 +92,9 @@ class Model(Saved, Shown):
 
     def __repr__(self) -> str:
         made = [f"{name}: {used.name}" for name, used in self.region_materials.items()]
-        made += [f"{name}: membrane of {used.material.name}" for name, used in self.membranes.items()]
+        made += [
+            f"{name}: {type(used).__name__.lower()} of {used.material.name}" for name, used in self.membranes.items()
+        ]
         acting = [f"{type(each).__name__}({_place(each)})" for each in self.supports]
         acting += [_named(load) for load in self.loads]
         acting += [f"Fibers({each.name})" for each in self.reinforcements]
@@ -147,14 +103,19 @@ class Model(Saved, Shown):
 
     def _check_materials(self) -> None:
         for name, material in self.materials.items():
-            if isinstance(material, Membrane):
+            if isinstance(material, Sheet):
                 if name not in self.mesh.faces:
-                    raise unknown("face for a membrane", name, self.mesh.faces)
+                    raise unknown("face for a sheet", name, self.mesh.faces)
+            elif name in self.mesh.faces and name not in self.mesh.regions:
+                raise TurgorError(
+                    f"materials.{name}: '{name}' is a face, and a sheet of '{material.name}' on it needs a thickness; "
+                    "give a Shell(material, thickness)."
+                )
             elif name not in self.mesh.regions:
                 raise unknown("region for a material", name, self.mesh.regions)
             elif isinstance(material.law, Hooke):
                 raise TurgorError(
-                    f"materials.{name}: the law Hooke of '{material.name}' is for membranes; "
+                    f"materials.{name}: the law Hooke of '{material.name}' is for sheets on faces; "
                     "a region needs a hyperelastic law such as NeoHooke or Yeoh; a film of its own takes "
                     "`turgor.model.layers.as_solid` of the material."
                 )
@@ -219,9 +180,9 @@ class Model(Saved, Shown):
         return {name: m for name, m in self.materials.items() if isinstance(m, Material)}
 
     @property
-    def membranes(self) -> dict[str, Membrane]:
-        """The membranes on faces."""
-        return {name: m for name, m in self.materials.items() if isinstance(m, Membrane)}
+    def membranes(self) -> dict[str, Sheet]:
+        """The sheets on faces: shells and membranes."""
+        return {name: m for name, m in self.materials.items() if isinstance(m, Sheet)}
 
     @property
     def sheets_wrinkle(self) -> bool:

@@ -26,8 +26,9 @@ from turgor.model.inp.reference_points import (
     step_lines,
 )
 from turgor.model.loads import Force, Gravity, Hanging, Moment, Pressure
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
 from turgor.model.points import RIGID, Hinge, ReferencePoint, Rotation
+from turgor.model.sheets import Sheet, Shell
 from turgor.model.supports import Fixed, PlaneSection, Radial, Symmetry
 from turgor.units import MPa, mm
 
@@ -98,14 +99,18 @@ def write_inp(
 
 
 def _check_extras(model: Model) -> None:
-    bent = [name for name, membrane in model.membranes.items() if membrane.bending]
+    bent = [name for name, membrane in model.membranes.items() if isinstance(membrane, Shell)]
     wrinkling = [name for name, membrane in model.membranes.items() if membrane.wrinkles]
     what = [f"winding of fibers on '{fibers.name}'" for fibers in model.reinforcements]
-    what += [f"the sheet on '{name}', which resists bending," for name in bent]
     what += [f"the sheet on '{name}', which wrinkles," for name in wrinkling]
     what += [f"the obstacle '{obstacle.name}'" for obstacle in model.contact.obstacles]
     if what:
         raise TurgorError(f"{what[0]} has no form in .inp files; leave it out to compare the rest.")
+    if bent:
+        raise TurgorError(
+            f"the shell on '{bent[0]}' has no form in .inp files; make it a membrane, or leave it out, to compare the "
+            "rest."
+        )
 
 
 def _contact_note(model: Model) -> list[str]:
@@ -141,7 +146,7 @@ def compressible(model: Model, poisson: float) -> Model:
     """
     if not 0 <= poisson < 0.5:
         raise TurgorError(f"poisson is {poisson}; allowed is 0 to less than 0.5.")
-    materials: dict[str, Material | Membrane] = dict(model.materials)
+    materials: dict[str, Material | Sheet] = dict(model.materials)
     for name, material in model.region_materials.items():
         law = material.law
         if material.incompressible and not isinstance(law, Hooke):

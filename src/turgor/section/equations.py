@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from turgor.engine.algebra.linear import LinearSolver, linear_solver
 from turgor.engine.algebra.pattern import build_pattern, locate
 from turgor.model.model import Model
+from turgor.section.bending import Folds, Plates, bending_of
 from turgor.section.kinematics import STRAINS
 from turgor.section.loops import Loop
 from turgor.section.numbering import Numbering, numbering_of
@@ -147,6 +148,7 @@ class Equations:
         self.closed = closed
         self.rubber: Rubber = rubber_of(model, self.plane, self.stress)
         self.sheets: list[Sheet | Threads] = sheets_of(model, self.plane, self.stress)
+        self.bending: list[Plates | Folds] = bending_of(model, self.plane, self.stress)
         self.cavities = {
             name: self._loop(face_edges(self.plane, model.mesh.face(name))) for name in model.mesh.cavities
         }
@@ -196,10 +198,11 @@ class Equations:
         return np.asarray(np.sort(edges[:, :2], axis=1) @ np.array([len(self.plane.points), 1]))
 
     def _unknowns_of_pieces(self) -> list[tuple[Ints, Ints]]:
-        """Nodes and unknowns of the pieces of each part: rubber, sheets, cavities."""
+        """Nodes and unknowns of the pieces of each part: rubber, sheets, their bending, cavities."""
         numbers, quads = self.numbers, self.plane.quads
         found = [(quads, np.hstack([numbers.of_nodes(quads), numbers.first_mean + self.rubber.mean]))]
-        for nodes in [*(s.vectors.nodes for s in self.sheets), *(loop.edges for loop in self.cavities.values())]:
+        cavities = [loop.edges for loop in self.cavities.values()]
+        for nodes in [*(s.vectors.nodes for s in self.sheets), *(each.nodes for each in self.bending), *cavities]:
             found.append((nodes, numbers.of_nodes(nodes)))
         return found
 
@@ -262,7 +265,7 @@ class Equations:
         return np.array([found[k] for k in cavities]).reshape(-1, size)
 
     def _parts(self, at: Unknowns) -> list[tuple[Array, Array]] | None:
-        """Gradients and Hessians of rubber, sheets and cavities, in the directions of the nodes."""
+        """Gradients and Hessians of rubber, sheets, their bending and cavities, in the directions of the nodes."""
         found = self.rubber.forces(at.y, at.strains, at.p)
         if found is None:
             return None
@@ -271,6 +274,7 @@ class Equations:
             P, A = sheet.response(sheet.vectors.at(at.y, at.strains))
             B = sheet.vectors.derivatives(at.y, at.strains)
             parts.append((sheet.vectors.gradient(B, P), sheet.vectors.hessian(B, P, A)))
+        parts += [each.derivatives(at.y, at.strains) for each in self.bending]
         for loop, pressure in zip(self.cavities.values(), at.pressures, strict=True):
             r, K = loop.derivatives(at.y, at.strains)
             if not self.closed:
@@ -303,7 +307,7 @@ class Equations:
         """Derivatives (size,) of the volume of each cavity; of open ends, without those by the strains."""
         closed = self.closed if closed is None else closed
         found: list[Array] = []
-        first = 1 + len(self.sheets)
+        first = 1 + len(self.sheets) + len(self.bending)
         for k, loop in enumerate(self.cavities.values(), start=first):
             (_, unknowns), (chosen, turn) = self._pieces[k], self._turns[k]
             r, _ = loop.derivatives(at.y, at.strains)

@@ -15,7 +15,8 @@ from turgor.geometry.geometry import Geometry
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.model.fibers import Fibers
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Sheet
 from turgor.model.supports import Support
 from turgor.section.equations import Equations, Question
 from turgor.section.path import follow
@@ -54,8 +55,8 @@ class Section(Shown):
     shape : actuator, Geometry, Mesh, Sketch or PlaneCut
         An actuator has its uniform section taken. A CAD part is cut in the middle of its length, and of a mesh of
         27-node hexahedra in layers along x the layer there is taken; `turgor.sections.cut` cuts both elsewhere.
-    materials : mapping of str to Material or Membrane
-        A material for every region, a membrane or a shell for any face along the actuator.
+    materials : mapping of str to Material, Shell or Membrane
+        A material for every region, a shell or a membrane for any face along the actuator.
     reinforcements : sequence of Fibers
         Threads wound on faces; a section has them smeared. Angles count from the axis x.
     supports : sequence of Support
@@ -88,7 +89,7 @@ class Section(Shown):
     def __init__(
         self,
         shape: "Actuator | Geometry | Mesh | Sketch | PlaneCut",
-        materials: Mapping[str, Material | Membrane],
+        materials: Mapping[str, Material | Sheet],
         *,
         reinforcements: Sequence[Fibers] = (),
         supports: Sequence[Support] = (),

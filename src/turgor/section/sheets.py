@@ -1,4 +1,4 @@
-"""Sheets and threads on the outlines of a section: membranes, shells and smeared fibers.
+"""Sheets and threads on the outlines of a section: membranes, shells and smeared fibers; shells bend in `bending`.
 
 Their tables on the slice are those of the engine; `turgor.section.kinematics.from_slice` turns them into the section's.
 """
@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells.reference import reference_cell
 from turgor.engine.faces.membranes import MEMBRANE_QUADRATURE_DEGREE, plane_stress_moduli, surface_gradients
-from turgor.engine.faces.shells import shear_layers, shear_moduli, shell_layers
 from turgor.engine.faces.tension_field import TensionField, tension_field
 from turgor.engine.fibers.fiber_kernels import SLACK_TANGENT
 from turgor.engine.fibers.smeared import smeared_pieces
 from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke
 from turgor.model.fibers import DISCRETE, SMEARED, Fibers
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane, Shell
 from turgor.section.kinematics import Vectors, from_slice
 from turgor.section.plane import Plane
 
@@ -96,7 +96,7 @@ def sheets_of(model: Model, plane: Plane, stress: float) -> list[Sheet | Threads
     """Find the membranes, shells and fibers of a slice, scaled by the plane's length and a stress [Pa]."""
     found: list[Sheet | Threads] = []
     for name, membrane in model.membranes.items():
-        found += _sheets(model, plane, name, membrane, stress)
+        found.append(_sheet(model, plane, name, membrane, stress))
     for fibers in model.reinforcements:
         found += _threads(model, plane, smeared(fibers), stress)
     return found
@@ -118,22 +118,14 @@ def smeared(fibers: Fibers) -> Fibers:
     return replace(fibers, form=SMEARED, bending=False) if fibers.form == DISCRETE else fibers
 
 
-def _sheets(model: Model, plane: Plane, name: str, membrane: Membrane, stress: float) -> list[Sheet]:
+def _sheet(model: Model, plane: Plane, name: str, membrane: Shell | Membrane, stress: float) -> Sheet:
     law, thickness = membrane.material.law, membrane.thickness / plane.length
     assert isinstance(law, Hooke)
     sides = np.ascontiguousarray(model.mesh.face(name))
     moduli = plane_stress_moduli(law) / stress * thickness
     field = tension_field(moduli, membrane.compression) if membrane.wrinkles else None
-    if not membrane.bending:
-        layers = [(sides, *surface_gradients(model.mesh.points / plane.length, sides))]
-        return [Sheet(vectors=_vectors(plane, sides, layer), moduli=moduli, field=field) for layer in layers]
-    found = [
-        Sheet(vectors=_vectors(plane, sides, layer), moduli=moduli)
-        for layer in shell_layers(model.mesh, name, membrane.thickness, plane.length)
-    ]
-    shear = shear_moduli(law) / stress * thickness
-    across = shear_layers(model.mesh, name, plane.length)
-    return found + [Sheet(vectors=_vectors(plane, sides, layer), moduli=shear) for layer in across]
+    layer = (sides, *surface_gradients(model.mesh.points / plane.length, sides))
+    return Sheet(vectors=_vectors(plane, sides, layer), moduli=moduli, field=field)
 
 
 def _vectors(plane: Plane, sides: Ints, layer: tuple[Ints, Array, Array]) -> Vectors:

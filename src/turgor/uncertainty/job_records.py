@@ -7,7 +7,7 @@ from turgor.errors import TurgorError, unknown
 from turgor.job.job import Job
 from turgor.materials.library.record_files import all_records
 from turgor.materials.library.records import material_of
-from turgor.model.model import Membrane
+from turgor.model.sheets import Sheet
 from turgor.uncertainty.cases import library_alternatives
 from turgor.uncertainty.spread import Alternatives, Input
 
@@ -73,7 +73,7 @@ def _record_of(key: str, job: Job) -> tuple[str, str]:
     if key not in known:
         raise unknown("material of the job", key, known)
     entry = known[key]
-    material = entry.material if isinstance(entry, Membrane) else entry
+    material = entry.material if isinstance(entry, Sheet) else entry
     for record in all_records():
         try:
             same = material_of(record)

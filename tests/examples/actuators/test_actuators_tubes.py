@@ -96,11 +96,11 @@ def test_bare_tubes_widen_as_exactly_known(name, pressure, outer, lengths):
 
 
 def test_semicircular_bender():
-    assert run_example("semicircular_bender").column("bending_angle")[-1] / deg == pytest.approx(3.39, rel=0.02)
+    assert run_example("semicircular_bender").column("bending_angle")[-1] / deg == pytest.approx(2.85, rel=0.02)
 
 
 def test_rectangular_bender():
-    assert run_example("rectangular_bender").column("bending_angle")[-1] / deg == pytest.approx(3.35, rel=0.02)
+    assert run_example("rectangular_bender").column("bending_angle")[-1] / deg == pytest.approx(3.23, rel=0.02)
 
 
 def test_eccentric_bender_bends_towards_its_thick_wall():
@@ -124,7 +124,7 @@ def test_two_material_bender_bends_towards_the_stiff_material():
 
 @pytest.mark.slow
 def test_bidirectional_bender_is_mirror_symmetric():
-    assert run_example("bidirectional_bender").column("bending_angle")[-1] / deg == pytest.approx(3.93, rel=0.02)
+    assert run_example("bidirectional_bender").column("bending_angle")[-1] / deg == pytest.approx(3.81, rel=0.02)
     job = shorter("bidirectional_bender", 50 * mm)
     down, up, both = (
         at_the_end(replace(job, loads=tuple(Pressure(name, 30 * kPa) for name in names)))

@@ -233,7 +233,7 @@ def test_a_job_runs_and_its_lock_file_repeats_it(folder: Path, capsys: pytest.Ca
     assert "Reached 2 kPa (load factor 1) in 2 steps" in out
     shown = re.search(r"At 2 kPa: bending angle ([\d.]+) ± ([\d.]+) deg", out)
     error = response[-1]["bending_angle_mesh_error_deg"]
-    assert float(shown[1]) == pytest.approx(response[-1]["bending_angle_deg"], abs=0.1 * error)
+    assert float(shown[1]) == pytest.approx(response[-1]["bending_angle_deg"], abs=0.25 * error)  # one digit of it
     assert float(shown[2]) == pytest.approx(error, rel=0.4)
     assert "Results in finger-results: " in out
     assert {file.name for file in results.iterdir()} == {

@@ -11,7 +11,8 @@ from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.model.fibers import Fibers, Winding
 from turgor.model.loads import Pressure, Traction
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane
 from turgor.model.supports import Fixed, Radial
 
 SOFT = Material(name="soft", law=NeoHooke(C10=0.1e6))

@@ -15,7 +15,7 @@ from turgor.meshing.cells import HEXAHEDRON, TETRAHEDRON
 from turgor.meshing.mesh import TETRAHEDRON_EDGES, Mesh
 from turgor.supports import ReferencePoint
 
-SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e-3, bending=True)
+SHEET = tg.Shell(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e-3)
 RUBBER = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=1e5))
 SIDE = 0.01
 #: A cube is cut into six tetrahedra around one diagonal; columns of corners in order of x, y, z.
@@ -226,6 +226,6 @@ def test_flat_sides_of_any_shape_are_stable(kind, penalty, monkeypatch):
 
 
 def test_membranes_do_not_bend():
-    plain = replace(SHEET, bending=False)
+    plain = tg.Membrane(SHEET.material, SHEET.thickness)
     system = System(tg.Model(_block((1, 1, 1), curved=False), {"body": RUBBER, "z1": plain}, [], []))
     assert _bending(system) == []

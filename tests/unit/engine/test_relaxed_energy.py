@@ -9,7 +9,7 @@ from turgor.engine.faces.tension_field import LARGEST_SHARE, LONGEST_TOE, STRAIN
 from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
-from turgor.model.model import Membrane
+from turgor.model.sheets import Membrane
 
 YOUNG, NU = 3.0, 0.3
 MODULI = plane_stress_moduli(Hooke(E=YOUNG, nu=NU))
@@ -98,5 +98,3 @@ def test_a_share_out_of_range_is_refused():
     film = Material(name="film", law=Hooke(E=1e9, nu=0.3))
     with pytest.raises(TurgorError, match=r"membrane compression is -0.1; allowed is 0 \(it wrinkles\) to 1"):
         Membrane(film, 1e-4, compression=-0.1)
-    with pytest.raises(TurgorError, match="compression is 0, but the sheet resists bending"):
-        Membrane(film, 1e-4, bending=True, compression=0.0)

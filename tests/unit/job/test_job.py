@@ -33,7 +33,8 @@ from turgor.materials.material import Material
 from turgor.meshing.generate import mesh
 from turgor.meshing.mesh import Mesh
 from turgor.model.loads import Gravity, Pressure
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Shell
 from turgor.model.supports import Fixed, Symmetry
 from turgor.solvers.procedures.static import Static
 from turgor.source import Source
@@ -84,7 +85,7 @@ def test_the_example_is_the_published_design() -> None:
     assert job.name == "fast_pneunet"
     assert job.actuator == FastPneuNet()
     assert job.materials["body"] == from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-    assert job.materials["strain_limiting_layer"] == Membrane(
+    assert job.materials["strain_limiting_layer"] == Shell(
         from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm
     )
     assert job.supports == (Fixed("fixed"),)
@@ -284,7 +285,7 @@ def test_a_linear_elastic_region_and_a_rubber_sheet_are_refused(tmp_path: Path) 
     text = re.sub("(?m)^body = .*", 'body = { law = "hooke", E = "1 GPa", nu = 0.3 }', SMALL)
     assert problems(tmp_path, text)[0].startswith("small.toml:11: materials.body: 'body' is linear elastic, for sheets")
     text = SMALL.replace('library = "paper", record = "hooke-polygerinos-2020"', 'law = "neo_hooke", C10 = "1 MPa"')
-    assert "a membrane needs Hooke" in problems(tmp_path, text)[0]
+    assert "a shell needs Hooke" in problems(tmp_path, text)[0]
 
 
 def test_the_settings_of_the_mesh_reach_the_job_and_come_back_from_the_lock_file(tmp_path: Path) -> None:

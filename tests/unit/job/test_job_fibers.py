@@ -18,7 +18,8 @@ from turgor.job.text.problems import JobError
 from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.materials.library.records import from_library
 from turgor.model.fibers import Fibers, Winding
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane, Shell
 from turgor.model.supports import Fixed, PlaneSection, Radial
 from turgor.model.write_inp import write_inp
 from turgor.units import deg, mm
@@ -241,25 +242,48 @@ SOLID = 'strain_limiting_layer = { library = "paper", record = "hooke-polygerino
 
 
 def test_forms_of_the_layer(tmp_path):
-    bare = read(tmp_path, BENDER).materials["strain_limiting_layer"]
-    assert isinstance(bare, Membrane) and not bare.bending
-    assert (
-        read(tmp_path, BENDER.replace('"0.1 mm"', '"0.1 mm", form = "membrane"')).materials["strain_limiting_layer"]
-        == bare
-    )
-    for cells in ("hexahedra", "tetrahedra"):
-        text = BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell"').replace('"hexahedra"', f'"{cells}"')
-        shell = read(tmp_path, text)
-        assert shell.materials["strain_limiting_layer"] == replace(bare, bending=True)
-        assert again(tmp_path, shell) == shell
-    field = read(tmp_path, BENDER.replace('"0.1 mm"', '"0.1 mm", compression = 0'))
-    assert field.materials["strain_limiting_layer"] == replace(bare, compression=0.0)
-    assert again(tmp_path, field) == field
+    paper = from_library("paper", record="hooke-polygerinos-2020")
+    sheets = {
+        "": Shell(paper, 0.1 * mm),
+        ', form = "shell"': Shell(paper, 0.1 * mm),
+        ', form = "membrane"': Membrane(paper, 0.1 * mm),
+        ", compression = 0": Membrane(paper, 0.1 * mm, compression=0.0),
+        ', bending_stiffness = "10 µN m"': Shell(replace(paper, bending_stiffness=10 * 1e-6), 0.1 * mm),
+    }
+    for stated, sheet in sheets.items():
+        job = read(tmp_path, BENDER.replace('"0.1 mm"', f'"0.1 mm"{stated}'))
+        assert job.materials["strain_limiting_layer"] == sheet
+        assert f'form = "{type(sheet).__name__.lower()}"' in lock_text(job, {})
+        assert again(tmp_path, job) == job
+
+
+def test_a_record_says_what_its_sheet_is(tmp_path):
+    fabric = """\
+    name = "Woven fabric"
+    kind = "sheet"
+    [records.own]
+    law = "hooke"
+    parameters = { E = "200 MPa", nu = 0.3 }
+    convention = "elastic"
+    source = "own tests"
+    """
+    sheets = {
+        'bending_stiffness = "10 µN m"': (Shell, 10 * 1e-6),
+        'form = "membrane"\nbending_stiffness = "10 µN m"': (Membrane, None),
+    }
+    for line, (kind, stiffness) in sheets.items():
+        (tmp_path / "fabric.toml").write_text(fabric + line, encoding="utf-8")
+        layer = 'strain_limiting_layer = { library = "fabric.toml", thickness = "0.3 mm" }\n'
+        job = read(tmp_path, BENDER.replace(LAYER, layer))
+        sheet = job.materials["strain_limiting_layer"]
+        assert isinstance(sheet, kind) and sheet.material.bending_stiffness == stiffness
+        assert again(tmp_path, job) == job
 
 
 def test_combined_constants_go_to_the_base(tmp_path):
     text = re.sub("(?m)^base.*\n", "", BENDER.replace(LAYER, COMBINED))
     job = read(tmp_path, text)
+    assert job == read(tmp_path, text.replace(', form = "combined"', ""))  # its record says so
     assert set(job.materials) == {"body", "base"}
     assert job.materials["base"] == from_library("fiberglass")
     assert again(tmp_path, job) == job
@@ -290,7 +314,11 @@ FORMS = [
     (BENDER.replace('"0.1 mm"', '"0.1 mm", compression = 2'),
      "materials.strain_limiting_layer.compression: 2; allowed is 0 (it wrinkles) to 1"),
     (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "shell", compression = 0'),
-     "materials.strain_limiting_layer.compression: 0, but the sheet resists bending; a shell bears compression"),
+     "materials.strain_limiting_layer.compression: 0, but a shell bears compression (1) and buckles by itself"),
+    (BENDER.replace('"0.1 mm"', '"0.1 mm", form = "membrane", bending_stiffness = "10 µN m"'),
+     "materials.strain_limiting_layer.bending_stiffness: only a shell on a face has a bending stiffness; leave it out"),
+    (BENDER.replace('"0.1 mm"', '"0.1 mm", bending_stiffness = "0 µN m"'),
+     "materials.strain_limiting_layer.bending_stiffness: 0 N m; it must be positive."),
 ]  # fmt: skip
 
 
@@ -310,7 +338,7 @@ def test_what_inp_files_cannot_say_is_refused(tmp_path):
     plain = Model(model.mesh, model.materials, held, model.loads)
     with pytest.raises(TurgorError, match="'outside' is held radially"):
         write_inp(plain, tmp_path / "a.inp", program="abaqus")
-    sheet = Membrane(from_library("kevlar-fiber"), 0.1 * mm, bending=True)
+    sheet = Shell(from_library("kevlar-fiber"), 0.1 * mm)
     bent = Model(model.mesh, {**model.materials, "outside": sheet}, [Fixed("fixed")], model.loads)
-    with pytest.raises(TurgorError, match="the sheet on 'outside', which resists bending, has no form"):
+    with pytest.raises(TurgorError, match="the shell on 'outside' has no form in"):
         write_inp(bent, tmp_path / "a.inp", program="abaqus")

@@ -24,12 +24,12 @@ def test_fibers_sheets_and_radial_supports_in_words():
         compression=0.5,
         form="discrete",
     )
-    sheet = tg.Membrane(paper, 0.5 * mm, bending=True)
+    sheet = tg.Shell(paper, 0.5 * mm)
     regions = dict.fromkeys(mesh.regions, results_cases.RUBBER)
     model = tg.Model(mesh, regions | {face: sheet}, [Radial(face)], [], reinforcements=[braid, rods])
     *_, shell, first, second = describe.materials(model)
     words = face.replace("_", " ")
-    assert shell.where == f"{words} (sheet that resists bending)"
+    assert shell.where == f"{words} (shell)"
     assert (first.where, first.name) == (f"{words} (smeared fibers)", "Kevlar fiber")
     assert first.values == [
         ("coefficients", "E = 31.067 GPa, nu = 0.36"),

@@ -13,7 +13,8 @@ from turgor.materials.laws.laws import Hooke, NeoHooke, Yeoh
 from turgor.materials.material import Material
 from turgor.meshing.quality.cell_quality import quality
 from turgor.model.loads import BodyForce, Gravity, Pressure, Traction
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane
 from turgor.model.supports import Displacement, Fixed
 from turgor.response import Column, Response
 from turgor.results.measures.measures import bending_angle, find_measure, measure

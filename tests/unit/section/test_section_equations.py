@@ -30,7 +30,7 @@ PARTS = {
     "two rubbers": {},
     "membrane": {"paper": tg.Membrane(PAPER, 0.1 * mm)},
     "wrinkling sheet": {"top": tg.Membrane(PAPER, 0.1 * mm, compression=0.1)},
-    "shell": {"paper": tg.Membrane(PAPER, 0.3 * mm, bending=True)},
+    "shell": {"paper": tg.Shell(PAPER, 0.3 * mm)},
 }
 
 

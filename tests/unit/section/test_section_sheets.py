@@ -78,7 +78,7 @@ def test_a_half_round_on_paper_bends_as_the_whole_actuator(tmp_path, monkeypatch
 
     Small cells at the corners of the chamber make it 8.44°.
     """
-    paper = tg.Membrane(PAPER, thickness=0.1 * mm, bending=True)
+    paper = tg.Shell(PAPER, thickness=0.1 * mm)
     materials = {"body": ELASTOSIL, "base": ELASTOSIL, "strain_limiting_layer": paper}
     solution = tg.Section(tg.actuators.SemicircularBender(), materials).solve(np.array([0, 50]) * kPa, mesh_error=False)
     assert np.rad2deg(solution.response["curvature_y"][-1] * 0.1) == pytest.approx(8.5, rel=0.012)

@@ -11,7 +11,8 @@ import meshes
 from turgor.materials.laws.laws import Hooke, NeoHooke, Yeoh
 from turgor.materials.material import Material
 from turgor.model.loads import Pressure, Traction
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane, Shell
 from turgor.model.supports import Fixed
 from turgor.solvers.checks.causes import balloon, cause_in, overload, turned_law, wrinkled_film
 from turgor.solvers.outcomes import stuck
@@ -37,8 +38,8 @@ def stretched(rubber, stretch, **sheets):
     return cases.state(model, lambda X: X * [stretch, stretch**-0.5, stretch**-0.5])
 
 
-def film(bending=False, compression=1.0):
-    return Membrane(Material(name="film", law=Hooke(E=1 * GPa, nu=0.3)), 0.1 * mm, bending, compression)
+def film(kind=Membrane, **how):
+    return kind(Material(name="film", law=Hooke(E=1 * GPa, nu=0.3)), 0.1 * mm, **how)
 
 
 def test_a_law_that_turns_over():
@@ -111,7 +112,7 @@ def test_a_film_that_wrinkles():
 
 def test_a_film_in_tension_or_with_bending_stiffness_does_not_wrinkle():
     assert wrinkled_film(stretched(cases.RUBBER, 0.97, tip=film())) is None  # the tip grows in its plane
-    assert wrinkled_film(stretched(cases.RUBBER, 0.97, outside=film(bending=True))) is None
+    assert wrinkled_film(stretched(cases.RUBBER, 0.97, outside=film(Shell))) is None
     assert wrinkled_film(stretched(cases.RUBBER, 0.97, outside=film(compression=0.0))) is None
     assert wrinkled_film(stretched(cases.RUBBER, 0.97, outside=film())) is not None
 

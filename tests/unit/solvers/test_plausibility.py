@@ -15,8 +15,9 @@ from turgor.materials.material import Material
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers, Winding
 from turgor.model.loads import Gravity, Pressure
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
 from turgor.model.obstacles import Obstacle, Plane, Sphere
+from turgor.model.sheets import Membrane
 from turgor.model.supports import Fixed
 from turgor.solvers.checks.early import early_findings
 from turgor.solvers.checks.plausibility.check import implausible

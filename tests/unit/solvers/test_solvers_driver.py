@@ -10,7 +10,8 @@ from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke, NeoHooke
 from turgor.materials.material import Material
 from turgor.model.loads import Pressure
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane
 from turgor.model.supports import Displacement, Fixed
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.solution import SolveError, Status

@@ -52,11 +52,13 @@ def actuator(chambers: int, given: Mapping[str, Any]) -> tg.actuators.SlowPneuNe
     )
 
 
-def layer(film: Mapping[str, Any]) -> tg.Membrane:
+def layer(film: Mapping[str, Any]) -> tg.Shell | tg.Membrane:
     """The film: ``"wrinkles"`` bears tension only, ``"membrane"`` compression too, ``"shell"`` bends as a plate."""
     silk = tg.Material(name="film", law=tg.laws.Hooke(E=film["modulus_MPa"] * MPa, nu=0.49))
-    how = {"wrinkles": {"compression": 0.0}, "membrane": {}, "shell": {"bending": True}}[film["form"]]
-    return tg.Membrane(silk, film["thickness_mm"] * mm, **how)
+    thickness = film["thickness_mm"] * mm
+    if film["form"] == "shell":
+        return tg.Shell(silk, thickness)
+    return tg.Membrane(silk, thickness, compression={"wrinkles": 0.0, "membrane": 1.0}[film["form"]])
 
 
 def model_of(chambers: int, given: Mapping[str, Any]) -> tg.Model:

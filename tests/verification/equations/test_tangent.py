@@ -19,7 +19,7 @@ from turgor.engine.system import System
 from turgor.materials.laws.laws import ArrudaBoyce, GeneralizedRivlin, Gent, Ogden
 
 SHEET = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e6, nu=0.3)), 5e-4)
-SHELL = tg.Membrane(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e-3, bending=True)
+SHELL = tg.Shell(tg.Material(name="sheet", law=tg.laws.Hooke(E=5e7, nu=0.3)), 1e-3)
 WRINKLING = tg.Membrane(SHEET.material, SHEET.thickness, compression=0.0)
 OPEN = tg.Pressure("z1", 4e4)
 OGDEN = Ogden(mu=(8e4, 2e3, -1e4), alpha=(1.7, 5.0, -2.3))

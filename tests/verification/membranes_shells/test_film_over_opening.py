@@ -93,7 +93,7 @@ def test_flat_body_closes_an_open_chamber(tmp_path, record_verification):
     mesh = tg.mesh(part, size=2 * mm, cells="tetrahedra")
     ecoflex = tg.from_library("ecoflex-00-30", record="ogden-moseley-2016")
     silk = tg.Material(name="silk", law=tg.laws.Hooke(E=4.1 * GPa, nu=0.3))
-    as_shell = {"film": ecoflex, "film_outside": tg.Membrane(silk, 0.5 * mm, bending=True)}
+    as_shell = {"film": ecoflex, "film_outside": tg.Shell(silk, 0.5 * mm)}
     grown = []
     for film in ({"film": as_solid(silk)}, as_shell):
         model = tg.Model(mesh, {"body": ecoflex, **film}, [tg.Fixed("fixed")], [tg.Pressure("cavity", 10 * kPa)])

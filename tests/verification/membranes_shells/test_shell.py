@@ -53,7 +53,7 @@ def test_bending_of_a_strip_with_a_sheet(modulus, kind, record_verification):
     rubber = 4 * RUBBER.shear_modulus * H**3 / 12  # E / (1 − ν²) is 4 µ where ν is ½
     plate = modulus / (1 - SHEET.nu**2) * T**3 / 12
     expected = [_deflection(rubber), L**3 / (3 * (rubber + plate))]
-    got = [_tip(kind, tg.Membrane(material, T)), _tip(kind, tg.Membrane(material, T, bending=True))]
+    got = [_tip(kind, tg.Membrane(material, T)), _tip(kind, tg.Shell(material, T))]
     record_verification(
         claim=f"strip with a sheet of {modulus / 1e6:g} MPa, {kind.name}: tip over force, membrane and shell [m/N m]",
         source="plate theory",

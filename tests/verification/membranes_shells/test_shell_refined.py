@@ -57,7 +57,7 @@ def _shell(kind, size):
     on = (np.abs(mesh.points[sides][:, :, 2] - MIDDLE) < 1e-9).all(axis=1)
     _, first = np.unique(np.sort(sides[on], axis=1), axis=0, return_index=True)
     mesh = meshes.with_faces(mesh, sheet=sides[on][first])
-    return _bulge(mesh, {"sheet": tg.Membrane(_paper(), T, bending=True)})
+    return _bulge(mesh, {"sheet": tg.Shell(_paper(), T)})
 
 
 def _solid(size, thickness):

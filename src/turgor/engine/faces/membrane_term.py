@@ -1,15 +1,17 @@
 """Membranes and shells: thin layers on faces that stretch in their plane."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.faces import membranes
+from turgor.engine.faces.plate_edges import plate_terms
 from turgor.engine.faces.tension_field import TensionField, tension_field
 from turgor.engine.term import Configuration, Setting, Term, add_at_nodes, displacements, lower
 from turgor.materials.laws.laws import Hooke
 from turgor.model.model import Model
+from turgor.model.sheets import Shell
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -144,3 +146,25 @@ def least_tension(model: Model, name: str, displacement: Array) -> tuple[Array, 
     stress = membranes.membrane_stress(points + displacement, still, sides, gradients, areas, moduli)
     half = 0.5 * (stress[..., 0] - stress[..., 1])
     return 0.5 * (stress[..., 0] + stress[..., 1]) - np.hypot(half, stress[..., 2]), areas
+
+
+def bending_energy(model: Model, name: str, displacement: Array) -> float:
+    """Compute the energy that a membrane would store by bending, were it a shell with free edges [J].
+
+    Parameters
+    ----------
+    model : Model
+    name : str
+        Face of the membrane.
+    displacement : (n, 3) array [m]
+
+    Raises
+    ------
+    TurgorError
+        If the sheet branches, so that it cannot bend.
+    """
+    mesh, sheet = model.mesh, model.membranes[name]
+    shell, moved = Shell(sheet.material, sheet.thickness), mesh.points + displacement
+    alone = replace(model, materials={**model.region_materials, name: shell})
+    setting = Setting(alone, mesh.points, np.zeros(mesh.points.shape, dtype=bool), np.empty((0, 0)), 1.0, 1.0)
+    return sum(term.energy(moved) for term in plate_terms(setting))

@@ -15,8 +15,8 @@ from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke
 from turgor.meshing.cells import side_type
 from turgor.meshing.surface import corner_keys, outer_triangles
-from turgor.model.model import Membrane
 from turgor.model.points import RIGID
+from turgor.model.sheets import Shell
 from turgor.units import mm
 
 Array = NDArray[np.float64]
@@ -46,7 +46,7 @@ ROUND_OFF = 1e-6
 def plate_terms(setting: Setting) -> Sequence[Term]:
     """Bending of the shells: sides and edges of each; faces with equal sheets are one sheet."""
     model, found = setting.model, []
-    bending = {name: sheet for name, sheet in model.membranes.items() if sheet.bending}
+    bending = {name: sheet for name, sheet in model.membranes.items() if isinstance(sheet, Shell)}
     for first, sheet in bending.items():
         names = [name for name, other in bending.items() if other == sheet]
         if names[0] != first:
@@ -56,7 +56,7 @@ def plate_terms(setting: Setting) -> Sequence[Term]:
     return found
 
 
-def _plate(setting: Setting, sides: Ints, sheet: Membrane) -> PlateTerm:
+def _plate(setting: Setting, sides: Ints, sheet: Shell) -> PlateTerm:
     """The bending of sides."""
     kind = side_type(sides.shape[1])
     degree = PLATE_QUADRATURE_DEGREE[kind.corners]
@@ -72,9 +72,9 @@ def _plate(setting: Setting, sides: Ints, sheet: Membrane) -> PlateTerm:
     return PlateTerm(sides, slopes, seconds, rest, frames.areas, moduli)
 
 
-def _stiffness(setting: Setting, sheet: Membrane) -> float:
-    """Scaled h³/12."""
-    return sheet.thickness**3 / 12 / (setting.length**3 * setting.stress)
+def _stiffness(setting: Setting, sheet: Shell) -> float:
+    """Scaled second moment of area per width, h³/12."""
+    return sheet.second_moment / (setting.length**3 * setting.stress)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,7 +118,7 @@ def edges_of(sides: Ints) -> Edges:
     return Edges(np.repeat(sides, corners, axis=0), np.tile(np.arange(corners), len(sides)))
 
 
-def _hinges(setting: Setting, triangles: Ints, sheet: Membrane, names: Sequence[str]) -> list[HingeTerm]:
+def _hinges(setting: Setting, triangles: Ints, sheet: Shell, names: Sequence[str]) -> list[HingeTerm]:
     """Edges between two sides, and rim edges that are held."""
     edges = edges_of(triangles)
     order = np.argsort(edges.keys, kind="stable")
@@ -129,7 +129,7 @@ def _hinges(setting: Setting, triangles: Ints, sheet: Membrane, names: Sequence[
         raise TurgorError(
             f"the sheet on {', '.join(repr(name) for name in names)} resists bending, and {count[several]} of its "
             f"sides meet at one edge, near ({at[0]:.3g}, {at[1]:.3g}, {at[2]:.3g}) mm; a sheet may bend and fold, "
-            "not branch or lie on itself. Leave a face out, or make one a membrane (bending=False)."
+            "not branch or lie on itself. Leave a face out, or make one a membrane."
         )
     inner, rim = first[count == 2], first[count == 1]
     free, sides = _held_sides(setting, triangles, edges[order[rim]])
@@ -164,7 +164,7 @@ def _normals(points: Array, triangles: Ints) -> Array:
     return np.asarray(normal / np.linalg.norm(normal, axis=1)[:, None])
 
 
-def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Membrane) -> HingeTerm:
+def _hinge(setting: Setting, pair: tuple[Edges, Edges], whole: bool, sheet: Shell) -> HingeTerm:
     """Hinges between two sides of a sheet (``whole``), or one and a side of the body that is held."""
     law = sheet.material.law
     assert isinstance(law, Hooke)

@@ -32,7 +32,7 @@ def bend(width: float, size: float, hoops: bool = True, paper: bool = False) -> 
     fibers, highest = [], PAPER_PRESSURE if paper else PRESSURE
     if paper:
         sheet = tg.from_library("paper", record="hooke-polygerinos-2020")
-        materials |= {flat: tg.Membrane(sheet, thickness=0.1 * mm)}
+        materials |= {flat: tg.Shell(sheet, thickness=0.1 * mm)}
     else:
         fibers = [threads(flat, angle, 1.187, 1.0) for angle in (0, 90)]
     fibers += [threads(("outside", flat), 90, 3, 1.0)] if hoops else []

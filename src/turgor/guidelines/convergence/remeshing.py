@@ -35,7 +35,7 @@ def inflate(size: float, bends: bool) -> Computed:
     if bends:
         actuator = tg.actuators.RectangularBender(length=100 * mm)
         paper = tg.from_library("paper", record="hooke-polygerinos-2020")
-        materials |= {"base": materials["body"], "strain_limiting_layer": tg.Membrane(paper, thickness=0.1 * mm)}
+        materials |= {"base": materials["body"], "strain_limiting_layer": tg.Shell(paper, thickness=0.1 * mm)}
     section = tg.Section(actuator, materials, size=size * mm)
     pressures = np.array([0.0, *(BENDER_PRESSURES if bends else TUBE_PRESSURES)]) * kPa
     found = section.solve(pressures, throw=False, mesh_error=False).response

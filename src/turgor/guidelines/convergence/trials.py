@@ -34,7 +34,7 @@ def solve(
     Besides angle and bulge, the response has what the solve took, the same in every row.
     """
     rubber = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
-    paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm, bending=True)
+    paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
     actuator = tg.actuators.SemicircularBender(length=LENGTH * mm, symmetric=symmetric)
     model = tg.Model(
         tg.mesh(actuator.build(), size=size * mm, cells=cells),

@@ -39,7 +39,7 @@ def bend(form: str, thickness: float, size: float) -> Computed:
         materials["layer"] = tg.Material(name="layer", law=tg.laws.NeoHooke(C10=young / 6))
     else:
         sheet = tg.Material(name="layer", law=tg.laws.Hooke(E=young, nu=0.49))
-        materials["layer"] = tg.Membrane(sheet, thickness=thickness * mm, bending=form == "shell")
+        materials["layer"] = (tg.Shell if form == "shell" else tg.Membrane)(sheet, thickness=thickness * mm)
     areas["cavity"] = tg.sections.rectangle((-inner, inner), (FLOOR * mm, (FLOOR + VOID_HEIGHT) * mm))
     lines = {} if form == "solid" else {"layer": ("z", 0.0)}
     sketch = tg.sections.Sketch(areas=areas, lines=lines)

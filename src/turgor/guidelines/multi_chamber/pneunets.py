@@ -115,7 +115,7 @@ def model_of(
     Model
     """
     paper = tg.from_library("paper", record="hooke-polygerinos-2020")
-    materials: dict[str, Any] = {"strain_limiting_layer": tg.Membrane(paper, thickness=0.1 * mm, bending=True)}
+    materials: dict[str, Any] = {"strain_limiting_layer": tg.Shell(paper, thickness=0.1 * mm)}
     for region in ("body", "base"):
         name, record = (rubbers or {}).get(region, ELASTOSIL).split("/")
         materials[region] = tg.from_library(name, record=record)

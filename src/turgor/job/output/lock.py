@@ -27,7 +27,7 @@ from turgor.materials.laws.laws import LAWS
 from turgor.materials.library.record_history import history_tables
 from turgor.materials.material import Material
 from turgor.meshing.exchange.mesh_file import MeshFile
-from turgor.model.model import Membrane
+from turgor.model.sheets import Sheet, Shell
 from turgor.registry import name_in
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.procedures.static import Static
@@ -176,8 +176,8 @@ def _target(job: Job) -> dict[str, Any]:
     return {"target": f"{100 * job.mesh_target:.6g} %", **measure, "most_unknowns": job.mesh_most_unknowns}
 
 
-def _material(entry: Material | Membrane) -> dict[str, Any]:
-    material = entry.material if isinstance(entry, Membrane) else entry
+def _material(entry: Material | Sheet) -> dict[str, Any]:
+    material = entry.material if isinstance(entry, Sheet) else entry
     law = name_in(LAWS, material.law)
     if law is None:
         raise TurgorError(f"job files have no name for the law {type(material.law).__name__} of '{material.name}'.")
@@ -194,9 +194,11 @@ def _material(entry: Material | Membrane) -> dict[str, Any]:
         values["density"] = format_quantity(material.density, "kg/m³")
     if material.stretch_range is not None:
         values["stretch_range"] = list(material.stretch_range)
-    if isinstance(entry, Membrane):
+    if isinstance(entry, Sheet):
         values["thickness"] = format_quantity(entry.thickness, "mm")
-        values["form"] = "shell" if entry.bending else "membrane"
+        values["form"] = type(entry).__name__.lower()
+        if isinstance(entry, Shell) and material.bending_stiffness is not None:
+            values["bending_stiffness"] = format_quantity(material.bending_stiffness, "µN m")
         if entry.wrinkles:
             values["compression"] = entry.compression
     source = material.source

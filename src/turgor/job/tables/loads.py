@@ -15,7 +15,7 @@ from turgor.job.text.quantities import read_table
 from turgor.materials.material import Material
 from turgor.model.history import RAMP, History
 from turgor.model.loads import STANDARD_GRAVITY, Force, Gravity, LineForce, Load, PointForce, Pressure
-from turgor.model.model import Membrane
+from turgor.model.sheets import Sheet
 from turgor.units import format_quantity
 
 #: What a job file can state to drive an actuator.
@@ -25,7 +25,7 @@ Driving = Pressure | Gravity | Force | PointForce | LineForce
 def read_loads(
     values: Any,
     geometry: Geometry | None,
-    materials: Mapping[str, Material | Membrane],
+    materials: Mapping[str, Material | Sheet],
     problems: Problems,
     needed: bool = True,
     duration: float | None = None,
@@ -112,7 +112,7 @@ def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure
 
 
 def _gravity_allowed(
-    text: str, geometry: Geometry | None, materials: Mapping[str, Material | Membrane], problems: Problems
+    text: str, geometry: Geometry | None, materials: Mapping[str, Material | Sheet], problems: Problems
 ) -> bool:
     key = ("loads", "gravity")
     if geometry is not None and f"symmetry_{text[1]}" in geometry.faces:

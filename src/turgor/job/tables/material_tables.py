@@ -8,7 +8,7 @@ from typing import Annotated, Any, get_args, get_origin
 
 from pydantic import AllowInfNan, BeforeValidator, Field, create_model
 
-from turgor.job.text.quantities import Density, Length, Pressure, Says, Table, default_of
+from turgor.job.text.quantities import BendingStiffness, Density, Length, Pressure, Says, Table, default_of
 from turgor.materials.laws.law_spec import is_dimensionless
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.library.record_history import read_stress_softening, read_viscoelasticity
@@ -51,11 +51,14 @@ class LibraryTable(Table):
     thickness : float [m]
         Thickness of the sheet; for faces only, which need it.
     form : str
-        How a strain-limiting layer is modeled: ``"membrane"`` (the default), ``"shell"``, ``"solid"`` or
-        ``"combined"``.
+        How a strain-limiting layer is modeled: ``"shell"`` (the default), which bends too, ``"membrane"``, ``"solid"``
+        or ``"combined"``. Some records of the library have another default.
     compression : float
         Share of a membrane's stiffness that works in compression: 1 (the default), or 0 for one that wrinkles and bears
-        tension only.
+        tension only. It makes the sheet a membrane.
+    bending_stiffness : float [N m]
+        Moment per width and curvature of a shell that bends more easily than a plate, such as a woven fabric; that of
+        the record, or that of a plate of its thickness, by default.
     density : float [kg/m³]
         Density, for weight and dynamics; that of the record by default.
     viscoelasticity : table
@@ -68,8 +71,9 @@ class LibraryTable(Table):
     library: str = Field(examples=['"ecoflex-00-30"'])
     record: str | None = Field(default=None, examples=['"yeoh-steck-2019"'])
     thickness: Length | None = None
-    form: str | None = None
-    compression: float | None = None
+    form: str | None = Field(default=None, examples=['"shell"'])
+    compression: float | None = Field(default=None, examples=["0"])
+    bending_stiffness: BendingStiffness | None = None
     density: Density | None = None
     viscoelasticity: Viscoelasticity | None = None
     stress_softening: Softening | None = None
@@ -105,11 +109,14 @@ class StatedTable(Table):
     thickness : float [m]
         Thickness of the sheet; for faces only, which need it.
     form : str
-        How a strain-limiting layer is modeled: ``"membrane"`` (the default), ``"shell"``, ``"solid"`` or
-        ``"combined"``.
+        How a strain-limiting layer is modeled: ``"shell"`` (the default), which bends too, ``"membrane"``, ``"solid"``
+        or ``"combined"``.
     compression : float
         Share of a membrane's stiffness that works in compression: 1 (the default), or 0 for one that wrinkles and bears
-        tension only.
+        tension only. It makes the sheet a membrane.
+    bending_stiffness : float [N m]
+        Moment per width and curvature of a shell that bends more easily than a plate, such as a woven fabric; that of a
+        plate of its thickness by default.
     density : float [kg/m³]
         Density, for weight and dynamics.
     stretch_range : list of two floats
@@ -128,8 +135,9 @@ class StatedTable(Table):
     law: str = Field(examples=['"yeoh"'])
     name: str | None = Field(default=None, examples=['"my silicone"'])
     thickness: Length | None = None
-    form: str | None = None
-    compression: float | None = None
+    form: str | None = Field(default=None, examples=['"shell"'])
+    compression: float | None = Field(default=None, examples=["0"])
+    bending_stiffness: BendingStiffness | None = None
     density: Density | None = None
     stretch_range: list[float] | None = Field(default=None, examples=["[0.8, 2.5]"])
     source: SourceTable | None = Field(default=None, examples=['{ text = "own tests of 2026" }'])

@@ -6,7 +6,7 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from turgor.errors import unknown
+from turgor.errors import TurgorError, unknown
 from turgor.geometry import Geometry
 from turgor.job.tables.material_tables import LibraryTable, StatedTable, law_table
 from turgor.job.text.lines import Key
@@ -14,31 +14,35 @@ from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import read_table, shown
 from turgor.materials.laws.laws import LAWS, GeneralizedRivlin, Hooke
 from turgor.materials.laws.names import law_name
-from turgor.materials.library.records import from_library, library
+from turgor.materials.library.records import find_record, from_library, library
 from turgor.materials.material import Material
 from turgor.model.layers import as_solid
-from turgor.model.model import Membrane
+from turgor.model.sheets import Membrane, Sheet, Shell
 from turgor.source import Source
 
-#: Forms of a strain-limiting layer: a membrane without bending stiffness, a shell, a thin solid region of its own, or
+#: Forms of a strain-limiting layer: a shell, a membrane without bending stiffness, a thin solid region of its own, or
 #: combined constants for the region below it.
-MEMBRANE, SHELL, SOLID, COMBINED = FORMS = ("membrane", "shell", "solid", "combined")
+SHELL, MEMBRANE, SOLID, COMBINED = FORMS = ("shell", "membrane", "solid", "combined")
 
 #: Keys of a rubber for its behavior in time, besides its law.
 HISTORY = ("viscoelasticity", "stress_softening")
+
+#: Keys that a job may state where a record has them, too.
+OWN = (*HISTORY, "bending_stiffness")
 
 #: Region that combined constants apply to.
 BASE = "base"
 
 
-def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -> dict[str, Material | Membrane]:
+def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -> dict[str, Material | Sheet]:
     """Read ``[materials]``: one entry per region, and one with a thickness for each reinforced face."""
     key = ("materials",)
     if not isinstance(values, Mapping):
         problems.add(key, f"{shown(values)} is not a table; write [materials] and one material per region below it.")
         return {}
-    found: dict[str, Material | Membrane] = {}
-    combined = [name for name, entry in values.items() if _form_of(entry) == COMBINED]
+    found: dict[str, Material | Sheet] = {}
+    forms = {name: _form_of(entry, (*key, name), geometry, problems) for name, entry in values.items()}
+    combined = [name for name, form in forms.items() if form == COMBINED]
     if BASE in values and combined:
         problems.add((*key, BASE), f"the combined constants of {combined[0]} stand for this region; leave one out.")
     for name, entry in values.items():
@@ -49,20 +53,22 @@ def read_materials(values: Any, geometry: Geometry | None, problems: Problems) -
             )
             problems.add((*key, name), str(unknown("region or face", name, known)))
             continue
-        made = _read_material(entry, (*key, name), geometry, problems)
+        made = _read_material(entry, (*key, name), forms[name], geometry, problems)
         if made is not None:
             # parts of the same material share one object, so that a report describes it once
-            region = BASE if _form_of(entry) == COMBINED else name
+            region = BASE if forms[name] == COMBINED else name
             found[region] = next((other for other in found.values() if other == made), made)
     if geometry is not None:
-        given = {BASE if _form_of(entry) == COMBINED else name for name, entry in values.items()}
+        given = {BASE if forms[name] == COMBINED else name for name in values}
         missing = [region for region in geometry.regions if region not in given]
         if missing:
             problems.add(key, f"no material for region {', '.join(missing)}; give each region one.")
     return found
 
 
-def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: Problems) -> Material | Membrane | None:
+def _read_material(
+    values: Any, key: Key, form: str | None, geometry: Geometry | None, problems: Problems
+) -> Material | Sheet | None:
     if isinstance(values, Mapping) and "law" in values:
         law = problems.attempt((*key, "law"), lambda: law_name(str(values["law"])))
         if law is None:
@@ -73,34 +79,62 @@ def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: P
         table = read_table(LibraryTable, values, key, problems)
     if table is None:
         return None
-    if table.form is not None and table.form not in FORMS:
-        problems.add((*key, "form"), str(unknown("form", table.form, FORMS)))
+    if form is not None and form not in FORMS:
+        problems.add((*key, "form"), str(unknown("form", form, FORMS)))
         return None
     stated = isinstance(table, StatedTable)
     material = _stated(table, key, problems) if stated else _from_library(table, key, problems)
-    if material is None or not _form_fits(table.form, material, table.thickness, key, geometry, problems):
+    if material is None or not _form_fits(form, material, table.thickness, key, geometry, problems):
         return None
-    layer = table.form in (SOLID, COMBINED)
+    layer = form in (SOLID, COMBINED)
     if not layer and not _suits(material, table.thickness, key, geometry, problems):
         return None
-    if table.thickness is not None:
-        return _sheet(table, material, key, problems)
-    if table.compression is not None:
-        problems.add((*key, "compression"), "only a membrane on a face has a compression; leave it out.")
+    if not _keys_of_sheets_fit(table, form, key, problems):
         return None
-    return as_solid(material) if table.form == SOLID else material
+    if table.thickness is not None:
+        return _sheet(table, form, material, key, problems)
+    return as_solid(material) if form == SOLID else material
 
 
-def _sheet(table: Any, material: Material, key: Key, problems: Problems) -> Membrane | None:
-    bending = table.form == SHELL
+def _keys_of_sheets_fit(table: Any, form: str | None, key: Key, problems: Problems) -> bool:
+    """Whether the keys of sheets are those of its form."""
+    if table.compression is not None and (table.thickness is None or form in (SOLID, COMBINED)):
+        problems.add((*key, "compression"), "only a membrane on a face has a compression; leave it out.")
+    elif table.compression is not None and form == SHELL and table.compression < 1:
+        problems.add(
+            (*key, "compression"),
+            f"{table.compression:g}, but a shell bears compression (1) and buckles by itself; leave one of both out.",
+        )
+    elif table.bending_stiffness is not None and form != SHELL:
+        problems.add((*key, "bending_stiffness"), "only a shell on a face has a bending stiffness; leave it out.")
+    else:
+        return True
+    return False
+
+
+def _sheet(table: Any, form: str | None, material: Material, key: Key, problems: Problems) -> Sheet | None:
+    if form != MEMBRANE:
+        return problems.attempt(key, lambda: Shell(material, table.thickness), fields=("thickness",))
+    free = replace(material, bending_stiffness=None)
     kept = 1.0 if table.compression is None else table.compression
-    return problems.attempt(
-        key, lambda: Membrane(material, table.thickness, bending, kept), fields=("thickness", "compression")
-    )
+    return problems.attempt(key, lambda: Membrane(free, table.thickness, kept), fields=("thickness", "compression"))
 
 
-def _form_of(entry: Any) -> Any:
-    return entry.get("form") if isinstance(entry, Mapping) else None
+def _form_of(entry: Any, key: Key, geometry: Geometry | None, problems: Problems) -> str | None:
+    """Form that an entry states; else that of a sheet: of its compression, of its record, or a shell."""
+    if not isinstance(entry, Mapping):
+        return None
+    if "form" in entry or geometry is None or key[-1] in geometry.regions:
+        return entry.get("form")
+    if "compression" in entry:
+        return MEMBRANE
+    name, record = entry.get("library"), entry.get("record")
+    if not isinstance(name, str) or not isinstance(record, str | None):
+        return SHELL
+    try:
+        return find_record(_file(name, problems), record).form or SHELL
+    except TurgorError:
+        return SHELL  # what is wrong with it is said where it is read
 
 
 def _form_fits(
@@ -134,21 +168,25 @@ def _form_fits(
 
 def _from_library(table: LibraryTable, key: Key, problems: Problems) -> Material | None:
     material = read_library(table.library, table.record, table.density, key, problems)
-    stated = {name: getattr(table, name) for name in HISTORY if getattr(table, name) is not None}
+    stated = {name: getattr(table, name) for name in OWN if getattr(table, name) is not None}
     if material is None or not stated:
         return material
-    return problems.attempt(key, lambda: replace(material, **stated), fields=HISTORY)
+    return problems.attempt(key, lambda: replace(material, **stated), fields=OWN)
 
 
 def read_library(name: str, record: str | None, density: float | None, key: Key, problems: Problems) -> Material | None:
     """Return a material of the library or of a file beside the job; a stated density replaces its own."""
     wrong = "record" if name in library() else "library"
-    if name.endswith(".toml"):
-        name = str(Path(problems.file).parent / name)  # relative to the folder of the job
-    material = problems.attempt((*key, wrong), lambda: from_library(name, record=record))
+    file = _file(name, problems)
+    material = problems.attempt((*key, wrong), lambda: from_library(file, record=record))
     if material is None or density is None:
         return material
     return problems.attempt(key, lambda: replace(material, density=density), fields=("density",))
+
+
+def _file(name: str, problems: Problems) -> str:
+    """Name of a material of the library, or the path of a file, which is relative to the folder of the job."""
+    return str(Path(problems.file).parent / name) if name.endswith(".toml") else name
 
 
 def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
@@ -169,10 +207,12 @@ def _stated(table: Any, key: Key, problems: Problems) -> Material | None:
             density=table.density,
             stretch_range=(stretch_range[0], stretch_range[1]) if stretch_range else None,
             source=source,
-            **{name: getattr(table, name, None) for name in HISTORY},
+            **{name: getattr(table, name, None) for name in OWN},
         )
 
-    return problems.attempt(key, make, fields=(*(item.name for item in fields(kind)), "bulk_modulus", "density"))
+    return problems.attempt(
+        key, make, fields=(*(item.name for item in fields(kind)), "bulk_modulus", "density", "bending_stiffness")
+    )
 
 
 def _law(kind: Any, constants: Mapping[str, Any]) -> Any:

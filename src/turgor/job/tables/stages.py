@@ -20,8 +20,8 @@ from turgor.job.text.quantities import Says, Table, read_table, shown
 from turgor.materials.material import Material
 from turgor.model.contact import Contact
 from turgor.model.history import RAMP
-from turgor.model.model import Membrane
 from turgor.model.obstacles import Vector
+from turgor.model.sheets import Sheet
 from turgor.model.supports import Displacement, Fixed, Shift
 from turgor.solvers.procedures.stages import Stage, Stages, check_stage
 from turgor.units import format_quantity
@@ -63,7 +63,7 @@ class Around:
     ----------
     geometry : Geometry or None
         The actuator; None where it could not be built.
-    materials : mapping of str to Material or Membrane
+    materials : mapping of str to Material, Shell or Membrane
     supports : tuple of Fixed, Radial or PlaneSection
     contact : Contact
     loads : tuple of Pressure, Gravity or Force
@@ -72,7 +72,7 @@ class Around:
     """
 
     geometry: Geometry | None
-    materials: Mapping[str, Material | Membrane]
+    materials: Mapping[str, Material | Sheet]
     supports: tuple[Held, ...]
     contact: Contact
     loads: tuple[Driving, ...]

@@ -45,6 +45,7 @@ Length = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="len
 Angle = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="angle"))]
 Pressure = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="pressure"))]
 Density = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="density"))]
+BendingStiffness = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="bending stiffness"))]
 Acceleration = Annotated[float, BeforeValidator(partial(parse_quantity, dimension="acceleration"))]
 
 #: Type of a float field by the dimension that its dataclass states.

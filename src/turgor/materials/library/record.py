@@ -24,10 +24,13 @@ REVIEW = (
 #: What a library file describes: a rubber is checked as one, the others are stiff parts.
 KINDS = ("rubber", "fiber", "sheet", "composite")
 
+#: What a sheet is modeled as; "combined" constants are those of the rubber below it and the sheet together.
+FORMS = ("shell", "membrane", "combined")
+
 FILE_KEYS = ("name", "kind", "shore_hardness", "density", "supplier", "records")
 RECORD_KEYS = (
     *("law", "parameters", "convention", "convention_reason", "assumed", "compressibility", "stretch_range"),
-    *("viscoelasticity", "stress_softening"),
+    *("viscoelasticity", "stress_softening", "form", "bending_stiffness"),
     *("density", "diameter", "software", "source", "cited_by", "references", "quoted_in", "printed_name", "doubts"),
 )
 
@@ -86,6 +89,10 @@ class Record:
         How the rubber relaxes, when known.
     stress_softening : Mullins or None
         How it softens, when known.
+    form : str
+        One of `FORMS`, what jobs model a sheet of it as by default; empty where it is no sheet.
+    bending_stiffness : float or None [N m]
+        Of a sheet that bends more easily than a plate of its thickness, such as a woven fabric.
     """
 
     library: str
@@ -113,6 +120,8 @@ class Record:
     density_doubts: tuple[str, ...] = ()
     viscoelasticity: Prony | None = None
     stress_softening: Mullins | None = None
+    form: str = ""
+    bending_stiffness: float | None = None
 
     def build_law(self) -> Law | Hooke:
         """Return the law in canonical coefficients; raises TurgorError where none can exist."""
@@ -172,7 +181,7 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         bulk_modulus=_bulk_modulus(entry.get("compressibility"), where),
         stretch_range=_stretch_range(entry.get("stretch_range"), where),
         density=density[0],
-        diameter=_quantity(entry["diameter"], "length", f"{where}.diameter") if "diameter" in entry else None,
+        diameter=_optional(entry, "diameter", "length", where),
         shore_hardness=_text(content, "shore_hardness", library) if "shore_hardness" in content else "",
         software=entry.get("software"),
         cited_by=texts[1:],
@@ -183,6 +192,8 @@ def read_record(content: Mapping[str, Any], library: str, name: str, references:
         density_doubts=density[1],
         viscoelasticity=_part(entry, "viscoelasticity", where, read_viscoelasticity),
         stress_softening=_part(entry, "stress_softening", where, read_stress_softening),
+        form=_form(entry, where),
+        bending_stiffness=_optional(entry, "bending_stiffness", "bending stiffness", where),
     )
 
 
@@ -209,6 +220,17 @@ def _kind(content: Mapping[str, Any], library: str) -> str:
     if kind not in KINDS:
         raise TurgorError(f"{library}: kind is {kind!r}; allowed is {', '.join(KINDS)}.")
     return str(kind)
+
+
+def _form(entry: Mapping[str, Any], where: str) -> str:
+    form = entry.get("form", "")
+    if form and form not in FORMS:
+        raise TurgorError(f"{where}: form is {form!r}; allowed is {', '.join(FORMS)}.")
+    return str(form)
+
+
+def _optional(entry: Mapping[str, Any], key: str, dimension: str, where: str) -> float | None:
+    return _quantity(entry[key], dimension, f"{where}.{key}") if key in entry else None
 
 
 def _constant(value: object, symbol: str, where: str) -> float:

@@ -117,6 +117,10 @@ def _lines(record: Record) -> Iterator[str]:
         yield f"density: {record.density:g} kg/m³"
     if record.diameter is not None:
         yield f"diameter: {record.diameter * 1e3:.4g} mm"
+    if record.form:
+        yield f"as a strain-limiting layer: {record.form}"
+    if record.bending_stiffness is not None:
+        yield f"bending stiffness: {record.bending_stiffness * 1e6:.4g} µN m"
     if record.software:
         yield f"software: {record.software}"
     yield f"source: {record.source}"

@@ -114,5 +114,6 @@ def material_of(record: Record) -> Material:
         stretch_range=record.stretch_range,
         viscoelasticity=record.viscoelasticity,
         stress_softening=record.stress_softening,
+        bending_stiffness=record.bending_stiffness,
         source=Source(text=record.source, detail=f"{stated}{quoted}", doubts=tuple(str(doubt) for doubt in doubts)),
     )

@@ -29,14 +29,15 @@ from turgor.model.loads import (
     Pressure,
     Traction,
 )
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
 from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
 from turgor.model.points import Hinge, ReferencePoint, Rotation
+from turgor.model.sheets import Sheet, Shell
 from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial
 from turgor.results.report.describe_points import point_text, rig_text
 from turgor.results.report.references import law_source
 from turgor.setups.blocked_tip import HeldTip, Plate
-from turgor.units import GPa, MPa, deg, kPa, mm
+from turgor.units import GPa, MPa, deg, kPa, mm, mN
 
 Rows = list[tuple[str, str]]
 
@@ -215,7 +216,7 @@ def mesh(of: Mesh, quality: MeshQuality | None) -> Rows:
 
 def materials(model: Model) -> list[MaterialText]:
     """Put the materials of a model into words; regions of the same material share one text."""
-    shared: list[tuple[Material | Membrane, list[str]]] = []
+    shared: list[tuple[Material | Sheet, list[str]]] = []
     for name, used in model.materials.items():
         names = next((names for known, names in shared if known == used), None)
         if names is None:
@@ -250,25 +251,27 @@ def _fibers(fibers: Fibers) -> MaterialText:
     )
 
 
-def material(names: list[str], used: Material | Membrane) -> MaterialText:
+def material(names: list[str], used: Material | Sheet) -> MaterialText:
     """Put a material into words.
 
     Parameters
     ----------
     names : list of str
         Where it is used.
-    used : Material or Membrane
+    used : Material, Shell or Membrane
 
     Returns
     -------
     MaterialText
     """
-    held = used.material if isinstance(used, Membrane) else used
+    held = used.material if isinstance(used, Sheet) else used
     where = ", ".join(name.replace("_", " ") for name in names)
     values: Rows = [("coefficients", ", ".join(f"{name} = {value}" for name, value in coefficients(held.law)))]
-    if isinstance(used, Membrane):
-        where += " (sheet that resists bending)" if used.bending else " (membrane)"
+    if isinstance(used, Sheet):
+        where += f" ({type(used).__name__.lower()})"
         values.append(("thickness", f"{used.thickness / mm:g} mm"))
+        if isinstance(used, Shell):
+            values.append(("bending stiffness", f"{used.bending_stiffness / (mN * mm):.3g} mN mm"))
         if used.wrinkles:
             values.append(("in compression", f"{100 * used.compression:g} % of the stiffness: it wrinkles"))
     else:

@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Sheet
 
 #: The review whose laws and design rules the program implements.
 REVIEW = (
@@ -66,7 +67,7 @@ def references(model: Model, version: str) -> list[str]:
         f"The turgor developers, turgor: finite element modeling of soft fluidic actuators{_version(version)}",
         REVIEW,
     ]
-    used = [each.material if isinstance(each, Membrane) else each for each in model.materials.values()]
+    used = [each.material if isinstance(each, Sheet) else each for each in model.materials.values()]
     used += [fibers.material for fibers in model.reinforcements]
     for material in used:
         said += [LAW_SOURCES.get(type(material.law).__name__, ("", ""))[0], f"{material.name}: {material.source}"]

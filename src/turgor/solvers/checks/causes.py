@@ -11,13 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.chambers import cavity_volume
-from turgor.engine.faces.membrane_term import least_tension
 from turgor.engine.fields import deformation_gradients
 from turgor.engine.percentiles import weighted_percentile
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.laws.stability import Mode, first_instability
 from turgor.materials.material import Material
-from turgor.model.model import Model
+from turgor.solvers.checks.membranes import Compression, bears_compression
 from turgor.solvers.checks.thresholds import BALLOON, BREAKS, STRETCHED, TURNED_VOLUME, TURNS_AHEAD, WRINKLED_AREA
 from turgor.solvers.pressures import pressures_of
 from turgor.solvers.solution import State
@@ -70,26 +69,15 @@ def turned_law(state: State) -> Why | None:
 
 
 def wrinkled_film(state: State) -> Why | None:
-    """Say which membrane is compressed so much that it must wrinkle on its rubber.
-
-    A film without bending stiffness on a soft solid wrinkles, in the shortest waves that the mesh has, where the
-    force per width exceeds 2 μ / k: the stiffness of a half space against waves of the number k = π over an edge.
-    """
-    model = state.model
-    for name, sheet in model.membranes.items():
-        if sheet.bending or sheet.wrinkles:
-            continue
-        force, area = least_tension(model, name, state.displacement)
-        sides = model.mesh.face(name)
-        edge = float(np.sqrt(area.sum() / len(sides)))
-        held = 2 * _softest(model) * edge / np.pi
-        share = float(area[force < -held].sum() / area.sum())
-        if share > WRINKLED_AREA:
+    """Say which membrane is compressed so much that it must wrinkle on its rubber."""
+    for name in bears_compression(state.model):
+        found = Compression.of(state, name)
+        if found.wrinkled > WRINKLED_AREA:
             return Why(
-                f" The film on '{name}' is compressed in {100 * share:.0f} % of its area, by up to "
-                f"{-force.min():.3g} N/m; it has no bending stiffness and wrinkles there.",
-                f"A real film wrinkles too, and then bears hardly any compression: let '{name}' bear none (compression "
-                '= 0, Membrane(..., compression=0)), or let it resist bending (form = "shell", bending=True).',
+                f" The film on '{name}' is compressed in {100 * found.wrinkled:.0f} % of its area, by up to "
+                f"{found.largest:.3g} N/m; it has no bending stiffness and wrinkles there.",
+                f"Let '{name}' bend as a sheet does (form = \"shell\", Shell(...)). A film that wrinkles bears hardly "
+                "any compression: let it bear none (compression = 0, Membrane(..., compression=0)).",
             )
     return None
 
@@ -161,11 +149,6 @@ def _turn(material: Material, stretches: Array, weight: Array) -> tuple[str, flo
             found.append((mode, limit, float(weight[turned].sum() / weight.sum())))
     worst = max(found, key=lambda each: each[2], default=None)
     return worst if worst is not None and worst[2] > TURNED_VOLUME else None
-
-
-def _softest(model: Model) -> float:
-    """Smallest initial shear modulus of the regions [Pa]."""
-    return min(material.law.shear_modulus for material in model.region_materials.values())
 
 
 def _growth(state: State, name: str) -> float:

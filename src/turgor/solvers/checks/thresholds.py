@@ -21,6 +21,13 @@ BREAKS = 6.0
 #: Share of the area of a film that is compressed enough to wrinkle, from which wrinkles are named as the cause.
 WRINKLED_AREA = 0.02
 
+#: Compression that counts, as a share of the largest force per width in the sheet: less is round-off of a taut sheet.
+LITTLE_COMPRESSION = 1e-3
+
+#: Energy of the bending that a membrane leaves out, over that of the actuator, from which it changes the result: five
+#: chambers on paper of 0.1 mm, with 6 %, bend by 9 % less once it counts.
+BENDING_COUNTS = 0.02
+
 # --- contact
 
 #: A tolerance that is just met is met.

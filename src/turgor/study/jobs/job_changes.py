@@ -7,7 +7,10 @@ from turgor.study.factor import Value
 from turgor.study.jobs.job_numbers import any_number, numbers_of
 
 #: Keys of a material that stay when it gets another record.
-_OF_THE_JOB = ("density", "viscoelasticity", "stress_softening", "thickness", "form", "compression")
+_OF_THE_JOB = (
+    *("density", "viscoelasticity", "stress_softening"),
+    *("thickness", "form", "compression", "bending_stiffness"),
+)
 
 
 def job_changes(content: Mapping[str, Any], values: Mapping[str, Value]) -> dict[str, Any]:

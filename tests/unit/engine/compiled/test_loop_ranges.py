@@ -13,7 +13,8 @@ from turgor.engine.warmup import compiling
 from turgor.engine.warmup.needs import Needs
 from turgor.materials.laws.laws import Hooke, NeoHooke, Ogden
 from turgor.materials.material import Material
-from turgor.model.model import Membrane, Model
+from turgor.model.model import Model
+from turgor.model.sheets import Membrane
 from turgor.model.supports import Fixed
 
 

@@ -36,7 +36,7 @@ def test_the_layer_is_the_bottom_up_to_the_block(kind, clamp_length):
 @pytest.mark.parametrize("kind", [RectangularBender, pytest.param(SemicircularBender, marks=pytest.mark.slow)])
 def test_without_base_a_bender_bends_further(kind):
     rubber = tg.Material(law=tg.laws.NeoHooke(C10=0.2 * MPa), name="rubber")
-    paper = tg.Membrane(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
+    paper = tg.Shell(tg.from_library("paper", record="hooke-polygerinos-2020"), thickness=0.1 * mm)
     angles = []
     for base in (1.5 * mm, 0.0):
         made = tg.mesh(kind(base=base, length=40 * mm).build(), cells="hexahedra")
