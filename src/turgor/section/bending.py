@@ -1,7 +1,8 @@
 """Bending of the shells of a section: plates on its outlines, and what keeps their angles at nodes small.
 
-The energy is that of `turgor.engine.faces.plate_terms`, a C0 interior penalty method, in the helical state of a section, where a point moves along
-the rod with w = λ e₁ + κ × y. With y′ and y″ along the outline and the normal n of w and y′, the curvatures are
+The energy is that of `turgor.engine.faces.plate_terms`, a C0 interior penalty method, in the helical state of a
+section, where a point moves along the rod with w = λ e₁ + κ × y. With y′ and y″ along the outline, and the normal n of
+w and y′, the curvatures are
 
     b₁₁ = n·(κ × w),   b₁₂ = n·(κ × y′) / |Y′|,   b₂₂ = n·y″ / |Y′|² .
 

@@ -36,7 +36,7 @@ def slice_model(section):
 def test_half_round_on_paper(bending, record_verification):
     rubber = tg.from_library("elastosil-m4601", record="yeoh-mosadegh-2014")
     paper = tg.from_library("paper", record="hooke-polygerinos-2020")
-    sheet = tg.Membrane(paper, thickness=0.1 * mm, bending=bending)
+    sheet = (tg.Shell if bending else tg.Membrane)(paper, thickness=0.1 * mm)
     materials = {"body": rubber, "base": rubber, "strain_limiting_layer": sheet}
     section = tg.Section(tg.actuators.SemicircularBender(), materials)
     model = slice_model(section)
