@@ -17,7 +17,7 @@ WHOLE = tg.sections.Sketch(areas={"body": tg.sections.half_disc(RADIUS)}, lines=
 
 def backed(bending, size=2 * mm, shape=WHOLE):
     """A half disc of rubber on a film."""
-    film = tg.Membrane(tg.Material(name="film", law=FILM), thickness=THICKNESS, bending=bending)
+    film = (tg.Shell if bending else tg.Membrane)(tg.Material(name="film", law=FILM), thickness=THICKNESS)
     return tg.Section(shape, {"body": RUBBER, "sheet": film}, size=size)
 
 
@@ -76,7 +76,7 @@ pressure = "50 kPa"
 def test_a_half_round_on_paper_bends_as_the_whole_actuator(tmp_path, monkeypatch):
     """The middle of a long actuator of finite elements turns by 8.55° per 100 mm at 50 kPa; so does a rod of it.
 
-    Small cells at the corners of the chamber make it 8.44°.
+    Small cells at the corners of the chamber make it 8.43°, at every size of the others.
     """
     paper = tg.Shell(PAPER, thickness=0.1 * mm)
     materials = {"body": ELASTOSIL, "base": ELASTOSIL, "strain_limiting_layer": paper}
