@@ -18,7 +18,7 @@ from turgor.solvers.solution import State
 Array = NDArray[np.float64]
 
 
-#: Name and hash of the sides of a part of the contact, and how many parts with the same ones stand before it: walls that
+#: Name of a part of the contact, hash of its sides, and how many parts with the same ones stand before it: walls that
 #: meet each other and those that meet the mirror plane have the same. Files of a run hold them, so they are text.
 Key = tuple[str, str, int]
 
