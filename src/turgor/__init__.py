@@ -81,6 +81,7 @@ if TYPE_CHECKING:
     from turgor.solvers.procedures.static import Static as Static
     from turgor.solvers.procedures.volume_control import VolumeControl as VolumeControl
     from turgor.solvers.solution import Solution as Solution
+    from turgor.solvers.solution import SolveError as SolveError
     from turgor.solvers.solution import Status as Status
     from turgor.solvers.solve import resume as resume
     from turgor.solvers.solve import solve as solve

@@ -6,7 +6,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.errors import TurgorError
+from turgor.errors import NotSolved, TurgorError
 from turgor.response import Column, Response
 from turgor.section.equations import Equations
 from turgor.section.path import Path, Point
@@ -17,7 +17,7 @@ from turgor.source import Source
 Array = NDArray[np.float64]
 
 
-class SectionError(TurgorError):
+class SectionError(NotSolved):
     """A section could not be followed to the end; ``solution`` holds the path so far."""
 
     def __init__(self, message: str, solution: "SectionSolution") -> None:

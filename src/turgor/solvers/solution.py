@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells.memory import Memory
 from turgor.engine.points.motion import PointMotion
+from turgor.errors import NotSolved
 from turgor.finding import Finding
 from turgor.model.model import Model
 from turgor.shown import Shown, brief, listed
@@ -324,9 +325,10 @@ class Solution(Saved, Shown):
         return sum(step.iterations for step in self.steps)
 
 
-class SolveError(RuntimeError):
+class SolveError(NotSolved):
     """A solve that stopped before the whole load was reached; ``solution`` holds the path so far."""
 
     def __init__(self, solution: Solution) -> None:
         super().__init__(f"{solution.status}: {solution.message} {solution.advice}".strip())
         self.solution = solution
+        self.interrupted = solution.status is Status.INTERRUPTED
