@@ -1,13 +1,14 @@
 """Model: a mesh with its materials, supports, loads and contact."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws.laws import Hooke
+from turgor.given import one, several
+from turgor.materials.laws.laws import Hooke, Law
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
@@ -15,7 +16,9 @@ from turgor.model.checks.named_points import check_points, points_of
 from turgor.model.checks.symmetry import check_not_cut, check_symmetric, check_wedge
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
+from turgor.model.given_parts import given_materials, given_supports
 from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
+from turgor.model.membrane import Membrane as Membrane
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.supports import Displacement, Support, Symmetry
 from turgor.shown import Shown, listed
@@ -27,53 +30,6 @@ MIXED, CONTINUOUS, DISPLACEMENT = "mixed", "continuous", "displacement"
 FORMULATIONS = (MIXED, CONTINUOUS, DISPLACEMENT)
 
 
-@dataclass(frozen=True, slots=True)
-class Membrane:
-    """A thin sheet on a face: stretches and shears like its material, and bends freely or like a plate.
-
-    Parameters
-    ----------
-    material : Material
-        Its law must be `Hooke`.
-    thickness : float [m]
-        Thickness of the sheet, in (0, 1 cm].
-    bending : bool
-        Whether it resists bending like a plate of its thickness (a shell); paper of 0.1 mm between layers of silicone
-        hardly does, a sheet of 0.5 mm does.
-    compression : float
-        Share of the stiffness that works in compression: 1 for a sheet that bears compression, 0 for one that wrinkles
-        and bears tension only (tension field). A sheet that resists bending keeps all of it.
-    """
-
-    material: Material
-    thickness: float
-    bending: bool = False
-    compression: float = 1.0
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.material.law, Hooke):
-            raise TurgorError(
-                f"membrane of '{self.material.name}': its law is {type(self.material.law).__name__}; "
-                "a membrane needs Hooke (Young's modulus and Poisson's ratio)."
-            )
-        if not 0 < self.thickness <= 0.01:
-            raise TurgorError(f"membrane thickness is {self.thickness * 1e3:g} mm; allowed is more than 0 up to 10 mm.")
-        if not 0 <= self.compression <= 1:
-            raise TurgorError(
-                f"membrane compression is {self.compression:g}; allowed is 0 (it wrinkles) to 1 (as in tension)."
-            )
-        if self.bending and self.compression < 1:
-            raise TurgorError(
-                f"membrane compression is {self.compression:g}, but the sheet resists bending; a shell bears "
-                "compression (1) and buckles by itself."
-            )
-
-    @property
-    def wrinkles(self) -> bool:
-        """Whether it bears less compression than tension."""
-        return self.compression < 1
-
-
 @dataclass(frozen=True, slots=True, init=False)
 class Model(Saved, Shown):
     """A mesh with its materials, supports and loads; the question that `solve` answers.
@@ -83,9 +39,12 @@ class Model(Saved, Shown):
     mesh : Mesh
         Cells with named regions and faces.
     materials : mapping of str to Material or Membrane
-        A `Material` for every region, a `Membrane` for any face that is reinforced.
+        A `Material` for every region, a `Membrane` for any face that is reinforced. A law stands for a material of
+        it, a text for the material of the library that has this name and one record only; one alone is that of all
+        regions.
     supports : sequence of Support
-        What holds the body. Faces named ``symmetry_*`` are mirror planes without being listed.
+        What holds the body; the name of a face stands for `Fixed`. Faces named ``symmetry_*`` are mirror planes
+        without being listed.
     loads : sequence of Load
         What drives it; each reaches its stated value at load factor 1, or as its history says.
     formulation : str
@@ -116,22 +75,26 @@ class Model(Saved, Shown):
     def __init__(
         self,
         mesh: Mesh,
-        materials: Mapping[str, Material | Membrane],
-        supports: Sequence[Support],
-        loads: Sequence[Load],
+        materials: Mapping[str, Material | Membrane | Law | str] | Material | Law | str,
+        supports: Support | str | Iterable[Support | str],
+        loads: Load | Iterable[Load],
         formulation: str = MIXED,
-        reinforcements: Sequence[Fibers] = (),
+        reinforcements: Fibers | Iterable[Fibers] = (),
         contact: Contact | None = None,
     ) -> None:
-        mirrored = {s.face for s in supports if isinstance(s, Symmetry)}
+        one(mesh, Mesh, "mesh of a model", "a Mesh is needed, as mesh(actuator) makes it")
+        given = given_supports(supports)
+        mirrored = {s.face for s in given if isinstance(s, Symmetry)}
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
+        acting = several(loads, Load, "loads", "loads are needed, such as Pressure('cavity', 20e3)")
         object.__setattr__(self, "mesh", mesh)
-        object.__setattr__(self, "materials", MappingProxyType(dict(materials)))
-        object.__setattr__(self, "supports", tuple(supports) + added)
-        object.__setattr__(self, "loads", tuple(loads))
+        object.__setattr__(self, "materials", MappingProxyType(given_materials(materials, mesh)))
+        object.__setattr__(self, "supports", given + added)
+        object.__setattr__(self, "loads", acting)
         object.__setattr__(self, "formulation", formulation)
-        object.__setattr__(self, "reinforcements", tuple(reinforcements))
-        object.__setattr__(self, "contact", contact or Contact())
+        threads = several(reinforcements, Fibers, "reinforcements", "Fibers are needed")
+        object.__setattr__(self, "reinforcements", threads)
+        object.__setattr__(self, "contact", one(contact or Contact(), Contact, "contact", "a Contact is needed"))
         self._check_materials()
         self._check_faces()
         self._check_formulation()
@@ -193,8 +156,6 @@ class Model(Saved, Shown):
             if isinstance(load, LineForce):
                 for name in load.faces:
                     self.mesh.face(name)
-            if isinstance(load, Pressure) and not np.isfinite(load.pressure):
-                raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
 
     def _check_reachable(self, obstacle: str, face: str) -> None:
         """Refuse a face between two regions, which no obstacle can touch."""

@@ -14,6 +14,7 @@ from turgor.engine.warmup.compiling import compile_kernels
 from turgor.engine.warmup.needs import Needs
 from turgor.errors import TurgorError
 from turgor.finding import by_weight
+from turgor.given import one
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.solvers.checkpoints.record import Question, RunRecord
@@ -95,7 +96,9 @@ def solve(
     SolveError
         If the full load was not reached and ``throw`` is set.
     """
-    procedure = procedure or Static()
+    one(model, Model, "model", "a Model is needed, as Model(mesh, materials, supports, loads) makes it")
+    procedure = Static() if procedure is None else procedure
+    one(procedure, Procedure, "procedure", "an object is needed, such as Static()")
     if guide is not None:
         check_guide(model, procedure, guide)
     if coarse is not None:
