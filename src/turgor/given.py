@@ -74,7 +74,7 @@ def vector(values: object, what: str, dimension: str = "") -> tuple[float, float
     (0.0, 2.0, 0.0)
     """
     if isinstance(values, str) or not isinstance(values, Iterable) or len(found := list(values)) != 3:
-        raise TurgorError(f"{what} is {shown(values)}; three finite numbers are needed.")
+        raise TurgorError(f"{what} is {shown(values)}; three numbers are needed.")
     x, y, z = (number(value, what, dimension) for value in found)
     return x, y, z
 

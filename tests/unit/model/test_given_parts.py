@@ -12,11 +12,12 @@ MESH = solver_cases.bar()
 LAW = tg.laws.NeoHooke(C10=0.1e6)
 RUBBER = tg.Material(name="rubber", law=LAW)
 PAPER = tg.laws.Hooke(E=1e9, nu=0.3)
+FIXED = (tg.Fixed("fixed"),)
 PUSH = tg.Traction("top", (0, 0, 1e3))
 FINGER = tg.FastPneuNet(chambers=1, length=10 * mm)
 
 
-def model(materials=RUBBER, supports=(tg.Fixed("fixed"),), loads=(PUSH,), **more) -> tg.Model:
+def model(materials=RUBBER, supports=FIXED, loads=(PUSH,), **more) -> tg.Model:
     return tg.Model(MESH, materials, supports, loads, **more)
 
 
@@ -60,7 +61,7 @@ REFUSED = {
     "pressure on 'cavity' is True": lambda: tg.Pressure("cavity", True),
     "face of a pressure is 5000.0; a name is needed, such as 'cavity'": lambda: tg.Pressure(5 * kPa, "cavity"),
     "traction on 'top' is nan; a finite number in Pa": lambda: tg.Traction("top", (0, 0, np.nan)),
-    "traction on 'top' is 1000.0; three finite numbers": lambda: tg.Traction("top", 1e3),
+    "traction on 'top' is 1000.0; three numbers": lambda: tg.Traction("top", 1e3),
     "gravity: direction is a zero vector": lambda: tg.Gravity((0, 0, 0)),
     "NeoHooke: C10 is (1+2j); a number in Pa is needed": lambda: tg.laws.NeoHooke(C10=1 + 2j),
     "NeoHooke: C10 is an array of shape (2,)": lambda: tg.laws.NeoHooke(C10=np.ones(2)),
