@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
-from turgor.given import vector
+from turgor.given import name as name_of
+from turgor.given import one, vector
 from turgor.shown import brief
 
 Vector = tuple[float, float, float]
@@ -197,8 +198,9 @@ class Obstacle:
     stiffness: float | None = None
 
     def __post_init__(self) -> None:
-        if not self.name.isidentifier():
+        if not name_of(self.name, "name of an obstacle", "plate").isidentifier():
             raise TurgorError(f"obstacle '{self.name}': a name holds letters, digits and underscores only.")
+        one(self.shape, Shape, f"obstacle '{self.name}': shape", "a shape is needed, such as Plane or Sphere")
         check_friction(f"obstacle '{self.name}'", self.friction)
         for key in ("spring", "stiffness"):
             if getattr(self, key) is not None:

@@ -108,6 +108,8 @@ def solve(
     one(model, Model, "model", "a Model is needed, as Model(mesh, materials, supports, loads) makes it")
     procedure = Static() if procedure is None else procedure
     one(procedure, Procedure, "procedure", "an object is needed, such as Static()")
+    one(options or EngineOptions(), EngineOptions, "options", "EngineOptions are needed")
+    one(stop, Callable | None, "stop", "a function of a state is needed")  # type: ignore[arg-type]
     if guide is not None:
         check_guide(model, procedure, guide)
     if coarse is not None:

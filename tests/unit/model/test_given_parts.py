@@ -6,7 +6,7 @@ import solver_cases
 
 import turgor as tg
 from turgor.errors import TurgorError
-from turgor.units import kPa, mm
+from turgor.units import kPa, mL, mm
 
 MESH = solver_cases.bar()
 LAW = tg.laws.NeoHooke(C10=0.1e6)
@@ -46,6 +46,8 @@ def test_plain_forms_say_the_same(made):
 
 def test_plain_values_of_other_names():
     assert tg.Pressure("cavity", "5 kPa") == tg.Pressure("cavity", 5 * kPa)
+    assert tg.VolumeControl(volume="5 mL").volume == 5 * mL
+    assert tg.Dynamic(duration="2 s").duration == 2.0
     assert tg.Membrane(PAPER, "0.1 mm").thickness == 0.1 * mm
     assert tg.Membrane("kevlar-fiber", 0.1 * mm).material.law == tg.from_library("kevlar-fiber").law
     move = tg.Displacement("top", (0, 0, "1 mm"))
@@ -86,6 +88,16 @@ REFUSED = {
     "mesh size: '3' needs a unit": lambda: tg.mesh(FINGER, size="3"),
     "model is a Mesh; a Model is needed": lambda: tg.solve(MESH),
     "procedure is the class Static; an object is needed, such as Static()": lambda: tg.solve(model(), tg.Static),
+    "procedure.max_step is 'a'; a number is needed": lambda: tg.Static(max_step="a"),
+    "procedure.max_steps is 2.5; a whole number": lambda: tg.Static(max_steps=2.5),
+    "procedure.mass_ratio.cavity is [1]; a number": lambda: tg.GasMass(mass_ratio={"cavity": [1]}),
+    "options is 5; EngineOptions are needed": lambda: tg.solve(model(), options=5),
+    "stop is 5; a function of a state is needed": lambda: tg.solve(model(), stop=5),
+    "obstacles is 5; an Obstacle is needed": lambda: tg.Contact(obstacles=5),
+    "obstacle 'a': shape is 5; a shape is needed": lambda: tg.obstacles.Obstacle(name="a", shape=5),
+    "what a report is of is a Model; a Solution": lambda: tg.report(model(), "x.html"),
+    "model is a Mesh; a Model is needed.": lambda: tg.natural_frequencies(MESH),
+    "computed is a Model; a Response is needed": lambda: tg.compare(model(), model()),
     "solution is a Model; a Solution is needed, as solve(model) returns it": lambda: tg.measure(model()),
 }
 
