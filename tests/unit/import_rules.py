@@ -77,7 +77,7 @@ HOME = {
     "sklearn": ("surrogates",),
     "pydantic": ("job",),
     "pymoo": ("optimization",),
-    "rich": ("cli",),
+    "rich": ("cli", "solvers"),
     "typer": ("cli",),
 }
 
