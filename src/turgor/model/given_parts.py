@@ -1,12 +1,11 @@
 """Parts of a model as they may be given: the plain forms of materials and supports."""
 
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from turgor.given import several
 from turgor.materials.library.plain import as_material
-from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
-from turgor.model.membrane import Membrane
 from turgor.model.supports import Fixed, Support
 
 
@@ -25,11 +24,11 @@ def given_supports(supports: object) -> tuple[Support, ...]:
     return several(supports, Support, "supports", "supports are needed, such as Fixed('fixed'), or names of faces")
 
 
-def given_materials(materials: object, mesh: Mesh) -> dict[str, Material | Membrane]:
-    """Return the material of each region and the membranes on faces; one material alone is that of all regions."""
+def given_materials(materials: object, mesh: Mesh, sheet: type) -> dict[str, Any]:
+    """Return the material of each region and the sheets on faces; one material alone is that of all regions."""
     if not isinstance(materials, Mapping):
         return dict.fromkeys(mesh.regions, as_material(materials, "materials", "rubber"))
     return {
-        name: value if isinstance(value, Membrane) else as_material(value, f"materials.{name}", str(name))
+        name: value if isinstance(value, sheet) else as_material(value, f"materials.{name}", str(name))
         for name, value in materials.items()
     }

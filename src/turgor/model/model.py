@@ -3,12 +3,14 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from turgor.errors import TurgorError, unknown
-from turgor.given import one, several
+from turgor.given import Quantity, number, one, several
 from turgor.materials.laws.laws import Hooke, Law
+from turgor.materials.library.plain import as_material
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
@@ -18,7 +20,6 @@ from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.given_parts import given_materials, given_supports
 from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
-from turgor.model.membrane import Membrane as Membrane
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.supports import Displacement, Support, Symmetry
 from turgor.shown import Shown, listed
@@ -28,6 +29,61 @@ from turgor.units import kPa
 #: Formulations of the cells.
 MIXED, CONTINUOUS, DISPLACEMENT = "mixed", "continuous", "displacement"
 FORMULATIONS = (MIXED, CONTINUOUS, DISPLACEMENT)
+
+
+@dataclass(frozen=True, slots=True)
+class Membrane:
+    """A thin sheet on a face: stretches and shears like its material, and bends freely or like a plate.
+
+    Parameters
+    ----------
+    material : Material
+        Its law must be `Hooke`.
+    thickness : float [m]
+        Thickness of the sheet, in (0, 1 cm].
+    bending : bool
+        Whether it resists bending like a plate of its thickness (a shell); paper of 0.1 mm between layers of silicone
+        hardly does, a sheet of 0.5 mm does.
+    compression : float
+        Share of the stiffness that works in compression: 1 for a sheet that bears compression, 0 for one that wrinkles
+        and bears tension only (tension field). A sheet that resists bending keeps all of it.
+    """
+
+    material: Material
+    thickness: float
+    bending: bool = False
+    compression: float = 1.0
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self, material: Material | Hooke | str, thickness: Quantity, bending: bool = False, compression: float = 1.0
+        ) -> None: ...
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "material", as_material(self.material, "membrane", "membrane"))
+        object.__setattr__(self, "thickness", number(self.thickness, "membrane thickness", "length"))
+        if not isinstance(self.material.law, Hooke):
+            raise TurgorError(
+                f"membrane of '{self.material.name}': its law is {type(self.material.law).__name__}; "
+                "a membrane needs Hooke (Young's modulus and Poisson's ratio)."
+            )
+        if not 0 < self.thickness <= 0.01:
+            raise TurgorError(f"membrane thickness is {self.thickness * 1e3:g} mm; allowed is more than 0 up to 10 mm.")
+        if not 0 <= self.compression <= 1:
+            raise TurgorError(
+                f"membrane compression is {self.compression:g}; allowed is 0 (it wrinkles) to 1 (as in tension)."
+            )
+        if self.bending and self.compression < 1:
+            raise TurgorError(
+                f"membrane compression is {self.compression:g}, but the sheet resists bending; a shell bears "
+                "compression (1) and buckles by itself."
+            )
+
+    @property
+    def wrinkles(self) -> bool:
+        """Whether it bears less compression than tension."""
+        return self.compression < 1
 
 
 @dataclass(frozen=True, slots=True, init=False)
@@ -88,7 +144,7 @@ class Model(Saved, Shown):
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
         acting = several(loads, Load, "loads", "loads are needed, such as Pressure('cavity', 20e3)")
         object.__setattr__(self, "mesh", mesh)
-        object.__setattr__(self, "materials", MappingProxyType(given_materials(materials, mesh)))
+        object.__setattr__(self, "materials", MappingProxyType(given_materials(materials, mesh, Membrane)))
         object.__setattr__(self, "supports", given + added)
         object.__setattr__(self, "loads", acting)
         object.__setattr__(self, "formulation", formulation)

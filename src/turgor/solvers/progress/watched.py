@@ -68,11 +68,7 @@ def _notebook() -> Any:
     """The function that shows things in a notebook; None elsewhere."""
     python = sys.modules.get("IPython")
     shell = None if python is None else python.get_ipython()
-    if shell is None or not hasattr(shell, "kernel"):
-        return None
-    from IPython.display import display  # here: only there it is loaded already
-
-    return display
+    return python.display.display if python is not None and hasattr(shell, "kernel") else None
 
 
 def _bar(notebook: Any) -> Any:

@@ -79,8 +79,8 @@ def test_a_notebook_sees_a_bar_in_html(monkeypatch: pytest.MonkeyPatch) -> None:
         return SimpleNamespace(update=lambda data, raw: shown.append(data["text/html"]))
 
     shell = SimpleNamespace(kernel="of Jupyter")
-    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
-    monkeypatch.setitem(sys.modules, "IPython.display", SimpleNamespace(display=display))
+    python = SimpleNamespace(get_ipython=lambda: shell, display=SimpleNamespace(display=display))
+    monkeypatch.setitem(sys.modules, "IPython", python)
     monkeypatch.setattr(notebook_bar, "AT_ONCE", 0.0)
     monkeypatch.setattr(notebook_bar, "REFRESH", 0.0)
     tg.solve(solver_cases.model(), STEPS)
