@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from turgor.geometry.geometry import Geometry as Geometry
     from turgor.gradients.gradient import gradient as gradient
     from turgor.laboratory.compare import compare as compare
+    from turgor.materials.experiments.read_tests import read_test as read_test
     from turgor.materials.fitting.fit_laws import fit as fit
     from turgor.materials.laws.laws import Yeoh as Yeoh
     from turgor.materials.library.records import from_library as from_library
@@ -81,6 +82,7 @@ if TYPE_CHECKING:
     from turgor.solvers.procedures.static import Static as Static
     from turgor.solvers.procedures.volume_control import VolumeControl as VolumeControl
     from turgor.solvers.solution import Solution as Solution
+    from turgor.solvers.solution import SolveError as SolveError
     from turgor.solvers.solution import Status as Status
     from turgor.solvers.solve import resume as resume
     from turgor.solvers.solve import solve as solve

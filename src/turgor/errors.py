@@ -8,6 +8,13 @@ class TurgorError(ValueError):
     """Any mistake in what turgor was given; its text is meant to be read by the user."""
 
 
+class NotSolved(TurgorError):
+    """A computation that ended before it was complete; its ``solution`` holds the path so far."""
+
+    #: Whether the user ended it.
+    interrupted = False
+
+
 class NotHere(TurgorError):
     """Something that this machine lacks, such as a package or a file: elsewhere or later the same call may work."""
 

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from turgor.materials.experiments.handling import thin as thin
     from turgor.materials.experiments.material_test import Edit as Edit
     from turgor.materials.experiments.material_test import MaterialTest as MaterialTest
-    from turgor.materials.experiments.read_tests import read_test as read_test
     from turgor.materials.experiments.read_tests import read_tests as read_tests
     from turgor.materials.experiments.specimen import Specimen as Specimen
     from turgor.materials.fitting.checks import check_modes as check_modes

@@ -1,5 +1,7 @@
 """Finding: what a check noticed."""
 
+import sys
+import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -41,6 +43,24 @@ class Finding:
 
     def __str__(self) -> str:
         return f"{self.code} {self.severity}: {self.message} {self.advice}"
+
+
+class FindingWarning(UserWarning):
+    """A finding of severity warning or error, as Python shows it to a script.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> warnings.filterwarnings("ignore", message="P02", category=FindingWarning)  # the load is meant
+    """
+
+
+def show_warning(found: Finding) -> None:
+    """Show a finding as a warning of Python, once for each line of a script that leads to it."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("turgor."):
+        frame, level = frame.f_back, level + 1
+    warnings.warn(str(found), FindingWarning, stacklevel=level)
 
 
 #: Severities by weight.

@@ -6,6 +6,7 @@ from turgor._lazy import public
 
 if TYPE_CHECKING:
     from turgor.finding import Finding as Finding
+    from turgor.finding import FindingWarning as FindingWarning
     from turgor.finding import Severity as Severity
     from turgor.solvers.dynamics.modes import Modes as Modes
     from turgor.solvers.energies import Energies as Energies

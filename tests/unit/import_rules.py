@@ -15,7 +15,19 @@ ROOMS = (
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
-FOUNDATION = ("units", "errors", "source", "finding", "store", "shown", "response", "registry", "loops", "_lazy")
+FOUNDATION = (
+    "units",
+    "errors",
+    "given",
+    "source",
+    "finding",
+    "store",
+    "shown",
+    "response",
+    "registry",
+    "loops",
+    "_lazy",
+)
 
 #: Modules that only gather names for users; no room imports from them.
 PUBLIC = (
@@ -65,7 +77,7 @@ HOME = {
     "sklearn": ("surrogates",),
     "pydantic": ("job",),
     "pymoo": ("optimization",),
-    "rich": ("cli",),
+    "rich": ("cli", "solvers"),
     "typer": ("cli",),
 }
 

@@ -5,6 +5,7 @@ from functools import partial
 from turgor.adaptivity.mesh_error import MeshError, estimate_mesh_error, procedure_of
 from turgor.engine.runtime import EngineOptions
 from turgor.errors import TurgorError
+from turgor.given import one
 from turgor.response import MESH_ERROR, Column, Response
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.measures.measures import as_measure, chosen_measures
@@ -57,6 +58,7 @@ def measure(
     TurgorError
         If a measure needs a face that the mesh does not have, or ``mesh_error`` is another word.
     """
+    one(solution, Solution, "solution", "a Solution is needed, as solve(model) returns it")
     if not isinstance(mesh_error, bool) and mesh_error != LINEAR:
         raise TurgorError(f"mesh_error is {mesh_error!r}; allowed are True, False and '{LINEAR}'.")
     wanted = tuple(map(as_measure, measures))

@@ -221,7 +221,7 @@ def _solved_on(solution: Solution, refinement: Refinement, options: EngineOption
 
 
 def _solved_anew(model: Model, solution: Solution, options: EngineOptions) -> Solution:
-    anew = solve(model, solution.procedure, options=options, throw=False)
+    anew = solve(model, solution.procedure, options=options, throw=False, progress=False)
     if len(anew.states) < 2:
         raise SolveError(anew)
     return anew

@@ -7,6 +7,7 @@ Heavy imports stand inside the commands, so that help and error messages appear 
 import gc
 import os
 import sys
+import warnings
 from collections.abc import Sequence
 from typing import NoReturn
 
@@ -18,6 +19,7 @@ from turgor.cli.options import JSON
 from turgor.cli.start.commands import app_of
 from turgor.cli.start.ending import leave
 from turgor.cli.start.late import load_late
+from turgor.finding import FindingWarning
 
 #: How many new objects start a search for garbage, and how many searches a wider one. Loading libraries, compiling and
 #: drawing make millions of objects that stay; with Python's own numbers the searches take a tenth of the time.
@@ -49,11 +51,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def settle() -> None:
     """Set what a process of our own needs before it loads anything heavy.
 
-    That is: few searches for garbage, one thread of OpenBLAS, no plugins, and no code that nobody uses.
+    That is: few searches for garbage, one thread of OpenBLAS, no plugins, no warnings for findings, and no code that
+    nobody uses.
 
     The engine and what fits surrogates limit OpenBLAS to one thread; other products are small. Further threads would
     only spin as they start. What the user has set stays; MKL, which factors tangents, has variables of its own.
     """
+    warnings.simplefilter("ignore", FindingWarning)  # commands print findings themselves
     gc.set_threshold(*PATIENT)
     load_late()
     os.environ.setdefault(*NO_PLUGINS)

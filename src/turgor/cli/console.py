@@ -2,8 +2,6 @@
 
 import os
 import sys
-from collections import deque
-from collections.abc import Sequence
 from math import pi
 from time import perf_counter
 from typing import Protocol, Self
@@ -12,13 +10,9 @@ from turgor.cli.exits import write_nowhere
 from turgor.errors import TurgorError
 from turgor.finding import Finding
 from turgor.results.measures.measures import bending_angle
-from turgor.solvers.pressures import pressure_text
+from turgor.solvers.progress.course import Course, clock, cut_back, describe, of_stage
 from turgor.solvers.solution import Iteration, State
 from turgor.units import deg
-
-#: Number of last accepted steps for the estimate of the remaining time; only a few, because steps grow along a path.
-RECENT_STEPS = 4
-
 
 #: Variables by which rich takes a file or a pipe for a terminal.
 AS_TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE")
@@ -59,26 +53,18 @@ def may_be_terminal() -> bool:
     return sys.stdout.isatty() or any(os.environ.get(name) for name in AS_TERMINAL)
 
 
-class Course:
-    """Progress of a solve: bending angle and remaining time, from the calls of `solve`."""
+class AngleCourse(Course):
+    """Progress of a solve with the bending angle."""
 
     def __init__(self) -> None:
+        super().__init__()
         self.angle: float | None = None
-        self.load_factor = 0.0
-        self.stage = ""
-        self._accepted: deque[tuple[float, float]] = deque(maxlen=RECENT_STEPS + 1)
 
     def follow(self, state: State | None) -> None:
-        """Record an iteration, and the state if a step was accepted."""
-        if not self._accepted:  # the clock starts with the first iteration, which excludes the compilation
-            self._accepted.append((0.0, perf_counter()))
+        """Record an iteration, and the state and its angle if a step was accepted."""
+        super().follow(state)
         if state is None:
             return
-        self.load_factor = state.load_factor
-        if state.stage != self.stage:  # a new stage begins at load factor 0
-            self.stage = state.stage
-            self._accepted.clear()
-        self._accepted.append((state.load_factor, perf_counter()))
         try:
             angle = bending_angle(state)
         except TurgorError:
@@ -87,30 +73,9 @@ class Course:
         self.angle = angle + 2 * pi * turns
 
     @property
-    def seconds_left(self) -> float | None:
-        """Remaining time at the speed of the last steps [s]; None before the first accepted step."""
-        if len(self._accepted) < 2:
-            return None
-        (before, began), (now, last) = self._accepted[0], self._accepted[-1]
-        if now <= before:
-            return None  # beyond a limit point the load falls, so it does not show the remaining length of the path
-        left = (1 - now) * (last - began) / (now - before) - (perf_counter() - last)
-        return max(left, 0.0)
-
-
-def clock(seconds: float | None) -> str:
-    """Write a duration as minutes and seconds.
-
-    Examples
-    --------
-    >>> clock(75.4), clock(3700), clock(None)
-    ('1:15', '1:01:40', '-:--')
-    """
-    if seconds is None:
-        return "-:--"
-    minutes, rest = divmod(round(seconds), 60)
-    hours, minutes = divmod(minutes, 60)
-    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
+    def words(self) -> tuple[str, ...]:
+        """The bending angle, where there is one."""
+        return () if self.angle is None else (bending(self.angle)[2:],)
 
 
 class PlainDisplay:
@@ -119,7 +84,7 @@ class PlainDisplay:
     def __init__(self, console: Lines) -> None:
         self.told: list[Finding] = []
         self._console = console
-        self._course = Course()
+        self._course = AngleCourse()
         self._began = perf_counter()
 
     def __enter__(self) -> Self:
@@ -149,54 +114,6 @@ class PlainDisplay:
 
     def _line(self, text: str) -> None:
         self._console.out(f"[{clock(perf_counter() - self._began):>5}] {text}", highlight=False)
-
-
-def fitting(parts: Sequence[str], width: int, alternatives: bool = False) -> str:
-    """Join as many parts as fit into a width, or return the first of alternatives that does.
-
-    Examples
-    --------
-    >>> fitting(["step 6", "iteration 3", "residual 1e-05"], 20)
-    'step 6, iteration 3'
-    >>> fitting(["load factor 0.412", "0.412"], 10, alternatives=True)
-    '0.412'
-    """
-    if alternatives:
-        return next((part for part in parts if len(part) <= width), parts[-1])
-    counts = range(len(parts), 0, -1)
-    return next((text for count in counts if len(text := ", ".join(parts[:count])) <= width), "")
-
-
-def describe(iteration: Iteration, state: State) -> str:
-    """Write one accepted step in words."""
-    pressures = pressure_text(state)
-    load = f", {pressures}" if pressures else ""
-    work = f"{iteration.iteration} iterations, residual {iteration.residual:.1e}"
-    return f"{of_stage(state.stage)}step {iteration.step}: load factor {state.load_factor:.4f}{load}, {work}"
-
-
-def cut_back(iteration: Iteration) -> str:
-    """Write one rejected step in words.
-
-    Examples
-    --------
-    >>> from turgor.solvers.reasons import Cause, Reason
-    >>> cut_back(Iteration(step=6, iteration=15, load_factor=0.4, residual=1.0, correction=0.0, step_length=1.0,
-    ...                    rejected=Reason(Cause.TOO_MANY_ITERATIONS, 15)))
-    'step 6 cut back: no convergence in 15 iterations at load factor 0.4000'
-    """
-    return f"step {iteration.step} cut back: {iteration.rejected} at load factor {iteration.load_factor:.4f}"
-
-
-def of_stage(name: str) -> str:
-    """Write the name of a stage before what happens in it.
-
-    Examples
-    --------
-    >>> of_stage("fill"), of_stage("")
-    ('fill, ', '')
-    """
-    return f"{name}, " if name else ""
 
 
 def bending(angle: float | None) -> str:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.exits import NOT_CONVERGED, errors_as_sentences
+from turgor.cli.exits import errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
 from turgor.errors import TurgorError
 
@@ -33,17 +33,12 @@ def convergence_command(
         from turgor.cli.answers.results import convergence_result
         from turgor.job.output.folder import claimed
         from turgor.results.measures.measures import find_measure
-        from turgor.solvers.solution import SolveError
 
         wanted = _sizes(sizes)
         find_measure(measure)
         asked = asked_job(job, changes)
         with claimed(output if output is not None else Path(f"{asked.name}-convergence"), force) as folder:
-            try:
-                study = _solve(asked, wanted, measure)
-            except SolveError as error:
-                typer.echo(" ".join([str(error), *getattr(error, "__notes__", [])]), err=True)
-                raise typer.Exit(NOT_CONVERGED) from None
+            study = _solve(asked, wanted, measure)
             _write(folder, asked, study)
         _show(study)
         answer.give(lambda: convergence_result(study, folder))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from turgor.cli.answers.document import document
-from turgor.errors import TurgorError
+from turgor.errors import NotSolved, TurgorError
 
 if TYPE_CHECKING:
     from turgor.finding import Finding
@@ -102,7 +102,8 @@ def write_nowhere() -> None:
 def _said(raised: BaseException) -> tuple[int, str]:
     """Exit code and sentence for an exception."""
     if isinstance(raised, TurgorError):
-        return BAD_INPUT, str(raised)
+        code = NOT_CONVERGED if isinstance(raised, NotSolved) else BAD_INPUT
+        return code, " ".join([str(raised), *getattr(raised, "__notes__", [])])
     if isinstance(raised, OSError):
         return BAD_INPUT, f"'{raised.filename or 'a file'}' cannot be read or written: {raised.strerror}."
     if isinstance(raised, KeyboardInterrupt):

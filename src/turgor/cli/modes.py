@@ -37,7 +37,7 @@ def modes_command(
 
         asked = asked_job(job, changes)
         model, findings = prepare(asked)
-        state = solve(model, asked.procedure).states[-1] if loaded else None
+        state = solve(model, asked.procedure, progress=False).states[-1] if loaded else None
         if state is not None and isinstance(asked.procedure, Stages):
             model = state.model  # the model of the last stage
         modes = natural_frequencies(model, state, count)

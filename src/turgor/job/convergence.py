@@ -33,7 +33,7 @@ def convergence(
     *,
     wanted: str | Measure = "bending_angle",
     notify: Callable[[str], None] | None = None,
-    progress: Progress | None = None,
+    progress: Progress = None,
 ) -> Convergence:
     """Solve a model on successively finer meshes, and extrapolate one measure at the full load.
 
@@ -138,7 +138,7 @@ def _limits(job: Job) -> tuple[float, float]:
     return size_range(geometry)[0], max(wall_size(geometry), job.mesh_size)  # above it only if the job is
 
 
-def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress | None) -> Solution:
+def _solve_job(job: Job, size: float, say: Callable[[str], None], progress: Progress) -> Solution:
     model, _ = prepare(replace(job, mesh=settings_at(job, size)), say)
     options = EngineOptions(notify=say)
     if job.threads is not None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from turgor.adaptivity.findings import matter, mesh_error_findings
 from turgor.engine.runtime import EngineOptions
-from turgor.finding import Finding, by_weight, not_told
+from turgor.finding import Finding, by_weight, not_told, show_warning
 from turgor.job.ahead import compile_for
 from turgor.job.job import Job
 from turgor.job.meshes import keep_mesh_of
@@ -21,8 +21,9 @@ from turgor.response import Response
 from turgor.results.measures.measures import find_measure
 from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
 from turgor.solvers.listeners import Listeners
+from turgor.solvers.progress.watched import Heard, Progress, watched
 from turgor.solvers.solution import Solution, Status
-from turgor.solvers.solve import Progress, follow_question
+from turgor.solvers.solve import follow_question
 from turgor.solvers.stored import PATH_FOLDER
 
 Found = Callable[[Finding], None]
@@ -36,7 +37,7 @@ def run_job(
     resume: bool = False,
     threads: int | None = None,
     notify: Notify | None = None,
-    progress: Progress | None = None,
+    progress: Progress = None,
     found: Found | None = None,
 ) -> RunOutcome:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder of its own.
@@ -59,10 +60,11 @@ def run_job(
         Number of threads; by default that of the job, else all processors.
     notify : callable, optional
         ``notify(text)``, called with each activity.
-    progress : callable, optional
-        Called by `solve` after every iteration and every attempted step.
+    progress : callable or bool, optional
+        As that of `solve`: a function, or whether a bar is shown; by default where a terminal or a notebook looks on.
     found : callable, optional
-        ``found(finding)``, called before the solve with each error and warning that is known by then.
+        ``found(finding)``, called before the solve with each error and warning that is known by then. By default these
+        and the later ones are warnings of Python.
 
     Returns
     -------
@@ -78,14 +80,20 @@ def run_job(
     wanted = threads if threads is not None else job.threads
     if wanted is not None:
         options = replace(options, threads=wanted)
-    with claimed(Path(output) if output is not None else default_folder(job.name), force, resume) as folder:
-        files = GrowingFiles(folder, replace(job, threads=options.threads), notify or silent)
+    chosen = Path(output) if output is not None else default_folder(job.name)
+    with claimed(chosen, force, resume) as folder, watched(progress) as watcher:
+        files = GrowingFiles(folder, replace(job, threads=options.threads), notify or watcher.notify or silent)
         options = replace(options, notify=files.say)
         record = _record(files, options, resume)
-        for each in matter(record.question.findings, bool(job.output.mesh_error)):
-            (found or _unheard)(each)
-        solution, response, findings = _solved(files, record, options, progress)
-        return _written(files, solution, response, findings)
+        early = matter(record.question.findings, bool(job.output.mesh_error))
+        for each in early:
+            (found or show_warning)(each)
+        solution, response, findings = _solved(files, record, options, watcher.progress)
+        outcome = _written(files, solution, response, findings)
+        for each in matter(outcome.findings, mesh_error=False) if found is None else ():
+            if each not in early:
+                show_warning(each)
+        return outcome
 
 
 def _written(files: GrowingFiles, solution: Solution, response: Response, findings: tuple[Finding, ...]) -> RunOutcome:
@@ -124,7 +132,7 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
 
 
 def _solved(
-    files: GrowingFiles, record: RunRecord, options: EngineOptions, progress: Progress | None
+    files: GrowingFiles, record: RunRecord, options: EngineOptions, progress: Heard | None
 ) -> tuple[Solution, Response, tuple[Finding, ...]]:
     """Solve a job, refine its mesh where it has a target, and measure."""
     job, findings = files.job, record.question.findings
@@ -178,7 +186,3 @@ def _with_errors(
             f"{estimate.seconds:.1f} s"
         )
     return with_mesh_error(response, estimate), () if estimate.finding is None else (estimate.finding,)
-
-
-def _unheard(_: Finding) -> None:
-    """Ignore a finding, where the caller gave no ``found``."""

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
+from turgor.given import one
 from turgor.laboratory.runs import SPREAD, branches, interpolated
 from turgor.response import MESH_ERROR, Column, Response
 from turgor.results.drive import drive_of
@@ -131,6 +132,8 @@ def compare(computed: Response, measured: Response, y: str | None = None, *, x: 
     >>> round(found.largest, 6), found.largest_at, round(found.relative, 4)
     (0.1, 20000.0, 0.0717)
     """
+    for what, each in (("computed", computed), ("measured", measured)):
+        one(each, Response, what, "a Response is needed, as measure(solution) or read_experiment(file) returns it")
     ours, theirs = _columns(computed, measured, x, driving=True)
     name, other = _columns(computed, measured, y, driving=False, besides=(ours, theirs))
     notes = _named_differently(ours, theirs) + _named_differently(name, other)

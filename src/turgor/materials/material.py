@@ -2,13 +2,18 @@
 
 from dataclasses import dataclass, field
 from math import inf
+from typing import TYPE_CHECKING, get_args
 
 from turgor.errors import TurgorError
+from turgor.given import Quantity, number, one
 from turgor.materials.history.softening import Mullins
 from turgor.materials.history.viscoelastic import Prony
 from turgor.materials.laws.laws import Hooke, Law
 from turgor.shown import Shown
 from turgor.source import Source
+
+#: Classes of rubbers' laws.
+LAW_KINDS = get_args(Law)
 
 UNSTATED = Source(text="stated in the script")
 
@@ -58,7 +63,29 @@ class Material(Shown):
     stress_softening: Mullins | None = None
     bending_stiffness: float | None = None
 
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str,
+            law: Law | Hooke,
+            bulk_modulus: Quantity = inf,
+            density: Quantity | None = None,
+            bending_stiffness: Quantity | None = None,
+            stretch_range: tuple[float, float] | None = None,
+            source: Source = UNSTATED,
+            viscoelasticity: Prony | None = None,
+            stress_softening: Mullins | None = None,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
+        said = f"material '{self.name}'"
+        one(self.law, (*LAW_KINDS, Hooke), f"{said}: law", "a law is needed, such as Yeoh(C10=0.11e6, C20=0.02e6)")
+        bulk = number(self.bulk_modulus, f"{said}: bulk_modulus", "pressure", finite=False)
+        object.__setattr__(self, "bulk_modulus", bulk)
+        if self.density is not None:
+            object.__setattr__(self, "density", number(self.density, f"{said}: density", "density"))
         if not self.bulk_modulus > 0:
             raise TurgorError(f"material '{self.name}': bulk_modulus is {self.bulk_modulus:g} Pa; it must be positive.")
         if self.density is not None and not self.density > 0:
@@ -68,7 +95,9 @@ class Material(Shown):
                 f"material '{self.name}' is linear elastic; viscoelasticity and stress_softening are for rubbers."
             )
         if self.bending_stiffness is not None:
-            self._check_bending(self.bending_stiffness)
+            bending = number(self.bending_stiffness, f"{said}: bending_stiffness", "bending stiffness")
+            object.__setattr__(self, "bending_stiffness", bending)
+            self._check_bending(bending)
 
     def _check_bending(self, value: float) -> None:
         if not isinstance(self.law, Hooke):

@@ -4,12 +4,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
+from typing import Protocol, cast
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
 from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.child import in_child
 from turgor.geometry.geometry import Geometry
+from turgor.given import Quantity, number, one
 from turgor.meshing.bodies.assemble import Raw, assemble
 from turgor.meshing.chosen import chosen_settings
 from turgor.meshing.enveloped.faceted import faceted, meshed_by_facets
@@ -45,12 +47,19 @@ LOST_VOLUME = 0.01
 FEWER = 0.7
 
 
+class Builds(Protocol):
+    """What builds a geometry: an actuator family, a CAD file."""
+
+    def build(self) -> Geometry:
+        """Build it."""
+
+
 def mesh(
-    geometry: Geometry,
+    geometry: Geometry | Builds,
     *,
-    size: float | None = None,
+    size: Quantity | None = None,
     grading: float = 0.5,
-    face_sizes: Mapping[str, float] = MappingProxyType({}),
+    face_sizes: Mapping[str, Quantity] = MappingProxyType({}),
     wall_cells: int = 1,
     cells: str | None = None,
     ignore_features_below: float | None = None,
@@ -64,7 +73,7 @@ def mesh(
     Parameters
     ----------
     geometry : Geometry
-        What to mesh.
+        What to mesh; an actuator family, such as ``FastPneuNet(...)``, is built first.
     size : float [m], optional
         Largest edge length aimed at; cells get smaller near short edges, and along walls that are thinner than a
         quarter of it (G09). `default_size` if it is not given: about twice the thinnest wall, for hexahedra three
@@ -108,15 +117,24 @@ def mesh(
     Traceback (most recent call last):
     turgor.errors.TurgorError: mesh size is 0 mm; allowed is 0.291 mm to 20 mm (the whole part).
     """
+    shape = _built(geometry)
     settings = MeshSettings(
-        size=size,
+        size=None if size is None else number(size, "mesh size", "length"),
         grading=grading,
-        face_sizes=face_sizes,
+        face_sizes={name: number(each, f"size of the face '{name}'", "length") for name, each in face_sizes.items()},
         wall_cells=wall_cells,
         cells=cells,
         ignore_features_below=ignore_features_below,
     )
-    return mesh_with(geometry, settings)
+    return mesh_with(shape, settings)
+
+
+def _built(given: object) -> Geometry:
+    """Build what is not built yet."""
+    build = getattr(given, "build", None)
+    built = build() if callable(build) and not isinstance(given, type) else given
+    needed = "an actuator is needed, such as FastPneuNet(), or a Geometry"
+    return cast(Geometry, one(built, Geometry, "geometry", needed))
 
 
 def mesh_with(geometry: Geometry, settings: MeshSettings) -> Mesh:

@@ -1,9 +1,10 @@
 """Contact: self-contact of the actuator, and contact with rigid obstacles."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
+from turgor.given import number, one, several
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.meeting import may_meet
 from turgor.model.obstacles import Obstacle, SelfContact
@@ -47,20 +48,22 @@ class Contact:
     def __init__(
         self,
         self_contact: SelfContact | bool | None = None,
-        obstacles: Sequence[Obstacle] = (),
+        obstacles: Obstacle | Iterable[Obstacle] = (),
         tolerance: float = 0.01,
     ) -> None:
+        one(self_contact, SelfContact | bool | None, "self_contact", "a SelfContact, True or False is needed")
         given = SelfContact() if self_contact is None or self_contact is True else (self_contact or None)
         object.__setattr__(self, "self_contact", given)
         object.__setattr__(self, "automatic", self_contact is None)
-        object.__setattr__(self, "obstacles", tuple(obstacles))
-        object.__setattr__(self, "tolerance", tolerance)
+        bodies = several(obstacles, Obstacle, "obstacles", "an Obstacle is needed")
+        object.__setattr__(self, "obstacles", bodies)
+        object.__setattr__(self, "tolerance", number(tolerance, "contact: tolerance"))
         names = [SELF, *(obstacle.name for obstacle in self.obstacles)]
         for name in names:
             if names.count(name) > 1:
                 raise TurgorError(f"obstacle '{name}': the name is taken; every obstacle needs one of its own.")
-        if not 1e-4 <= tolerance <= 0.1:
-            raise TurgorError(f"contact: tolerance is {tolerance:g}; allowed is 0.0001 to 0.1 of the wall.")
+        if not 1e-4 <= self.tolerance <= 0.1:
+            raise TurgorError(f"contact: tolerance is {self.tolerance:g}; allowed is 0.0001 to 0.1 of the wall.")
 
     def with_obstacles(self, obstacles: Sequence[Obstacle]) -> "Contact":
         """Return a contact with other obstacles and the rest as it was."""

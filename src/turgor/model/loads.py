@@ -2,15 +2,17 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.given import Quantities, Quantity, number, vector
+from turgor.given import name as name_of
 from turgor.model.history import RAMP as RAMP
 from turgor.model.history import History as History
 from turgor.model.history import checked, share_at
-from turgor.model.points import vector
 
 STANDARD_GRAVITY = 9.80665
 
@@ -47,8 +49,14 @@ class Pressure:
     pressure: float
     history: History = RAMP
 
+    if TYPE_CHECKING:
+
+        def __init__(self, face: str, pressure: Quantity, history: History = RAMP) -> None: ...
+
     def __post_init__(self) -> None:
-        object.__setattr__(self, "history", checked(self.history, f"pressure on '{self.face}'"))
+        said = f"pressure on '{name_of(self.face, 'face of a pressure', 'cavity')}'"
+        object.__setattr__(self, "pressure", number(self.pressure, said, "pressure"))
+        object.__setattr__(self, "history", checked(self.history, said))
 
     def share(self, load_factor: float) -> float:
         """Return the share of the pressure that acts at a load factor."""
@@ -77,8 +85,14 @@ class Traction:
     vector: tuple[float, float, float]
     history: History = RAMP
 
+    if TYPE_CHECKING:
+
+        def __init__(self, face: str, vector: Quantities, history: History = RAMP) -> None: ...
+
     def __post_init__(self) -> None:
-        object.__setattr__(self, "history", checked(self.history, f"traction on '{self.face}'"))
+        said = f"traction on '{name_of(self.face, 'face of a traction', 'tip')}'"
+        object.__setattr__(self, "vector", vector(self.vector, said, "pressure"))
+        object.__setattr__(self, "history", checked(self.history, said))
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,10 +129,14 @@ class Force:
     history: History = RAMP
     follower: bool = False
 
+    if TYPE_CHECKING:
+
+        def __init__(self, face: str, vector: Quantities, history: History = RAMP, follower: bool = False) -> None: ...
+
     def __post_init__(self) -> None:
-        if len(self.vector) != 3 or not np.isfinite(self.vector).all():
-            raise TurgorError(f"force on '{self.face}' is {self.vector}; three finite numbers in newtons are needed.")
-        object.__setattr__(self, "history", checked(self.history, f"force on '{self.face}'"))
+        said = f"force on '{name_of(self.face, 'face of a force', 'tip')}'"
+        object.__setattr__(self, "vector", vector(self.vector, said, "force"))
+        object.__setattr__(self, "history", checked(self.history, said))
 
     def share(self, load_factor: float) -> float:
         """Return the share of the force that acts at a load factor."""
@@ -156,9 +174,13 @@ class PointForce:
     vector: tuple[float, float, float]
     history: History = RAMP
 
+    if TYPE_CHECKING:
+
+        def __init__(self, at: Quantities, vector: Quantities, history: History = RAMP) -> None: ...
+
     def __post_init__(self) -> None:
-        object.__setattr__(self, "at", vector("point force: at", self.at))
-        object.__setattr__(self, "vector", vector("point force", self.vector))
+        object.__setattr__(self, "at", vector(self.at, "point force: at", "length"))
+        object.__setattr__(self, "vector", vector(self.vector, "point force", "force"))
         object.__setattr__(self, "history", checked(self.history, "point force"))
 
 
@@ -190,11 +212,17 @@ class LineForce:
     vector: tuple[float, float, float]
     history: History = RAMP
 
+    if TYPE_CHECKING:
+
+        def __init__(self, faces: tuple[str, str], vector: Quantities, history: History = RAMP) -> None: ...
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "faces", tuple(self.faces))
         if len(set(self.faces)) != 2:
             raise TurgorError(f"line force: faces is {self.faces!r}; two faces are needed that meet along the line.")
-        object.__setattr__(self, "vector", vector(f"line force on {' and '.join(self.faces)}", self.vector))
+        object.__setattr__(
+            self, "vector", vector(self.vector, f"line force on {' and '.join(self.faces)}", "force per length")
+        )
         object.__setattr__(self, "history", checked(self.history, "line force"))
 
 
@@ -230,8 +258,12 @@ class Moment:
     history: History = RAMP
     follower: bool = False
 
+    if TYPE_CHECKING:
+
+        def __init__(self, point: str, vector: Quantities, history: History = RAMP, follower: bool = False) -> None: ...
+
     def __post_init__(self) -> None:
-        object.__setattr__(self, "vector", vector(f"moment on '{self.point}'", self.vector))
+        object.__setattr__(self, "vector", vector(self.vector, f"moment on '{self.point}'", "moment"))
         object.__setattr__(self, "history", checked(self.history, f"moment on '{self.point}'"))
 
 
@@ -269,13 +301,24 @@ class Hanging:
     acceleration: float = STANDARD_GRAVITY
     history: History = RAMP
 
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            point: str,
+            mass: Quantity,
+            direction: Quantities = (0, 0, -1),
+            acceleration: Quantity = STANDARD_GRAVITY,
+            history: History = RAMP,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         what = f"weight on '{self.point}'"
-        if not (np.isfinite(self.mass) and self.mass >= 0):
+        object.__setattr__(self, "mass", number(self.mass, f"{what}: mass", "mass"))
+        object.__setattr__(self, "acceleration", number(self.acceleration, f"{what}: acceleration", "acceleration"))
+        if self.mass < 0:
             raise TurgorError(f"{what}: mass is {self.mass} kg; allowed is 0 or more.")
-        object.__setattr__(self, "direction", vector(f"{what}: direction", self.direction))
-        if not np.linalg.norm(self.direction) > 0:
-            raise TurgorError(f"{what}: direction is a zero vector; give for example (0, 0, -1).")
+        object.__setattr__(self, "direction", _direction(self.direction, what))
         object.__setattr__(self, "history", checked(self.history, what))
 
     @property
@@ -314,7 +357,15 @@ class Gravity:
     acceleration: float = STANDARD_GRAVITY
     history: History = RAMP
 
+    if TYPE_CHECKING:
+
+        def __init__(
+            self, direction: Quantities = (0, 0, -1), acceleration: Quantity = STANDARD_GRAVITY, history: History = RAMP
+        ) -> None: ...
+
     def __post_init__(self) -> None:
+        object.__setattr__(self, "direction", _direction(self.direction, "gravity"))
+        object.__setattr__(self, "acceleration", number(self.acceleration, "gravity: acceleration", "acceleration"))
         object.__setattr__(self, "history", checked(self.history, "gravity"))
 
     def share(self, load_factor: float) -> float:
@@ -342,3 +393,11 @@ class BodyForce:
 
 
 Load = Pressure | Traction | Force | PointForce | LineForce | Moment | Hanging | Gravity | BodyForce
+
+
+def _direction(value: object, what: str) -> tuple[float, float, float]:
+    """A direction of any length but zero."""
+    found = vector(value, f"{what}: direction")
+    if not np.linalg.norm(found) > 0:
+        raise TurgorError(f"{what}: direction is a zero vector; give for example (0, 0, -1).")
+    return found

@@ -1,13 +1,14 @@
 """Model: a mesh with its materials, supports, loads and contact."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.laws.laws import Hooke
+from turgor.given import one, several
+from turgor.materials.laws.laws import Hooke, Law
 from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
@@ -15,6 +16,7 @@ from turgor.model.checks.named_points import check_points, points_of
 from turgor.model.checks.symmetry import check_not_cut, check_symmetric, check_wedge
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
+from turgor.model.given_parts import given_materials, given_supports
 from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.sheets import Sheet
@@ -37,9 +39,12 @@ class Model(Saved, Shown):
     mesh : Mesh
         Cells with named regions and faces.
     materials : mapping of str to Material, Shell or Membrane
-        A `Material` for every region, a `Shell` (or a `Membrane`) for any face that is reinforced.
+        A `Material` for every region, a `Shell` (or a `Membrane`) for any face that is reinforced. A law stands for a
+        material of it, a text for the material of the library that has this name and one record only; one alone is that
+        of all regions.
     supports : sequence of Support
-        What holds the body. Faces named ``symmetry_*`` are mirror planes without being listed.
+        What holds the body; the name of a face stands for `Fixed`. Faces named ``symmetry_*`` are mirror planes
+        without being listed.
     loads : sequence of Load
         What drives it; each reaches its stated value at load factor 1, or as its history says.
     formulation : str
@@ -70,22 +75,26 @@ class Model(Saved, Shown):
     def __init__(
         self,
         mesh: Mesh,
-        materials: Mapping[str, Material | Sheet],
-        supports: Sequence[Support],
-        loads: Sequence[Load],
+        materials: Mapping[str, Material | Sheet | Law | str] | Material | Law | str,
+        supports: Support | str | Iterable[Support | str],
+        loads: Load | Iterable[Load],
         formulation: str = MIXED,
-        reinforcements: Sequence[Fibers] = (),
+        reinforcements: Fibers | Iterable[Fibers] = (),
         contact: Contact | None = None,
     ) -> None:
-        mirrored = {s.face for s in supports if isinstance(s, Symmetry)}
+        one(mesh, Mesh, "mesh of a model", "a Mesh is needed, as mesh(actuator) makes it")
+        given = given_supports(supports)
+        mirrored = {s.face for s in given if isinstance(s, Symmetry)}
         added = tuple(Symmetry(face) for face in mesh.symmetry_faces if face not in mirrored)
+        acting = several(loads, Load, "loads", "loads are needed, such as Pressure('cavity', 20e3)")
         object.__setattr__(self, "mesh", mesh)
-        object.__setattr__(self, "materials", MappingProxyType(dict(materials)))
-        object.__setattr__(self, "supports", tuple(supports) + added)
-        object.__setattr__(self, "loads", tuple(loads))
+        object.__setattr__(self, "materials", MappingProxyType(given_materials(materials, mesh)))
+        object.__setattr__(self, "supports", given + added)
+        object.__setattr__(self, "loads", acting)
         object.__setattr__(self, "formulation", formulation)
-        object.__setattr__(self, "reinforcements", tuple(reinforcements))
-        object.__setattr__(self, "contact", contact or Contact())
+        threads = several(reinforcements, Fibers, "reinforcements", "Fibers are needed")
+        object.__setattr__(self, "reinforcements", threads)
+        object.__setattr__(self, "contact", one(contact or Contact(), Contact, "contact", "a Contact is needed"))
         self._check_materials()
         self._check_faces()
         self._check_formulation()
@@ -154,8 +163,6 @@ class Model(Saved, Shown):
             if isinstance(load, LineForce):
                 for name in load.faces:
                     self.mesh.face(name)
-            if isinstance(load, Pressure) and not np.isfinite(load.pressure):
-                raise TurgorError(f"pressure on '{load.face}' is {load.pressure}; a finite number is needed.")
 
     def _check_reachable(self, obstacle: str, face: str) -> None:
         """Refuse a face between two regions, which no obstacle can touch."""

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.given import name as name_of
+from turgor.given import one, vector
 from turgor.shown import brief
 
 Vector = tuple[float, float, float]
@@ -38,7 +40,7 @@ class Plane:
     normal: Vector
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "point", _vector("plane: point", self.point))
+        object.__setattr__(self, "point", vector(self.point, "plane: point", "length"))
         object.__setattr__(self, "normal", _direction("plane: normal", self.normal))
 
 
@@ -58,7 +60,7 @@ class Sphere:
     radius: float
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", _vector("sphere: center", self.center))
+        object.__setattr__(self, "center", vector(self.center, "sphere: center", "length"))
         _positive("sphere: radius", self.radius)
 
 
@@ -84,7 +86,7 @@ class Cylinder:
     length: float | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", _vector("cylinder: center", self.center))
+        object.__setattr__(self, "center", vector(self.center, "cylinder: center", "length"))
         object.__setattr__(self, "axis", _direction("cylinder: axis", self.axis))
         _positive("cylinder: radius", self.radius)
         if self.length is not None:
@@ -111,8 +113,8 @@ class Box:
     rounding: float = 0.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", _vector("box: center", self.center))
-        object.__setattr__(self, "size", _vector("box: size", self.size))
+        object.__setattr__(self, "center", vector(self.center, "box: center", "length"))
+        object.__setattr__(self, "size", vector(self.size, "box: size", "length"))
         for length in self.size:
             _positive("box: size", length)
         if not 0 <= self.rounding <= min(self.size) / 2:
@@ -196,8 +198,9 @@ class Obstacle:
     stiffness: float | None = None
 
     def __post_init__(self) -> None:
-        if not self.name.isidentifier():
+        if not name_of(self.name, "name of an obstacle", "plate").isidentifier():
             raise TurgorError(f"obstacle '{self.name}': a name holds letters, digits and underscores only.")
+        one(self.shape, Shape, f"obstacle '{self.name}': shape", "a shape is needed, such as Plane or Sphere")
         check_friction(f"obstacle '{self.name}'", self.friction)
         for key in ("spring", "stiffness"):
             if getattr(self, key) is not None:
@@ -246,31 +249,21 @@ def _positive(what: str, value: float, unit: str = " mm") -> None:
         raise TurgorError(f"{what} is {shown:g}{unit}; allowed is more than 0.")
 
 
-def _vector(what: str, values: Any) -> Vector:
-    try:
-        x, y, z = (float(value) for value in values)
-    except (TypeError, ValueError):
-        raise TurgorError(f"{what} is {values!r}; three numbers are needed.") from None
-    if not np.isfinite([x, y, z]).all():
-        raise TurgorError(f"{what} is {values!r}; three finite numbers are needed.")
-    return x, y, z
-
-
 def _direction(what: str, values: Any) -> Vector:
-    vector = np.array(_vector(what, values))
-    length = float(np.linalg.norm(vector))
+    given = np.array(vector(values, what))
+    length = float(np.linalg.norm(given))
     if not length > 0:
         raise TurgorError(f"{what} is a zero vector; give a direction such as (0, 0, 1).")
     if abs(length - 1) > 1e-15:  # what was normalized before keeps every digit
-        vector = vector / length
-    x, y, z = (float(value) for value in vector)
+        given = given / length
+    x, y, z = (float(value) for value in given)
     return x, y, z
 
 
 def _path(name: str, path: Iterable[Any]) -> Path:
     said = f"obstacle '{name}': path is {path!r}"
     try:
-        points = tuple((float(factor), _vector(f"obstacle '{name}': path", place)) for factor, place in path)
+        points = tuple((float(factor), vector(place, f"obstacle '{name}': path", "length")) for factor, place in path)
     except (TypeError, ValueError):
         raise TurgorError(
             f"{said}; points (load factor, displacement) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."

@@ -7,6 +7,7 @@ import numpy as np
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.directions import AXES
+from turgor.given import vector
 from turgor.model.history import RAMP, History, checked, share_at
 
 Vector = tuple[float, float, float]
@@ -80,10 +81,14 @@ class ReferencePoint:
             raise unknown(f"coupling of the reference point '{self.name}'", self.coupling, COUPLINGS)
         for key in ("at", "center"):
             if getattr(self, key) is not None:
-                object.__setattr__(self, key, vector(f"reference point '{self.name}': {key}", getattr(self, key)))
-        object.__setattr__(self, "inertia", vector(f"reference point '{self.name}': inertia", self.inertia))
+                object.__setattr__(
+                    self, key, vector(getattr(self, key), f"reference point '{self.name}': {key}", "length")
+                )
+        object.__setattr__(self, "inertia", vector(self.inertia, f"reference point '{self.name}': inertia"))
         if not isinstance(self.spring, int | float):
-            object.__setattr__(self, "spring", vector(f"reference point '{self.name}': spring", self.spring))
+            object.__setattr__(
+                self, "spring", vector(self.spring, f"reference point '{self.name}': spring", "spring stiffness")
+            )
         for key, values in (
             ("mass", (self.mass,)),
             ("inertia", self.inertia),
@@ -208,24 +213,7 @@ class Hinge:
 
 
 def _axis(what: str, values: Any) -> Vector:
-    axis = vector(what, values)
+    axis = vector(values, what)
     if not any(axis):
         raise TurgorError(f"{what} is a zero vector; give for example (1, 0, 0).")
     return axis
-
-
-def vector(what: str, values: Any) -> Vector:
-    """Three finite numbers, or an error that says what they are of.
-
-    Examples
-    --------
-    >>> vector("moment on 'plate'", (0, 1, 2))
-    (0.0, 1.0, 2.0)
-    """
-    try:
-        x, y, z = (float(value) for value in values)
-    except (TypeError, ValueError):
-        raise TurgorError(f"{what} is {values!r}; three numbers are needed.") from None
-    if not np.isfinite([x, y, z]).all():
-        raise TurgorError(f"{what} is {values!r}; three finite numbers are needed.")
-    return x, y, z

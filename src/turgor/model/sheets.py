@@ -1,9 +1,12 @@
 """Sheets: paper, film and fabric on a face, as shells that bend or as membranes that do not."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from turgor.errors import TurgorError
+from turgor.given import Quantity, number
 from turgor.materials.laws.laws import Hooke
+from turgor.materials.library.plain import as_material
 from turgor.materials.material import Material
 from turgor.units import mm
 
@@ -33,8 +36,12 @@ class Shell:
     material: Material
     thickness: float
 
+    if TYPE_CHECKING:
+
+        def __init__(self, material: Material | Hooke | str, thickness: Quantity) -> None: ...
+
     def __post_init__(self) -> None:
-        _check("shell", self.material, self.thickness)
+        _check(self, "shell")
 
     @property
     def compression(self) -> float:
@@ -80,8 +87,12 @@ class Membrane:
     thickness: float
     compression: float = 1.0
 
+    if TYPE_CHECKING:
+
+        def __init__(self, material: Material | Hooke | str, thickness: Quantity, compression: float = 1.0) -> None: ...
+
     def __post_init__(self) -> None:
-        _check("membrane", self.material, self.thickness)
+        _check(self, "membrane")
         if not 0 <= self.compression <= 1:
             raise TurgorError(
                 f"membrane compression is {self.compression:g}; allowed is 0 (it wrinkles) to 1 (as in tension)."
@@ -97,7 +108,11 @@ class Membrane:
 Sheet = Shell | Membrane
 
 
-def _check(what: str, material: Material, thickness: float) -> None:
+def _check(sheet: Sheet, what: str) -> None:
+    material = as_material(sheet.material, what, what)
+    thickness = number(sheet.thickness, f"{what} thickness", "length")
+    object.__setattr__(sheet, "material", material)
+    object.__setattr__(sheet, "thickness", thickness)
     if not isinstance(material.law, Hooke):
         raise TurgorError(
             f"{what} of '{material.name}': its law is {type(material.law).__name__}; "

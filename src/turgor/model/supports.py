@@ -2,12 +2,18 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.errors import TurgorError
+from turgor.given import Quantities, name, vector
 from turgor.model.history import RAMP, History, checked, share_at
 from turgor.model.points import Hinge, ReferencePoint, Rotation
+
+#: Displacement of points [m] at a load factor.
+Move: TypeAlias = Callable[[NDArray[np.float64], float], NDArray[np.float64]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +30,10 @@ class Fixed:
 
     face: str
     directions: str = "xyz"
+
+    def __post_init__(self) -> None:
+        name(self.face, "face of a support", "fixed")
+        _check_directions(self.directions, f"support of '{self.face}'")
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,15 +54,27 @@ class Displacement:
     ----------
     face : str
         Name of the face, ``"*"`` for the whole surface of the body, or the name of a `ReferencePoint`.
-    value : callable
-        ``value(points, load_factor) -> (n, 3) displacement [m]`` of the (n, 3) reference points [m].
+    value : callable, or (3,) floats [m]
+        ``value(points, load_factor) -> (n, 3) displacement [m]`` of the (n, 3) reference points [m]. Three lengths
+        stand for a `Shift` by them.
     directions : str
         Which components are prescribed.
     """
 
     face: str
-    value: Callable[[NDArray[np.float64], float], NDArray[np.float64]]
+    value: Move
     directions: str = "xyz"
+
+    if TYPE_CHECKING:
+
+        def __init__(self, face: str, value: Move | Quantities, directions: str = "xyz") -> None: ...
+
+    def __post_init__(self) -> None:
+        name(self.face, "face of a displacement", "tip")
+        value: object = self.value
+        if not callable(value):
+            object.__setattr__(self, "value", Shift(vector(value, f"displacement of '{self.face}'", "length")))
+        _check_directions(self.directions, f"displacement of '{self.face}'")
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +97,12 @@ class Shift:
     vector: tuple[float, float, float]
     history: History = RAMP
 
+    if TYPE_CHECKING:
+
+        def __init__(self, vector: Quantities, history: History = RAMP) -> None: ...
+
     def __post_init__(self) -> None:
+        object.__setattr__(self, "vector", vector(self.vector, "displacement", "length"))
         object.__setattr__(self, "history", checked(self.history, "displacement"))
 
     def __call__(self, points: NDArray[np.float64], load_factor: float) -> NDArray[np.float64]:
@@ -121,3 +148,8 @@ class PlaneSection:
 
 
 Support = Fixed | Symmetry | Displacement | Radial | PlaneSection | ReferencePoint | Rotation | Hinge
+
+
+def _check_directions(directions: object, what: str) -> None:
+    if not isinstance(directions, str) or not set(directions) <= set("xyz") or not directions:
+        raise TurgorError(f"{what}: directions is {directions!r}; some of x, y and z are needed, such as 'xz'.")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.errors import NotSolved
 from turgor.response import Column, Response
 from turgor.rod.elements import stored_energy
 from turgor.rod.frames import logarithm
@@ -17,7 +18,7 @@ from turgor.source import Source
 Array = NDArray[np.float64]
 
 
-class RodError(RuntimeError):
+class RodError(NotSolved):
     """A path of rods that ended early; `solution` holds the states so far."""
 
     def __init__(self, message: str, solution: "RodSolution") -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.errors import TurgorError
+from turgor.errors import NotSolved, TurgorError
 from turgor.finding import Finding
 from turgor.response import Response
 from turgor.section.columns import columns_of
@@ -19,7 +19,7 @@ from turgor.source import Source
 Array = NDArray[np.float64]
 
 
-class SectionError(TurgorError):
+class SectionError(NotSolved):
     """A section could not be followed to the end; ``solution`` holds the path so far."""
 
     def __init__(self, message: str, solution: "SectionSolution") -> None:

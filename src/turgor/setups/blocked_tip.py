@@ -11,6 +11,7 @@ from turgor.engine.runtime import EngineOptions
 from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.geometry.directions import DIRECTIONS
+from turgor.given import one
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
@@ -96,6 +97,7 @@ def blocked_force(
         If a value is out of its range, the values do not go together, the mesh lacks the face, the direction points
         back into the actuator or across a mirror plane, or the model has a ``plate`` already.
     """
+    one(model, Model, "model", "a Model is needed")
     return blocked(model, BlockedForce(hold=hold, distance=distance, direction=direction, face=face, friction=friction))
 
 

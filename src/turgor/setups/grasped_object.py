@@ -7,6 +7,7 @@ import numpy as np
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.directions import DIRECTIONS
+from turgor.given import one
 from turgor.model.loads import RAMP, Pressure
 from turgor.model.model import Model
 from turgor.model.obstacles import Cylinder, Obstacle, Plane, RigidSurface, Vector
@@ -86,6 +87,7 @@ def grasp(
         If a value is out of its range, the model lacks the obstacle, its loads do not fit, a finger reaches across a
         mirror plane, or the object breaks the symmetry.
     """
+    one(model, Model, "model", "a Model is needed")
     return grasped(
         model, Grasp(pull_distance=pull_distance, object=object, pull=pull, fingers=fingers, closing=closing)
     )

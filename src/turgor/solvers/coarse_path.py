@@ -69,7 +69,7 @@ def step_ends(procedure: Static, turns: Sequence[float] = ()) -> tuple[float, ..
 def iterations_only(listeners: Listeners) -> Listeners:
     """Listen to the iterations of a coarse path: its states are none of the run, and do not end it."""
     heard = listeners.progress
-    return Listeners(None if heard is None else _without_states(heard))
+    return Listeners(None if heard is None else _without_states(heard), logged=False)
 
 
 def _without_states(heard: Callable[[Iteration, State | None], None]) -> Callable[[Iteration, State | None], None]:

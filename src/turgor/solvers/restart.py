@@ -1,5 +1,6 @@
 """Restart: the state and the contacts that a stage takes over from the former one."""
 
+import hashlib
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -17,9 +18,9 @@ from turgor.solvers.solution import State
 Array = NDArray[np.float64]
 
 
-#: Name and sides of a part of the contact, and how many parts with the same ones stand before it: walls that meet each
-#: other and those that meet the mirror plane have the same.
-Key = tuple[str, bytes, int]
+#: Name of a part of the contact, hash of its sides, and how many parts with the same ones stand before it: walls that
+#: meet each other and those that meet the mirror plane have the same. Files of a run hold them, so they are text.
+Key = tuple[str, str, int]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -84,10 +85,10 @@ def unknowns_of(system: System, state: State | None) -> Array:
 
 def _keys(parts: Sequence[Part]) -> list[Key]:
     """Keys by which the next stage finds the parts of a contact again."""
-    before: Counter[tuple[str, bytes]] = Counter()
+    before: Counter[tuple[str, str]] = Counter()
     keys = []
     for part in parts:
-        same = (part.name, part.surface.sides.tobytes())
+        same = (part.name, hashlib.sha256(part.surface.sides.tobytes()).hexdigest())
         keys.append((*same, before[same]))
         before[same] += 1
     return keys

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from turgor.engine.cells.memory import Memory
 from turgor.engine.points.motion import PointMotion
-from turgor.finding import Finding
+from turgor.errors import NotSolved
+from turgor.finding import Finding, Severity
 from turgor.model.model import Model
 from turgor.shown import Shown, brief, listed
 from turgor.solvers.energies import Energies
@@ -24,6 +25,9 @@ Procedure = OneProcedure | Stages
 
 #: Letters of the message that the representation of a solution shows.
 LONGEST_MESSAGE = 160
+
+#: Findings that it shows.
+MOST_SHOWN = 2
 
 
 class Status(StrEnum):
@@ -306,7 +310,11 @@ class Solution(Saved, Shown):
 
     def __repr__(self) -> str:
         said = shorten(self.message.rstrip("."), LONGEST_MESSAGE, placeholder=" …")
-        return f"Solution({self.status}, {len(self.states)} states of '{self.model.mesh.name}': {said})"
+        heavy = [found for found in self.findings if found.severity is not Severity.NOTE]
+        heavy = [found for found in heavy if found.message.rstrip(".") not in self.message]  # which may begin with one
+        warned = "".join(f"; {shorten(str(found), LONGEST_MESSAGE, placeholder=' …')}" for found in heavy[:MOST_SHOWN])
+        left = f"; and {len(heavy) - MOST_SHOWN} more findings" if len(heavy) > MOST_SHOWN else ""
+        return f"Solution({self.status}, {len(self.states)} states of '{self.model.mesh.name}': {said}{warned}{left})"
 
     @property
     def converged(self) -> bool:
@@ -324,9 +332,10 @@ class Solution(Saved, Shown):
         return sum(step.iterations for step in self.steps)
 
 
-class SolveError(RuntimeError):
+class SolveError(NotSolved):
     """A solve that stopped before the whole load was reached; ``solution`` holds the path so far."""
 
     def __init__(self, solution: Solution) -> None:
         super().__init__(f"{solution.status}: {solution.message} {solution.advice}".strip())
         self.solution = solution
+        self.interrupted = solution.status is Status.INTERRUPTED

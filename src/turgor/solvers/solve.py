@@ -13,12 +13,14 @@ from turgor.engine.system import System
 from turgor.engine.warmup.compiling import compile_kernels
 from turgor.engine.warmup.needs import Needs
 from turgor.errors import TurgorError
-from turgor.finding import by_weight
+from turgor.finding import by_weight, show_warning
+from turgor.given import one
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.solvers.checkpoints.record import Question, RunRecord
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
 from turgor.solvers.checks.early import early_findings
+from turgor.solvers.checks.explanations import explained
 from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.checks.membranes import compressed_membranes
 from turgor.solvers.checks.supports import check_supports
@@ -31,14 +33,15 @@ from turgor.solvers.path_outcomes import limit_point_findings, unwatched_stabili
 from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.procedures.static import Static
+from turgor.solvers.progress.watched import Progress as Progress
+from turgor.solvers.progress.watched import watched
 from turgor.solvers.restart import Restart
-from turgor.solvers.solution import Iteration, Procedure, Solution, SolveError, State, Status, Timing
+from turgor.solvers.solution import Procedure, Solution, SolveError, State, Status, Timing
 from turgor.solvers.stage_sequence import solve_stages
 
 #: Below this size threads wait for each other longer than they work.
 FEW_UNKNOWNS = 10_000
 
-Progress = Callable[[Iteration, State | None], None]
 Stop = Callable[[State], str | None]
 
 
@@ -46,7 +49,7 @@ def solve(
     model: Model,
     procedure: Procedure | None = None,
     *,
-    progress: Progress | None = None,
+    progress: Progress = None,
     stop: Stop | None = None,
     options: EngineOptions | None = None,
     folder: str | Path | None = None,
@@ -62,9 +65,11 @@ def solve(
         The question.
     procedure : Static, VolumeControl, GasMass, ArcLength, Auto, Stabilized, Dynamic or Stages
         How the path is followed; `Static` if it is not given. `Stages` follows several in turn.
-    progress : callable
+    progress : callable or bool, optional
+        Whether a bar is shown; by default where a terminal or a notebook looks on. Or a function
         ``progress(iteration, state)``, called after every Newton update (state None), after every accepted step (with
-        its state), and after every rejected one (``iteration.rejected`` says why).
+        its state), and after every rejected one (``iteration.rejected`` says why). The logger ``turgor`` has a record
+        of each accepted step, too.
     stop : callable
         ``stop(state)`` ends the run early by returning the reason, a few words.
     options : EngineOptions
@@ -95,8 +100,17 @@ def solve(
         `Static`.
     SolveError
         If the full load was not reached and ``throw`` is set.
+
+    Warns
+    -----
+    FindingWarning
+        For each finding that is a warning or an error, once; those that are known before the solve come before it.
     """
-    procedure = procedure or Static()
+    one(model, Model, "model", "a Model is needed, as Model(mesh, materials, supports, loads) makes it")
+    procedure = Static() if procedure is None else procedure
+    one(procedure, Procedure, "procedure", "an object is needed, such as Static()")
+    one(options or EngineOptions(), EngineOptions, "options", "EngineOptions are needed")
+    one(stop, Callable | None, "stop", "a function of a state is needed")  # type: ignore[arg-type]
     if guide is not None:
         check_guide(model, procedure, guide)
     if coarse is not None:
@@ -106,13 +120,13 @@ def solve(
     options = options or EngineOptions()
     question = Question(model=model, procedure=procedure, options=options, guide=guide, coarse=coarse)
     record = None if folder is None else RunRecord.create(Path(folder), question)
-    return follow_question(question, Listeners(progress, stop), record, throw)
+    return _followed(question, progress, stop, record, throw)
 
 
 def resume(
     folder: str | Path,
     *,
-    progress: Progress | None = None,
+    progress: Progress = None,
     stop: Stop | None = None,
     options: EngineOptions | None = None,
     throw: bool = True,
@@ -141,7 +155,18 @@ def resume(
     """
     record = RunRecord.open(Path(folder))
     question = record.question if options is None else replace(record.question, options=options)
-    return follow_question(question, Listeners(progress, stop), record, throw)
+    return _followed(question, progress, stop, record, throw)
+
+
+def _followed(
+    question: Question, progress: Progress, stop: Stop | None, record: RunRecord | None, throw: bool
+) -> Solution:
+    """Follow a question for a script: with a bar where somebody looks on, and its findings as warnings."""
+    with watched(progress) as watcher:
+        options = question.options
+        if options.notify is None and watcher.notify is not None:
+            question = replace(question, options=replace(options, notify=watcher.notify))
+        return follow_question(question, Listeners(watcher.progress, stop, show_warning), record, throw)
 
 
 def follow_question(question: Question, listeners: Listeners, record: RunRecord | None, throw: bool) -> Solution:
@@ -161,7 +186,11 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
     """
     model, procedure = question.model, question.procedure
     solution = None if record is None else record.solution()
-    if solution is None:
+    if solution is not None:
+        listeners.tell(solution.findings)
+    else:
+        early = early_findings(model, procedure)
+        listeners.tell(early)
         led = _led(question, listeners, record)
         if led is not None and led.status is Status.INTERRUPTED:
             return replace(led, message=f"{led.message} These states are on the coarse mesh, whose path leads the run.")
@@ -171,9 +200,10 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
             solution = solve_stages(model, procedure, listeners, one)
         else:
             solution, _ = one(model, procedure, listeners, None)
-        early = early_findings(model, procedure)
         beyond = laws_beyond_their_tests(model, solution.states)
+        listeners.tell(each for each in by_weight((*beyond, *solution.findings)) if each not in early)
         solution = replace(solution, findings=by_weight((*early, *beyond, *solution.findings)))
+        solution = explained(solution)
         solution = solution if led is None else led_by(led, solution)
         if record is not None and solution.status is not Status.INTERRUPTED:
             record.finish(solution)

@@ -9,7 +9,7 @@ from turgor.solvers.checkpoints.so_far import PathSoFar
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Procedure, Solution, Status
 from turgor.solvers.stage_sequence import together
-from turgor.store.saved import load_file
+from turgor.store.saved import load_file, with_ending
 
 #: Folder of the path in a folder of results.
 PATH_FOLDER = "path"
@@ -25,8 +25,8 @@ def load(path: str | Path) -> Any:
     Parameters
     ----------
     path : str or Path
-        A file that `Model.save`, `Solution.save` or `Response.save` wrote; or the folder of a run, of `turgor run` or
-        of `solve`, whose path is loaded as far as it goes.
+        A file that `Model.save`, `Solution.save` or `Response.save` wrote, with or without its ending; or the folder of
+        a run, of `turgor run` or of `solve`, whose path is loaded as far as it goes.
 
     Returns
     -------
@@ -49,6 +49,8 @@ def load(path: str | Path) -> Any:
     for folder in (path, path / PATH_FOLDER):
         if (folder / INDEX).exists():
             return path_so_far(RunRecord.open(folder))
+    if with_ending(path).is_file():
+        return load_file(path)
     raise TurgorError(f"the folder '{path}' holds no path of a run.")
 
 

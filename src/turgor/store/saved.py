@@ -41,8 +41,7 @@ class Saved:
         OSError
             If the file cannot be written.
         """
-        path = Path(file)
-        path = path if path.suffix == ENDING else path.with_name(path.name + ENDING)
+        path = with_ending(Path(file))
         encoder = Encoder()
         kind = type(self).__name__
         tree = encoder.encode(self, kind)
@@ -56,6 +55,7 @@ class Saved:
         Parameters
         ----------
         file : str or Path
+            The ending ``.turgor`` may be left out, as for `save`.
 
         Returns
         -------
@@ -75,8 +75,21 @@ class Saved:
         return loaded
 
 
+def with_ending(path: Path) -> Path:
+    """Return a path with the ending of saved files, added where it is missing.
+
+    Examples
+    --------
+    >>> with_ending(Path("finger")).name, with_ending(Path("finger.turgor")).name
+    ('finger.turgor', 'finger.turgor')
+    """
+    return path if path.suffix == ENDING else path.with_name(path.name + ENDING)
+
+
 def load_file(path: Path) -> Any:
-    """Load the object that a file holds; its errors name the file."""
+    """Load the object that a file holds, whose ending may be left out; its errors name the file."""
+    if not path.is_file() and with_ending(path).is_file():
+        path = with_ending(path)
     content = read_archive(path)
     try:
         return Decoder(content.arrays, _nothing_elsewhere).decode(content.tree)

@@ -77,7 +77,7 @@ def gradient_of_job(
     """
     if not keys:
         raise TurgorError("a gradient needs a number of the job; name one or more, such as 'materials.body.C10'.")
-    solution = solution or solve(prepare(job)[0], job.procedure, options=options)
+    solution = solution or solve(prepare(job)[0], job.procedure, options=options, progress=False)
     with nearby_jobs(job, solution) as nearby:
         chosen = measures or [each for each in job.output.chosen() if each.along is None]
         return nearby.gradient(keys, chosen, state, options)

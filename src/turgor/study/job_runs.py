@@ -167,7 +167,7 @@ def _followed(job: Job, options: EngineOptions, folder: Path) -> Solution:
             rmtree(folder)
     model, _ = prepare(job)
     _make(folder)
-    return solve(model, job.procedure, options=options, folder=folder, throw=False)
+    return solve(model, job.procedure, options=options, folder=folder, throw=False, progress=False)
 
 
 def _make(folder: Path) -> None:

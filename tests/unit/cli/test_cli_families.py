@@ -1,11 +1,19 @@
 """``turgor actuators`` and ``turgor init``: families, their keys, and a job to start from."""
 
+import re
+import shutil
+from pathlib import Path
+
 import pytest
 
+import meshes
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.job.job import ACTUATORS
 from turgor.job.read import read_job
+from turgor.results.files.mesh_vtu import write_mesh_vtu
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
 @pytest.fixture(autouse=True)
@@ -43,3 +51,41 @@ def test_a_job_is_written_once(folder, capsys):
     assert main(["init", "slow_pneunet", "--force"]) == DONE
     assert main(["init", "slow_pneunet", "--output", "other.toml"]) == DONE
     assert (folder / "other.toml").read_text("utf-8") == (folder / "slow_pneunet.toml").read_text("utf-8")
+
+
+@pytest.mark.parametrize("name", ["cad_file", "mesh_file"])
+def test_actuators_from_files_are_families_too(name, capsys):
+    assert main(["actuators", name]) == DONE
+    assert f'Keys of [actuator] with type = "{name}":\n\nfile = \n' in capsys.readouterr().out
+    assert main(["actuators", name, "--json"]) == DONE
+    capsys.readouterr()
+    assert main(["init", name]) == BAD_INPUT
+    assert f"{name} takes its shape from a file; name that file, as in 'turgor init part." in capsys.readouterr().err
+
+
+def test_a_cad_file_becomes_a_job_that_can_be_checked(folder, capsys):
+    shutil.copy(EXAMPLES / "print.stl", folder / "Finger.STL")
+    (folder / "jobs").mkdir()
+    assert main(["init", "Finger.STL", "--unit", "mm", "--output", "jobs/one.toml"]) == DONE
+    job = read_job(folder / "jobs" / "one.toml")
+    assert {"fixed", "tip", "cavity", "outside"} <= set(job.actuator.build().faces)
+    text = (folder / "jobs" / "one.toml").read_text("utf-8")
+    assert 'file = "../Finger.STL"' in text and 'unit = "mm"' in text
+    assert re.search(r"#   outside +100\.2  \[50, 0, 3\.39\] +\[1, 0, 0\]\n", text)
+    assert main(["check", "jobs/one.toml"]) == DONE
+
+
+def test_a_mesh_file_becomes_a_job(folder):
+    write_mesh_vtu(folder / "bar.vtu", meshes.hollow_box(3))
+    assert main(["init", "bar.vtu"]) == DONE
+    job = read_job(folder / "bar.toml")
+    assert "fixed" in job.actuator.build().faces
+    assert [load.face for load in job.loads] == ["cavity"]
+    assert main(["init", "bar.vtu"]) == BAD_INPUT  # the job exists
+
+
+def test_a_file_that_holds_no_part_is_refused(folder, capsys):
+    (folder / "notes.txt").write_text("none")
+    for name, said in (("part.stl", "there is no file 'part.stl'"), ("notes.txt", "'notes.txt' is no CAD file and no")):
+        assert main(["init", name]) == BAD_INPUT
+        assert said in capsys.readouterr().err

@@ -6,10 +6,13 @@ from dataclasses import replace
 
 import pytest
 import results_cases as cases
+import typer
 from rich.console import Console
 
 from turgor.cli.console import PlainDisplay
+from turgor.cli.exits import NOT_CONVERGED, errors_as_sentences
 from turgor.cli.live import LiveDisplay
+from turgor.errors import NotSolved
 from turgor.finding import Finding, Severity
 from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.solution import Iteration
@@ -88,3 +91,10 @@ def test_findings_stand_above_the_bar():
     with LiveDisplay(console) as display:
         display.found(WARNING)
     assert "P02 warning: Pressure in 'cavity': 1 MPa. Check it." in stream.getvalue()
+
+
+def test_a_computation_that_did_not_end_has_an_exit_code_of_its_own(capsys):
+    with pytest.raises(typer.Exit) as ended, errors_as_sentences(debug=False):
+        raise NotSolved("step_too_small: No equilibrium was found.")
+    assert ended.value.exit_code == NOT_CONVERGED
+    assert capsys.readouterr().err == "step_too_small: No equilibrium was found.\n"

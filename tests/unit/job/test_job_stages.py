@@ -10,7 +10,6 @@ import pytest
 import results_cases as cases
 
 from turgor.cli import main
-from turgor.cli.console import Course, describe
 from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.errors import TurgorError
 from turgor.job.export import export_job
@@ -35,6 +34,7 @@ from turgor.solvers.procedures.sealed import Sealed
 from turgor.solvers.procedures.stages import Stage, Stages
 from turgor.solvers.procedures.static import Static
 from turgor.solvers.procedures.volume_control import VolumeControl
+from turgor.solvers.progress.course import Course, describe
 from turgor.solvers.solution import Iteration
 from turgor.solvers.solve import solve
 from turgor.source import Source

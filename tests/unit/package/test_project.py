@@ -81,6 +81,8 @@ def test_names_of_the_release_before_say_where_they_are_now():
     table = re.findall(r"^\| `tg\.(\w+)` \| `tg\.([\w.]+)` \|$", read("CHANGELOG.md"), re.MULTILINE)
     assert len(table) > 120
     for old, new in table:
+        if old in turgor.__all__:  # it has come back
+            continue
         with pytest.warns(DeprecationWarning, match=rf"turgor\.{old} is turgor\.{new} now"):
             value = getattr(turgor, old)
         namespace, name = new.split(".")
@@ -118,7 +120,7 @@ def test_what_type_checkers_read_is_what_the_modules_hold():
         tree = ast.parse(Path(module.__file__).read_text("utf-8"))
         shown = next(node for node in tree.body if isinstance(node, ast.If)).body
         assert sorted(alias.asname for line in shown for alias in line.names) == module.__all__
-    assert len(turgor.__all__) - len(NAMESPACES) <= 52, "those that most scripts need; others stand in namespaces"
+    assert len(turgor.__all__) - len(NAMESPACES) <= 54, "those that most scripts need; others stand in namespaces"
 
 
 def test_dependencies_are_those_that_are_imported():

@@ -212,8 +212,8 @@ def test_files_hold_pressure_and_obstacles_at_their_place(path, tmp_path):
         convert(grid.GetPoints().GetData()), convert(grid.GetCellData().GetArray("obstacle")),
     )  # fmt: skip
     force = convert(grid.GetCellData().GetArray("force"))
-    names = grid.GetFieldData().GetAbstractArray("obstacle_names")
-    assert [names.GetValue(k) for k in range(2)] == ["ground", "ball"]
+    numbers = [grid.GetFieldData().GetArray(f"obstacle:{name}") for name in ("ground", "ball")]
+    assert [int(convert(each)[0]) for each in numbers] == [0, 1]
     assert grid.GetCellType(0) == 5
     ball = [grid.GetCell(int(k)).GetPointId(0) for k in np.flatnonzero(number == 1)]
     assert points[ball, 2].min() == pytest.approx(20 * mm - 2.5 * mm - 6 * mm, abs=1e-5)

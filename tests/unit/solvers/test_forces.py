@@ -74,7 +74,7 @@ def test_a_force_is_said_in_words():
 
 @pytest.mark.parametrize(
     ("face", "vector", "said"),
-    [("x7", (1, 0, 0), "x7"), ("x1", (1, 0), "three finite numbers"), ("x1", (np.nan, 0, 0), "three finite numbers")],
+    [("x7", (1, 0, 0), "x7"), ("x1", (1, 0), "three numbers are"), ("x1", (np.nan, 0, 0), "a finite number in N")],
 )
 def test_what_is_no_force(face, vector, said):
     with pytest.raises(tg.TurgorError, match=said):

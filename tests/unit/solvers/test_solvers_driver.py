@@ -46,8 +46,9 @@ def test_interrupt_keeps_the_path_so_far():
 
 
 def test_step_limit_raises_with_the_solution_inside():
-    with pytest.raises(SolveError, match=r"step_limit.*max_steps") as caught:
+    with pytest.raises(TurgorError, match=r"step_limit.*max_steps") as caught:
         solve(model(), Static(first_step=0.01, max_step=0.01, max_steps=3))
+    assert isinstance(caught.value, SolveError)
     assert len(caught.value.solution.states) == 4
 
 

@@ -42,6 +42,13 @@ def test_a_solution_is_loaded_as_it_was_saved(solution, tmp_path):
     )
 
 
+def test_the_ending_may_be_left_out_as_in_saving(solution, tmp_path):
+    solution.save(tmp_path / "path.v2")
+    (tmp_path / "path.v2").mkdir()  # a folder of that name, which holds no run
+    assert same(tg.load(tmp_path / "path.v2"), solution)
+    assert same(tg.Solution.load(tmp_path / "path.v2"), solution)
+
+
 def test_pickle_keeps_models_and_solutions(solution):
     assert same(pickle.loads(pickle.dumps(solution)), solution)
 

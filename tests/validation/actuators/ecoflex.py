@@ -23,7 +23,7 @@ LAWS = ("neo-hooke", "yeoh", "gent", "arruda-boyce", "ogden-2")
 def dumbbell(zero: str) -> MaterialTest:
     """The uniaxial test up to its break. Zero length: ``"grips"``, 50 mm, or ``"authors"``, where 0.1 N is reached."""
     specimen = Specimen(length=LENGTH, area=SECTION)
-    test = tg.experiments.read_test(FOLDER / "uniaxial_dumbbell_means.csv", mode="uniaxial", specimen=specimen)
+    test = tg.read_test(FOLDER / "uniaxial_dumbbell_means.csv", mode="uniaxial", specimen=specimen)
     return remove_slack(test, 0.1 * N / SECTION) if zero == "authors" else test
 
 

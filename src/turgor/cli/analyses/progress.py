@@ -10,8 +10,8 @@ from rich.table import Column
 from rich.text import Text
 
 from turgor.cli.analyses.calibrate import told_run
-from turgor.cli.console import clock
 from turgor.cli.live import PatientConsole
+from turgor.solvers.progress.course import clock
 from turgor.study.running.ended import Ended
 
 

@@ -181,7 +181,9 @@ def materials_result(names: Iterable[str], record: str | None = None) -> Materia
 def families_result(name: str | None = None) -> FamiliesResult:
     """Make the result on the actuator families, with the keys of one of them."""
     from turgor.job.job import ACTUATORS
+    from turgor.job.reference.sections import file_tables
     from turgor.job.reference.tables import family_table
 
-    families = {each: family_table(each).words for each in ACTUATORS}
-    return FamiliesResult(families=families, keys=() if name is None else family_table(name).keys)
+    tables = {each: family_table(each) for each in ACTUATORS} | dict(file_tables())
+    families = {each: table.words for each, table in tables.items()}
+    return FamiliesResult(families=families, keys=() if name is None else tables[name].keys)

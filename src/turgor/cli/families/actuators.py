@@ -41,7 +41,10 @@ def list_families() -> None:
         typer.echo(f"{name:{width}}  {summary(family)}")
     typer.echo(f"{'cad_file':{width}}  An actuator from a CAD file; `turgor inspect` shows what it holds.")
     typer.echo(f"{'mesh_file':{width}}  An actuator that is meshed already.")
-    typer.echo("'turgor actuators NAME' shows the keys of a family, 'turgor init NAME' writes a job.")
+    typer.echo(
+        "'turgor actuators NAME' shows the keys of a family, 'turgor init NAME' writes a job, and so does "
+        "'turgor init part.step' for a part of yours, from a CAD file or a mesh file."
+    )
 
 
 def summary(family: type) -> str:
@@ -57,13 +60,16 @@ def _show(name: str) -> None:
     from turgor.errors import unknown
     from turgor.job.job import ACTUATORS
     from turgor.job.reference.meanings import markdown
+    from turgor.job.reference.sections import file_tables
     from turgor.job.reference.tables import family_table
 
-    if name not in ACTUATORS:
-        raise unknown("actuator family", name, ACTUATORS)
-    words = markdown((getdoc(ACTUATORS[name]) or "").partition("Parameters\n")[0]).strip()
-    typer.echo(f'{words}\n\nKeys of [actuator] with type = "{name}":')
-    for key in family_table(name).keys:
+    files = file_tables()
+    if name not in ACTUATORS and name not in files:
+        raise unknown("actuator family", name, [*ACTUATORS, *files])
+    table = files[name] if name in files else family_table(name)
+    words = table.words if name in files else markdown((getdoc(ACTUATORS[name]) or "").partition("Parameters\n")[0])
+    typer.echo(f'{words.strip()}\n\nKeys of [actuator] with type = "{name}":')
+    for key in table.keys:
         typer.echo(f"\n{key.name} = {key.default}\n{indent(_facts(key), '    ')}")
 
 

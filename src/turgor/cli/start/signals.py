@@ -3,16 +3,24 @@
 import os
 import signal
 import socket
+import sys
+from _thread import interrupt_main
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from threading import Thread, current_thread, main_thread
+from threading import Thread, Timer, current_thread, main_thread
 from types import FrameType
 
+import typer
+
 from turgor.cli.exits import NOT_CONVERGED
+from turgor.errors import TurgorError
 
 #: Time [s] that a command has to write what is left; a factorization of a large matrix may last longer.
 PATIENCE = 2.0
+
+#: Time [s] after which an interrupt that was swallowed comes again.
+SOON = 0.05
 
 #: Said where that time was not enough.
 SENTENCE = b"interrupted; with --resume, a run goes on from its last state.\n"
@@ -36,12 +44,46 @@ def ends_at_once() -> Iterator[None]:
     handlers = {number: signal.signal(number, _interrupt) for number in ENDING}
     Thread(target=_watch, args=(here,), daemon=True).start()
     try:
-        yield
+        with _nothing_swallowed():
+            yield
     finally:
         for number, handler in handlers.items():
             signal.signal(number, handler)
         signal.set_wakeup_fd(before)
         there.close()
+
+
+@contextmanager
+def _nothing_swallowed() -> Iterator[None]:
+    """Interrupt again where an interrupt came to nothing, as it does in a function that compiled code calls.
+
+    While LLVM compiles, Python runs in such a function only, so that most interrupts of a compilation come there. What
+    fails for want of the result of that function has been interrupted, too.
+    """
+    again: list[Timer] = []
+    before = sys.unraisablehook
+
+    def noticed(lost: "sys.UnraisableHookArgs") -> None:
+        if not issubclass(lost.exc_type, KeyboardInterrupt):
+            before(lost)
+            return
+        again.append(Timer(SOON, interrupt_main))
+        again[-1].daemon = True
+        again[-1].start()
+
+    sys.unraisablehook = noticed
+    try:
+        yield
+    except (TurgorError, OSError, typer.Exit):
+        raise
+    except Exception as error:
+        if again:
+            raise KeyboardInterrupt from error
+        raise
+    finally:
+        sys.unraisablehook = before
+        for timer in again:
+            timer.cancel()
 
 
 @contextmanager

@@ -77,7 +77,7 @@ def compile_ahead(needs: Needs) -> bool:
 def compile_kernels(notify: Callable[[str], None] | None, needs: Needs) -> float:
     """Load the loops that a model needs, compiled first where this machine has not; return the seconds.
 
-    That it takes long is told by ``notify``, or on the standard error stream where that is None.
+    That it takes long is told by ``notify``; where that is None, on the standard error stream if it is a terminal.
     """
     start = perf_counter()
     text = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"
@@ -202,5 +202,6 @@ def _without_collection() -> Iterator[Garbage]:
 
 
 def _say(text: str) -> None:
-    sys.stderr.write(f"turgor: {text}\n")
-    sys.stderr.flush()
+    if sys.stderr.isatty():
+        sys.stderr.write(f"turgor: {text}\n")
+        sys.stderr.flush()

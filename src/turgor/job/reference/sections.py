@@ -155,10 +155,19 @@ def _mesh(shape: Geometry) -> JobTable:
     return _of(MeshTable, "[mesh]", MeshSettings, read=read, base=base)
 
 
+def file_tables() -> Mapping[str, JobTable]:
+    """Return the tables of actuators that come from files, by their types."""
+    return {
+        CAD_FILE: _of(CadFileTable, f'[actuator], type = "{CAD_FILE}"', CadFile),
+        MESH_FILE: _of(MeshFileTable, f'[actuator], type = "{MESH_FILE}"', MeshFile),
+    }
+
+
 def _files() -> Iterator[JobTable]:
-    yield _of(CadFileTable, f'[actuator], type = "{CAD_FILE}"', CadFile)
+    tables = file_tables()
+    yield tables[CAD_FILE]
     yield _of(SplitTable, "[actuator.split]", SplitPlane)
-    yield _of(MeshFileTable, f'[actuator], type = "{MESH_FILE}"', MeshFile)
+    yield tables[MESH_FILE]
     yield _of(SelectorTable, "{ ... } of a face or region")
 
 

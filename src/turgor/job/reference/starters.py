@@ -73,21 +73,45 @@ def starter(name: str) -> str:
     """
     example, shape = example_job(name), ACTUATORS[name]().build()
     text = example.read_text(encoding="utf-8") if example.exists() else _plain_job(name, shape)
+    return commented(text, shape, family_table(name))
+
+
+def commented(text: str, shape: Geometry, actuator: JobTable) -> str:
+    """Write a job again with all other keys of its tables, as comments with their defaults.
+
+    Parameters
+    ----------
+    text : str
+        The job; the comments at its top stay.
+    shape : Geometry
+        The actuator, to which ranges refer.
+    actuator : JobTable
+        The keys of its table ``[actuator]``.
+
+    Returns
+    -------
+    str
+        TOML.
+    """
     content = {**{key: dict(values) for key, values in DEFAULTS.items()}, **tomllib.loads(text)}
     content = {key: content[key] for key in SECTIONS if content.get(key) or key in ("contact", "output", "engine")}
     left_out = [f"[{key}]" for key in SECTIONS if key not in (*content, "name", "written_by")]
     intro = "".join(re.findall(r"\A(?:#.*\n)+", text))
     tables = {table.header: table for table in section_tables(shape)}
-    tables["[actuator]"] = family_table(name)
+    tables["[actuator]"] = actuator
     lines = [line for section in content.items() for line in _section(*section, tables)]
     return f"{intro}#\n{_HEAD.format(left_out=', '.join(left_out))}" + "\n".join(lines) + "\n"
 
 
 def _plain_job(name: str, shape: Geometry) -> str:
     """Write a job for a family without an example: one rubber, and a small pressure."""
+    return f'[actuator]\ntype = "{name}"\n\n{first_materials(shape)}\n[loads]\npressure = "1 kPa"\n'
+
+
+def first_materials(shape: Geometry) -> str:
+    """Write the materials of a job to begin with: one rubber for all regions."""
     rubber = '{ library = "ecoflex-00-30", record = "yeoh-steck-2019" }'
-    regions = "\n".join(f"{region} = {rubber}" for region in shape.regions)
-    return f'[actuator]\ntype = "{name}"\n\n[materials]\n{regions}\n\n[loads]\npressure = "1 kPa"\n'
+    return "[materials]\n" + "".join(f"{region} = {rubber}\n" for region in shape.regions)
 
 
 def _section(name: str, values: Mapping[str, Any], tables: Mapping[str, JobTable]) -> Iterator[str]:

@@ -1,10 +1,12 @@
 """What every law offers, and the checks that every law makes."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
+from dataclasses import fields
 from math import isfinite
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
 from turgor.errors import TurgorError
+from turgor.given import number, shown
 
 
 @runtime_checkable
@@ -35,6 +37,22 @@ class StretchLaw(Protocol):
 Law: TypeAlias = InvariantLaw | StretchLaw
 
 
+def make_floats(law: Any) -> None:
+    """Make floats of the coefficients of a law, which may be given as texts with a unit.
+
+    Parameters
+    ----------
+    law : dataclass
+        A law whose fields are numbers [Pa], or without a unit where their metadata say so.
+    """
+    for item in fields(law):
+        plain = item.metadata.get("dimension") == "number"
+        value = number(
+            getattr(law, item.name), f"{type(law).__name__}: {item.name}", "" if plain else "pressure", finite=False
+        )
+        object.__setattr__(law, item.name, value)
+
+
 def require_finite(law: object, values: Iterable[tuple[str, float]]) -> None:
     """Raise an error for coefficients that are not numbers."""
     for name, value in values:
@@ -51,14 +69,12 @@ def require_positive_shear_modulus(law: Law) -> None:
         )
 
 
-def numbers(law: object, name: str, values: Any) -> tuple[float, ...]:
+def numbers(law: object, name: str, values: Any, dimension: str = "") -> tuple[float, ...]:
     """A non-empty tuple of floats, so that the law can be hashed and its terms counted."""
-    if isinstance(values, str) or (not isinstance(values, Sequence) and not hasattr(values, "__iter__")):
-        raise TurgorError(f"{type(law).__name__}: {name} is {values!r}; give a sequence with one number for each term.")
-    try:
-        found = tuple(float(value) for value in values)
-    except (TypeError, ValueError):
-        raise TurgorError(f"{type(law).__name__}: {name} is {values!r}; each entry must be a number.") from None
+    said = f"{type(law).__name__}: {name}"
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise TurgorError(f"{said} is {shown(values)}; give a sequence with one number for each term.")
+    found = tuple(number(each, f"{said} {k}", dimension, finite=False) for k, each in enumerate(values, 1))
     if not found:
         raise TurgorError(f"{type(law).__name__}: {name} is empty; give at least one number.")
     return found

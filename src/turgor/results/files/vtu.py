@@ -20,7 +20,7 @@ from turgor.results.fields.contact import extents_of
 from turgor.results.fields.path_fields import PathFields
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.files.vtu_beside import obstacles_text, threads_text
-from turgor.results.files.vtu_xml import VtuArray, names_array, opening, section
+from turgor.results.files.vtu_xml import VtuArray, numbered, opening, section
 from turgor.solvers.solution import Solution, State
 from turgor.units import kPa
 
@@ -34,10 +34,11 @@ def write_state(path: str | Path, state: State | StateFields) -> None:
 
     Point data: ``displacement`` [m], ``mean_stress`` [Pa], ``cauchy_stress`` [Pa] (XX, YY, ZZ, XY, YZ, XZ),
     ``von_mises`` [Pa], ``stretch`` (largest principal), ``node``, and ``contact_pressure`` [Pa] where anything may
-    touch. Cell data: ``region``, counted in the order of the field data ``region_names``. Stresses and stretch are
-    averaged at the nodes over the cells of one region. Where regions meet the points are doubled, one for each region,
-    so that fields jump there as they should; ``node`` says which node of the mesh a point is. Field data:
-    ``von_mises_p99`` [Pa] and ``principal_stretch_p99``, below which 99 % of the volume lie, and the load.
+    touch. Cell data: ``region``, the number that the field data ``region:NAME`` give its name. Stresses and stretch
+    are averaged at the nodes over the cells of one region. Where regions meet the points are doubled, one for each
+    region, so that fields jump there as they should; ``node`` says which node of the mesh a point is. Field data:
+    ``von_mises_p99`` [Pa] and ``principal_stretch_p99``, below which 99 % of the volume lie, the load, and
+    ``stage:NAME`` in a sequence. All arrays hold numbers, so that meshio reads the files, too.
 
     Parameters
     ----------
@@ -68,8 +69,8 @@ def write_state(path: str | Path, state: State | StateFields) -> None:
         of_state.append(VtuArray(f"{face}_pressure", np.array([pressure], dtype="f8"), "Pa"))
     if at.state.velocity is not None:
         point_data.append(VtuArray("velocity", at.state.velocity[nodes.node].astype("f4"), "m/s", ("X", "Y", "Z")))
-    stage = names_array("stage", [at.state.stage]) if at.state.stage else ""
-    Path(path).write_text(grid_text(at.mesh, point_data, [], of_state, stage, nodes), encoding="utf-8")
+    of_state += numbered("stage", [at.state.stage] if at.state.stage else [])
+    Path(path).write_text(grid_text(at.mesh, point_data, [], of_state, nodes), encoding="utf-8")
 
 
 def grid_text(
@@ -77,7 +78,6 @@ def grid_text(
     point_data: Sequence[VtuArray],
     cell_data: Sequence[VtuArray],
     field_data: Sequence[VtuArray],
-    names: str = "",
     nodes: RegionNodes | None = None,
 ) -> str:
     """Write a mesh with its curved cells, the region of each, and fields, as the text of a VTU file.
@@ -88,8 +88,6 @@ def grid_text(
         The modeled part.
     point_data, cell_data, field_data : sequence of VtuArray
         Fields at the nodes, in the cells, and of the whole.
-    names : str
-        Texts of the whole, see `names_array`.
     nodes : RegionNodes, optional
         What the fields at the nodes belong to; by default the nodes of the mesh, which regions share.
 
@@ -110,7 +108,7 @@ def grid_text(
     lines = [
         *opening("UnstructuredGrid"),
         "<UnstructuredGrid>",
-        *section("FieldData", field_data, names_array("region_names", list(mesh.regions)) + names),
+        *section("FieldData", [*field_data, *numbered("region", list(mesh.regions))]),
         f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{count}">',
         *section("PointData", point_data),
         *section("CellData", [VtuArray("region", region), *cell_data]),

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from turgor.results.fields.contact import contact_force, drawn_obstacles, place_of
 from turgor.results.fields.fibers import fiber_results
 from turgor.results.fields.state_fields import StateFields
-from turgor.results.files.vtu_xml import VtuArray, names_array, simple_grid
+from turgor.results.files.vtu_xml import VtuArray, numbered, simple_grid
 from turgor.results.pictures.obstacle_shapes import outline
 
 
@@ -41,7 +41,7 @@ def threads_text(at: StateFields) -> str:
 def obstacles_text(at: StateFields, extents: Mapping[str, NDArray[np.float64]]) -> str:
     """Write the obstacles of a state, where they are then, as the text of a VTU file; empty where there are none.
 
-    Cell data: ``obstacle``, counted from 0 in the order of the field data ``obstacle_names``, and the force of the
+    Cell data: ``obstacle``, the number that the field data ``obstacle:NAME`` give its name, and the force of the
     actuator on it, ``force`` [N].
 
     Parameters
@@ -66,5 +66,5 @@ def obstacles_text(at: StateFields, extents: Mapping[str, NDArray[np.float64]]) 
         VtuArray("obstacle", np.concatenate(number)),
         VtuArray("force", np.concatenate(force).astype("f4"), "N", ("X", "Y", "Z")),
     ]
-    names = names_array("obstacle_names", [obstacle.name for obstacle in obstacles])
+    names = numbered("obstacle", [obstacle.name for obstacle in obstacles])
     return simple_grid(np.concatenate(points), np.concatenate(triangles), cell_data, names)

@@ -5,6 +5,7 @@ import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
+from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,17 +50,24 @@ def opening(kind: str) -> list[str]:
     ]
 
 
-def names_array(name: str, values: Sequence[str]) -> str:
-    """Write names as VTK writes strings: the codes of their letters, each name ended by a zero."""
-    codes = b"".join(value.encode() + b"\0" for value in values)
-    return (
-        f'<Array type="String" Name="{name}" NumberOfTuples="{len(values)}" format="ascii">'
-        f"{' '.join(map(str, codes))}</Array>"
-    )
+def numbered(kind: str, names: Sequence[str]) -> list[VtuArray]:
+    """Field data that say which number stands for which name: ``region:body`` holds the number of the region body.
+
+    VTK knows arrays of text, but meshio reads no file that has one.
+
+    Examples
+    --------
+    >>> [(each.name, each.values.tolist()) for each in numbered("region", ["body", "base"])]
+    [('region:body', [0]), ('region:base', [1])]
+    """
+    return [VtuArray(f"{kind}:{name}", np.array([number], dtype="i4")) for number, name in enumerate(names)]
 
 
 def simple_grid(
-    points: NDArray[np.float64], cells: NDArray[np.int64], cell_data: Sequence[VtuArray], names: str = ""
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    cell_data: Sequence[VtuArray],
+    field_data: Sequence[VtuArray] = (),
 ) -> str:
     """Write lines or flat triangles with a field in each, as the text of a VTU file.
 
@@ -67,9 +75,8 @@ def simple_grid(
     ----------
     points : (p, 3) array [m]
     cells : (c, 2) or (c, 3) int array
-    cell_data : sequence of VtuArray
-    names : str
-        Field data with names, see `names_array`.
+    cell_data, field_data : sequence of VtuArray
+        Fields in the cells, and of the whole.
     """
     count, corners = cells.shape
     connectivity = [
@@ -80,7 +87,7 @@ def simple_grid(
     text = [
         *opening("UnstructuredGrid"),
         "<UnstructuredGrid>",
-        *(section("FieldData", [], names) if names else []),
+        *(section("FieldData", field_data) if field_data else []),
         f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{count}">',
         *section("CellData", cell_data),
         *section("Points", [VtuArray("points", points.astype("f8"), "m", ("X", "Y", "Z"))]),
@@ -92,9 +99,9 @@ def simple_grid(
     return "\n".join(text) + "\n"
 
 
-def section(tag: str, arrays: Sequence[VtuArray], more: str = "") -> list[str]:
-    """Write arrays into a section, and more after them."""
-    return [f"<{tag}>", *(_data_array(array, tag) for array in arrays), *([more] if more else []), f"</{tag}>"]
+def section(tag: str, arrays: Sequence[VtuArray]) -> list[str]:
+    """Write arrays into a section."""
+    return [f"<{tag}>", *(_data_array(array, tag) for array in arrays), f"</{tag}>"]
 
 
 def _data_array(array: VtuArray, tag: str) -> str:
@@ -103,9 +110,9 @@ def _data_array(array: VtuArray, tag: str) -> str:
     components = f' NumberOfComponents="{values.shape[1]}"' if values.ndim == 2 and tag != "Cells" else ""
     tuples = f' NumberOfTuples="{len(values)}"' if tag == "FieldData" else ""
     key = '<InformationKey name="UNITS_LABEL" location="vtkDataArray">'
-    unit = f"{key}{array.unit}</InformationKey>" if array.unit else ""
+    unit = f"{key}{escape(array.unit)}</InformationKey>" if array.unit else ""
     kind = _TYPES[values.dtype.str[1:]]
-    head = f'<DataArray type="{kind}" Name="{array.name}"{components}{names}{tuples} format="binary">'
+    head = f'<DataArray type="{kind}" Name={quoteattr(array.name)}{components}{names}{tuples} format="binary">'
     return f"{head}{_encoded(values)}{unit}</DataArray>"
 
 

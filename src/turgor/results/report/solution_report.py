@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from turgor.errors import TurgorError
+from turgor.given import one
 from turgor.meshing.quality.cell_quality import quality
 from turgor.response import Response
 from turgor.results.fields.path_fields import PathFields
@@ -50,6 +51,7 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
     Traceback (most recent call last):
     turgor.errors.TurgorError: report 'finger.pdf' ends in '.pdf'; allowed is .html.
     """
+    one(of, Solution, "what a report is of", "a Solution is needed, as solve(model) returns it")
     path = Path(path)
     if path.suffix.lower() != ".html":
         raise TurgorError(f"report '{path}' ends in '{path.suffix}'; allowed is .html.")

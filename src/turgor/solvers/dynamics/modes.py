@@ -16,6 +16,7 @@ from turgor.engine.system import System
 from turgor.engine.warmup.compiling import compile_kernels
 from turgor.engine.warmup.needs import Needs
 from turgor.errors import TurgorError
+from turgor.given import one
 from turgor.model.model import Model
 from turgor.shown import brief
 from turgor.solvers.dynamics.thresholds import (
@@ -110,6 +111,7 @@ def natural_frequencies(
         If a density is missing, the count is out of range, or a load has no potential: a pressure on an open surface,
         a moment.
     """
+    one(model, Model, "model", "a Model is needed")
     options = options or EngineOptions()
     with use_threads(options.threads):
         compile_kernels(options.notify, Needs.of(model))

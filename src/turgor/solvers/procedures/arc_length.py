@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import StepOptions, check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,6 +42,7 @@ class ArcLength(StepOptions):
     max_step: float = 0.5
 
     def __post_init__(self) -> None:
+        make_numbers(self)
         if not self.max_stretch > 1:
             raise TurgorError(f"procedure.max_stretch is {self.max_stretch:g}; a stretch above 1 is needed.")
         if self.max_displacement is not None and not self.max_displacement > 0:

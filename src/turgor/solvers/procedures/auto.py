@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import StepOptions, check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,6 +33,7 @@ class Auto(StepOptions):
     max_stretch: float = 10.0
 
     def __post_init__(self) -> None:
+        make_numbers(self)
         if not 1 < self.past <= 1000:
             raise TurgorError(f"procedure.past is {self.past:g}; allowed is more than 1 up to 1000.")
         if not self.max_stretch > 1:

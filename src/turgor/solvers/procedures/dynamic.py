@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.solvers.procedures.step_options import make_numbers
 
 Array = NDArray[np.float64]
 
@@ -79,6 +80,7 @@ class Dynamic:
     max_steps: int = 100_000
 
     def __post_init__(self) -> None:
+        make_numbers(self)
         if not 0 < self.duration < np.inf:
             raise TurgorError(f"procedure.duration is {self.duration:g} s; it must be more than 0.")
         for name in ("first_step", "max_step", "min_step"):

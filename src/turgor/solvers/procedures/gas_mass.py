@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import StepOptions, check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 from turgor.solvers.procedures.volume_control import by_cavity
 
 #: Pressure of the air around [Pa].
@@ -54,6 +54,7 @@ class GasMass(StepOptions):
     duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
+        make_numbers(self)
         for where, ratio in by_cavity(self.mass_ratio, "mass_ratio").items():
             if not 0 < ratio <= 1000:
                 raise TurgorError(f"procedure.mass_ratio{where} is {ratio:g}; allowed is more than 0 up to 1000.")

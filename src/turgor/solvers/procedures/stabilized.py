@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import StepOptions, check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,6 +34,7 @@ class Stabilized(StepOptions):
     min_step: float = 1e-6
 
     def __post_init__(self) -> None:
+        make_numbers(self)
         if not 0 < self.stabilization <= 0.1:
             raise TurgorError(f"procedure.stabilization is {self.stabilization:g}; allowed is more than 0 up to 0.1.")
         check_steps(self)

@@ -1,10 +1,14 @@
 """Step options: what every procedure of equilibria says about its steps and its iterations."""
 
+from collections.abc import Iterable, Mapping
 from dataclasses import Field, dataclass, fields
 from math import inf
-from typing import Any
+from numbers import Integral
+from types import NoneType
+from typing import Any, get_args, get_origin
 
 from turgor.errors import TurgorError
+from turgor.given import number, one
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,6 +41,32 @@ class StepOptions:
         check_steps(self)
 
 
+def make_numbers(procedure: Any) -> None:
+    """Make floats of the numbers of a procedure, which may be given as texts with a unit, and refuse what is none.
+
+    Parameters
+    ----------
+    procedure : dataclass
+        Its fields say by their types and metadata what they hold.
+    """
+    for item in fields(procedure):
+        kinds = get_args(item.type) or (item.type,)
+        value, what = getattr(procedure, item.name), f"procedure.{item.name}"
+        dimension = item.metadata.get("dimension", "").replace("number", "")
+        if (value is None and NoneType in kinds) or not {float, int} & set(kinds):
+            continue
+        if get_origin(item.type) is tuple:
+            given = value if isinstance(value, Iterable) and not isinstance(value, str) else (value,)
+            made: Any = tuple(number(each, what, dimension, finite=False) for each in given)
+        elif isinstance(value, Mapping):
+            made = {key: number(each, f"{what}.{key}", dimension, finite=False) for key, each in value.items()}
+        elif int in kinds:
+            made = one(value, Integral, what, "a whole number is needed")
+        else:
+            made = number(value, what, dimension, finite=False)
+        object.__setattr__(procedure, item.name, made)
+
+
 def check_steps(steps: StepOptions, longest: float = 1.0) -> None:
     """Refuse steps, tolerances, numbers of iterations and a duration that make no sense.
 
@@ -45,6 +75,7 @@ def check_steps(steps: StepOptions, longest: float = 1.0) -> None:
     TurgorError
         Naming the field, its value and what is allowed; ``longest`` is the largest step allowed.
     """
+    make_numbers(steps)
     duration = getattr(steps, "duration", None)
     if duration is not None and not 0 < duration < inf:
         raise TurgorError(f"procedure.duration is {duration:g} s; it must be more than 0.")

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from turgor.errors import TurgorError
-from turgor.solvers.procedures.step_options import StepOptions, check_steps
+from turgor.solvers.procedures.step_options import StepOptions, check_steps, make_numbers
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,6 +44,7 @@ class VolumeControl(StepOptions):
     duration: float | None = field(default=None, metadata={"dimension": "time"})
 
     def __post_init__(self) -> None:
+        make_numbers(self)
         for where, volume in by_cavity(self.volume, "volume").items():
             if not volume or not abs(volume) < 1e3:
                 raise TurgorError(f"procedure.volume{where} is {volume:g} m³; a volume other than zero is needed.")

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from time import process_time
 
-from turgor.errors import NotHere, TurgorError
+from turgor.errors import NotHere, NotSolved, TurgorError
 from turgor.response import Response
 from turgor.study.files.kept import keep, keep_problem, kept, kept_problem
 from turgor.study.runs import Computed, Run
@@ -59,6 +59,8 @@ def compute(run: Run, folder: Path | None = None) -> Ended:
     try:
         found = run.call()
     except TurgorError as error:
+        if isinstance(error, NotSolved) and error.interrupted:
+            raise KeyboardInterrupt from None  # Ctrl-C ends the study; this run has not ended
         ended = Ended(run=run, found=None, problem=str(error), final=not isinstance(error, NotHere))
         keep_ended(ended, folder)
         return ended

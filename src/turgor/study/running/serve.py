@@ -4,10 +4,12 @@ import os
 import pickle
 import signal
 import traceback
+import warnings
 from multiprocessing import parent_process
 from multiprocessing.connection import Connection, wait
 from threading import Thread
 
+from turgor.finding import FindingWarning
 from turgor.study.running.ended import compute
 
 #: What a worker says first.
@@ -22,6 +24,7 @@ def serve(connection: Connection) -> None:
     connection : Connection
         Of `multiprocessing`; pairs of a run and the folder where it is kept, or None, come through it.
     """
+    warnings.simplefilter("ignore", FindingWarning)  # the terminal is that of the process that started this one
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the first one decides
     Thread(target=_end_with_parent, daemon=True).start()
     connection.send(READY)

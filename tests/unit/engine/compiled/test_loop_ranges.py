@@ -1,5 +1,6 @@
 """Loops on several threads: every pass is made once, and results do not depend on the number of threads."""
 
+import sys
 import threading
 import time
 
@@ -69,15 +70,16 @@ def test_few_models_need_the_loops_of_stretches_and_sheets(results_body):
     assert few(Needs.of(model(NeoHooke(C10=1e5), outside=paper))) == (False, True)
 
 
-@pytest.mark.parametrize("told", [True, False])
-def test_a_compilation_that_takes_long_is_told(told, monkeypatch, capsys):
+@pytest.mark.parametrize(("told", "terminal"), [(True, True), (False, True), (False, False)])
+def test_a_compilation_that_takes_long_is_told(told, terminal, monkeypatch, capsys):
     heard: list[str] = []
     monkeypatch.setattr(compiling, "QUIET_SECONDS", 0.01)
     monkeypatch.setattr(compiling, "touch_tangent", lambda *_: time.sleep(0.3))
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal)
     compiling.compile_kernels(heard.append if told else None, Needs())
     said = "compiling the element kernels (once per machine and kind of cell, up to half a minute)"
     assert heard == ([said] if told else [])
-    assert capsys.readouterr().err == ("" if told else f"turgor: {said}\n")
+    assert capsys.readouterr().err == (f"turgor: {said}\n" if terminal and not told else "")
 
 
 @pytest.fixture

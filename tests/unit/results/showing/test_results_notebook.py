@@ -88,7 +88,9 @@ def test_what_the_lines_say(values):
         == "Material('Elastosil M4601', NeoHooke(C10=120000.0) [SI], incompressible, 1130 kg/m³)"
     )
     assert repr(values["state"]) == ("State(load factor 1, cavity 50 kPa, largest displacement 21.19 mm, 558 nodes)")
-    assert repr(values["solution"]) == "Solution(converged, 2 states of 'box': Reached 50 kPa)"
+    assert repr(values["solution"]) == (
+        "Solution(converged, 2 states of 'box': Reached 50 kPa; G01 warning: Thin <walls>. Refine.)"
+    )
     assert repr(values["mesh"]).startswith(
         "Mesh('box', 264 ten-node tetrahedra, 558 nodes, regions: base, body, faces: "
     )

@@ -1,10 +1,11 @@
 """Arruda and Boyce's law of chains of limited length."""
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from turgor.errors import TurgorError
-from turgor.materials.laws.common import require_finite, require_positive_shear_modulus
+from turgor.given import Quantity
+from turgor.materials.laws.common import make_floats, require_finite, require_positive_shear_modulus
 
 #: Coefficients of the inverse Langevin function's series in the energy, Arruda and Boyce (1993), Eq. 22.
 _SERIES = (1 / 2, 1 / 20, 11 / 1050, 19 / 7000, 519 / 673750)
@@ -32,7 +33,12 @@ class ArrudaBoyce:
     mu: float
     locking_stretch: float = field(metadata={"dimension": "number", "bounds": (1.05, 50.0)})
 
+    if TYPE_CHECKING:
+
+        def __init__(self, *, mu: Quantity, locking_stretch: float) -> None: ...
+
     def __post_init__(self) -> None:
+        make_floats(self)
         if not self.locking_stretch > 1:
             raise TurgorError(
                 f"ArrudaBoyce: locking_stretch is {self.locking_stretch:g}; it must be more than 1, often 2 to 8."

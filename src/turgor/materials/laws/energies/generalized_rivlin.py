@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from turgor.errors import TurgorError
+from turgor.given import number
 from turgor.materials.laws.common import require_finite, require_positive_shear_modulus
 from turgor.materials.laws.law_spec import LawSpec
 
@@ -85,7 +86,9 @@ def _named(name: str, value: float) -> tuple[int, int, float]:
 def _term(term: Any) -> tuple[int, int, float]:
     try:
         i, j, value = term
-        found = (int(i), int(j), float(value))
+        found = (int(i), int(j), number(value, f"GeneralizedRivlin: C{i}{j}", "pressure", finite=False))
+    except TurgorError:
+        raise
     except (TypeError, ValueError):
         raise TurgorError(f"GeneralizedRivlin: {term!r} is no term; give (i, j, Cij) with a number Cij.") from None
     if found[:2] != (i, j) or min(found[:2]) < 0 or sum(found[:2]) < 1:

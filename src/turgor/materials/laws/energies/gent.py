@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from turgor.errors import TurgorError
-from turgor.materials.laws.common import require_finite, require_positive_shear_modulus
+from turgor.given import Quantity
+from turgor.materials.laws.common import make_floats, require_finite, require_positive_shear_modulus
 
 
 def _bounds(largest_invariant: float) -> tuple[float, float]:
@@ -39,7 +40,12 @@ class Gent:
     mu: float
     Jm: float = field(metadata={"dimension": "number", "bounds": _bounds})
 
+    if TYPE_CHECKING:
+
+        def __init__(self, *, mu: Quantity, Jm: float) -> None: ...
+
     def __post_init__(self) -> None:
+        make_floats(self)
         require_positive_shear_modulus(self)
         if not self.Jm > 0:
             raise TurgorError(f"Gent: Jm is {self.Jm:g}; it must be positive, the largest Ī₁ − 3.")

@@ -1,8 +1,11 @@
 """Hooke's law, of stiff parts."""
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from turgor.errors import TurgorError
+from turgor.given import Quantity
+from turgor.materials.laws.common import make_floats
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,7 +28,12 @@ class Hooke:
     E: float
     nu: float = field(metadata={"dimension": "number"})
 
+    if TYPE_CHECKING:
+
+        def __init__(self, *, E: Quantity, nu: float) -> None: ...
+
     def __post_init__(self) -> None:
+        make_floats(self)
         if not self.E > 0:
             raise TurgorError(f"Hooke: E is {self.E:g} Pa; it must be positive.")
         if not -1 < self.nu < 0.5:

@@ -1,9 +1,10 @@
 """Mooney and Rivlin's law."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from turgor.materials.laws.common import require_finite, require_positive_shear_modulus
+from turgor.given import Quantity
+from turgor.materials.laws.common import make_floats, require_finite, require_positive_shear_modulus
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,7 +27,12 @@ class MooneyRivlin:
 
     max_stretch_hint = 3.0  # Xavier, Fleming and Yong 2021, section 3.2: strains of 200 %
 
+    if TYPE_CHECKING:
+
+        def __init__(self, *, C10: Quantity, C01: Quantity) -> None: ...
+
     def __post_init__(self) -> None:
+        make_floats(self)
         require_positive_shear_modulus(self)
         require_finite(self, (("C10", self.C10), ("C01", self.C01)))
 

@@ -1,10 +1,11 @@
 """Ogden's law, in the principal stretches."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from turgor.errors import TurgorError
+from turgor.given import Quantity
 from turgor.materials.laws.common import numbers, require_finite, require_positive_shear_modulus
 from turgor.materials.laws.law_spec import LawSpec
 
@@ -32,8 +33,12 @@ class Ogden:
 
     series = "ogden"  # a fit asks for "ogden-3"
 
+    if TYPE_CHECKING:
+
+        def __init__(self, *, mu: Iterable[Quantity], alpha: Iterable[float]) -> None: ...
+
     def __post_init__(self) -> None:
-        object.__setattr__(self, "mu", numbers(self, "mu", self.mu))
+        object.__setattr__(self, "mu", numbers(self, "mu", self.mu, "pressure"))
         object.__setattr__(self, "alpha", numbers(self, "alpha", self.alpha))
         _require_same_length(self.mu, self.alpha)
         for i, alpha in enumerate(self.alpha, 1):

@@ -1,9 +1,10 @@
 """Yeoh's law."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from turgor.materials.laws.common import require_finite, require_positive_shear_modulus
+from turgor.given import Quantity
+from turgor.materials.laws.common import make_floats, require_finite, require_positive_shear_modulus
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,7 +26,12 @@ class Yeoh:
     C20: float
     C30: float = 0.0
 
+    if TYPE_CHECKING:
+
+        def __init__(self, *, C10: Quantity, C20: Quantity, C30: Quantity = 0.0) -> None: ...
+
     def __post_init__(self) -> None:
+        make_floats(self)
         require_positive_shear_modulus(self)
         require_finite(self, (("C10", self.C10), ("C20", self.C20), ("C30", self.C30)))
 

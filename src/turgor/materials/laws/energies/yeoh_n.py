@@ -1,9 +1,10 @@
 """Yeoh's law with any number of terms."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from turgor.given import Quantity
 from turgor.materials.laws.common import numbers, require_finite, require_positive_shear_modulus
 from turgor.materials.laws.energies.yeoh import Yeoh
 from turgor.materials.laws.law_spec import LawSpec
@@ -28,8 +29,12 @@ class YeohN:
 
     series = "yeoh"  # a fit asks for "yeoh-4"
 
+    if TYPE_CHECKING:
+
+        def __init__(self, *, coefficients: Iterable[Quantity]) -> None: ...
+
     def __post_init__(self) -> None:
-        object.__setattr__(self, "coefficients", numbers(self, "coefficients", self.coefficients))
+        object.__setattr__(self, "coefficients", numbers(self, "coefficients", self.coefficients, "pressure"))
         require_positive_shear_modulus(self)
         require_finite(self, ((f"C{i}0", value) for i, value in enumerate(self.coefficients, 1)))
 

@@ -88,7 +88,7 @@ def read_vtu(path: Path) -> RawMesh:
     joined = {name: np.concatenate([found[name] for found in labels]) for name in sorted(common)}
     cells = VtkCells(np.concatenate(nodes), np.concatenate(ends), np.concatenate(types), joined)
     raw = vtk_mesh(path, np.concatenate(points), cells)
-    regions = _names(grid, "region_names")
+    regions = _names(file, grid, "region")
     return _ours(file, grid, raw, regions) if regions else raw
 
 
@@ -96,7 +96,7 @@ def _ours(file: _File, grid: ElementTree.Element, raw: RawMesh, regions: list[st
     """Names and unit in a file that `turgor.results.files` wrote."""
     arrays = {array.get("Name"): array for array in grid.iterfind("FieldData/DataArray")}
     faces = {}
-    names = _names(grid, "face_names")
+    names = _names(file, grid, "face")
     if names and {"face_corners", "face_ends"} <= set(arrays):
         corners = _values(file, arrays["face_corners"]).reshape(-1, 4).astype(np.int64)
         ends = _values(file, arrays["face_ends"]).astype(np.int64)
@@ -105,11 +105,15 @@ def _ours(file: _File, grid: ElementTree.Element, raw: RawMesh, regions: list[st
     return replace(with_names(raw, regions, faces), unit=unit)
 
 
-def _names(grid: ElementTree.Element, name: str) -> list[str]:
-    """Texts of the field data, see `turgor.results.files.vtu_xml.names_array`; none where they are missing."""
-    for array in grid.iterfind("FieldData/Array"):
-        if array.get("Name") == name and array.get("format") == "ascii":
-            return bytes(map(int, (array.text or "").split())).decode().split("\0")[:-1]
+def _names(file: _File, grid: ElementTree.Element, kind: str) -> list[str]:
+    """Names by their numbers, see `turgor.results.files.vtu_xml.numbered`; none where they are missing."""
+    arrays = {array.get("Name", "").partition(":"): array for array in grid.iterfind("FieldData/DataArray")}
+    numbers = {name: int(_values(file, array)[0]) for (of, _, name), array in arrays.items() if of == kind and name}
+    if numbers:
+        return sorted(numbers, key=numbers.__getitem__)
+    for texts in grid.iterfind("FieldData/Array"):  # as turgor wrote them before
+        if texts.get("Name") == f"{kind}_names" and texts.get("format") == "ascii":
+            return bytes(map(int, (texts.text or "").split())).decode().split("\0")[:-1]
     return []
 
 
