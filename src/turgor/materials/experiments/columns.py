@@ -9,18 +9,9 @@ from turgor.units import UNITS
 
 #: Factor to SI of each unit, as testing machines write the unit, by dimension.
 FACTORS: Mapping[str, Mapping[str, float]] = {
-    "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3, "kgf": 9.80665, "gf": 9.80665e-3, "lbf": 4.4482216152605},
+    "force": UNITS["force"],
     "length": UNITS["length"],
-    "stress": {
-        **UNITS["pressure"],
-        "N/mm²": 1e6,
-        "N/mm2": 1e6,
-        "N/mm^2": 1e6,
-        "N/m2": 1.0,
-        "N/m²": 1.0,
-        "kgf/cm²": 98066.5,
-        "kgf/cm2": 98066.5,
-    },
+    "stress": {**UNITS["pressure"], "N/mm^2": 1e6, "N/m²": 1.0, "kgf/cm²": 98066.5},
     "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
     "ratio": {"-": 1.0, "": 1.0, "1": 1.0, "%": 0.01, "mm/mm": 1.0, "m/m": 1.0},
 }

@@ -1,6 +1,5 @@
 """Study files of an optimization: factors, goals and settings as TOML, beside a job file."""
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -26,6 +25,7 @@ from turgor.optimization.search import Search
 from turgor.study.factor import Factor, Value
 from turgor.study.jobs.job_factors import job_factor
 from turgor.study.jobs.job_file import JobFile
+from turgor.toml_text import read_toml
 
 Made = TypeVar("Made")
 
@@ -88,11 +88,10 @@ def read_study_file(path: str | Path) -> StudyFile:
     """
     path = Path(path)
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise TurgorError(f"'{path}' cannot be read: {error}.") from None
-    except tomllib.TOMLDecodeError as error:
-        raise TurgorError(f"'{path}' is no TOML: {error}.") from None
+    content = read_toml(text, str(path))
     check_keys(content, KEYS, str(path))
     for key in ("job", "factors"):
         if not content.get(key):
