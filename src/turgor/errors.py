@@ -7,7 +7,28 @@ from types import MappingProxyType
 
 
 class TurgorError(ValueError):
-    """Any mistake in what turgor was given; its text is meant to be read by the user."""
+    """Any mistake in what turgor was given; its text is meant to be read by the user.
+
+    Parameters
+    ----------
+    sentence : str
+    python, command : str
+        How to mend it in Python, and on the command line or in a job file, where these differ.
+
+    Examples
+    --------
+    >>> error = TurgorError("The file has no header line.", python="Give columns=(...).", command="Add one.")
+    >>> str(error), error.on_command_line
+    ('The file has no header line. Give columns=(...).', 'The file has no header line. Add one.')
+    """
+
+    def __init__(self, sentence: str = "", *, python: str = "", command: str = "") -> None:
+        super().__init__(f"{sentence} {python}".rstrip())
+        self.on_command_line = f"{sentence} {command}".rstrip()
+
+
+class CheckError(TurgorError):
+    """A check found an error for which no solve is begun, such as a model that nothing holds."""
 
 
 class NotHere(TurgorError):
@@ -47,9 +68,7 @@ def near_file(file: Path, there: Iterable[str]) -> str:
     return f"; did you mean '{names[matches[0]]}'?" if matches else "."
 
 
-def unknown(
-    kind: str, word: str, known: Iterable[str], meant: Mapping[str, str] = MappingProxyType({})
-) -> TurgorError:
+def unknown(kind: str, word: str, known: Iterable[str], meant: Mapping[str, str] = MappingProxyType({})) -> TurgorError:
     """Build the error for an unknown name: the name, the near match, the known names.
 
     Parameters

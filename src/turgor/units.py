@@ -72,7 +72,15 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
             }
         ),
         "flow rate": MappingProxyType(
-            {"m³/s": 1.0, "m3/s": 1.0, "mL/s": mL, "mL/min": mL / 60, "uL/min": uL / 60, "L/min": L / 60, "L/h": L / 3600}
+            {
+                "m³/s": 1.0,
+                "m3/s": 1.0,
+                "mL/s": mL,
+                "mL/min": mL / 60,
+                "uL/min": uL / 60,
+                "L/min": L / 60,
+                "L/h": L / 3600,
+            }
         ),
         "rate": MappingProxyType({"1/s": 1.0, "1/ms": 1e3}),
         "acceleration": MappingProxyType({"m/s²": 1.0, "m/s2": 1.0}),

@@ -15,7 +15,19 @@ ROOMS = (
 )  # fmt: skip
 
 #: The modules that every room stands on, with a room name in common.
-FOUNDATION = ("units", "errors", "source", "finding", "store", "shown", "response", "registry", "loops", "_lazy", "toml_text")
+FOUNDATION = (
+    "units",
+    "errors",
+    "source",
+    "finding",
+    "store",
+    "shown",
+    "response",
+    "registry",
+    "loops",
+    "_lazy",
+    "toml_text",
+)
 
 #: Modules that only gather names for users; no room imports from them.
 PUBLIC = (

@@ -1,6 +1,7 @@
 """Command ``turgor run``: check, build, mesh, solve, measure, and write everything into a folder."""
 
 import gc
+import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -9,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.exits import DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+from turgor.cli.exits import DONE, ENDED, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
 from turgor.cli.start.signals import ends_at_once
 from turgor.loops import begin_early
 
@@ -27,7 +28,8 @@ class RunOptions:
 
     job: JobFile
     output: Annotated[
-        Path | None, typer.Option(help="Folder of results; by default NAME-results here.", show_default=False)
+        Path | None,
+        output_option("Folder of results; by default NAME-results here."),
     ] = None
     force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False
     resume: Annotated[bool, typer.Option("--resume", help="Go on with the run in the folder, from its last state.")] = (
@@ -46,7 +48,7 @@ def run(chosen: RunOptions) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
     if chosen.job.exists():
         begin_early()
-    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once():
+    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once() as came:
         from turgor.adaptivity.findings import matter
 
         outcome, told = _solve(chosen)
@@ -58,7 +60,10 @@ def run(chosen: RunOptions) -> None:
         if not outcome.solution.complete and not chosen.as_json:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
         if not outcome.solution.complete:
-            raise typer.Exit(NOT_CONVERGED)
+            code = _ended_early(outcome, came)
+            if code > ENDED and not chosen.as_json:
+                typer.echo("With --resume, it goes on from its last state.", err=True)
+            raise typer.Exit(code)
         raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
 
 
@@ -98,6 +103,14 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
             found=show.found,
         )
     return outcome, show.told
+
+
+def _ended_early(outcome: "RunOutcome", came: list[int]) -> int:
+    """Exit code of a run that was ended by a signal, or that stopped itself."""
+    from turgor.solvers.solution import Status
+
+    interrupted = outcome.solution.status is Status.INTERRUPTED
+    return ENDED + (came or [signal.SIGINT])[0] if interrupted else NOT_CONVERGED
 
 
 def _display(quiet: bool) -> "LiveDisplay | PlainDisplay":

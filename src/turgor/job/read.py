@@ -239,4 +239,3 @@ def _text(path: Path) -> str:
         raise TurgorError(f"'{path}' cannot be read: {error.strerror}.") from error
     except UnicodeDecodeError as error:
         raise TurgorError(f"'{path}' is not a text file in UTF-8; a job file is TOML.") from error
-

@@ -94,8 +94,9 @@ def read_header(text: str, unit: str | None = None, *, file: str = "table") -> H
         if dimension and given is None:
             example = _SHOWN[dimension]
             raise TurgorError(
-                f"'{file}': column '{text}' states no unit; write it into the header, such as '{text} ({example})', or "
-                f"give it: units={{'{name}': '{example}'}} (--unit {name}={example} on the command line)."
+                f"'{file}': column '{text}' states no unit; write it into the header, such as '{text} ({example})',",
+                python=f"or give it: units={{'{name}': '{example}'}}.",
+                command=f"or give it: --unit {name}={example}.",
             )
         return Header(name=name, unit="", factor=1.0)
     dimension, known, factor = find_unit(str(given), f"'{file}', column '{text}'")
@@ -167,8 +168,4 @@ def column_name(words: str) -> str:
 
 def _units() -> dict[str, tuple[str, float]]:
     """Every unit with its dimension and its factor to SI."""
-    return {
-        unit: (kind, factor)
-        for kind in DIMENSIONS
-        for unit, factor in UNITS[kind].items()
-    }
+    return {unit: (kind, factor) for kind in DIMENSIONS for unit, factor in UNITS[kind].items()}

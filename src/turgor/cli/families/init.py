@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Debug
+from turgor.cli.options import Debug, output_option
 from turgor.errors import TurgorError
 
 
@@ -14,9 +14,7 @@ def init_command(
     family: Annotated[
         str | None, typer.Argument(metavar="FAMILY", help="Actuator family; lists all if left out.", show_default=False)
     ] = None,
-    output: Annotated[
-        Path | None, typer.Option(help="The file; by default FAMILY.toml here.", show_default=False)
-    ] = None,
+    output: Annotated[Path | None, output_option("The file; by default FAMILY.toml here.")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace the file if it exists.")] = False,
     debug: Debug = False,
 ) -> None:

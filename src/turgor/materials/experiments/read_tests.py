@@ -76,8 +76,9 @@ def read_test(
     if len(found) > 1:
         names = ", ".join(test.name for test in found)
         raise TurgorError(
-            f"'{Path(path).name}' holds {len(found)} specimens ({names}); read them with read_tests, "
-            "and average them if they are replicates (--average on the command line)."
+            f"'{Path(path).name}' holds {len(found)} specimens ({names}).",
+            python="Read them with read_tests, and average them if they are replicates.",
+            command="If they are replicates, average them with --average.",
         )
     return found[0]
 
@@ -105,8 +106,9 @@ def read_tests(
             raise TurgorError(f"'{table.file}' has {len(table.rows[0])} columns, and {len(columns)} names were given.")
     if not table.names:
         raise TurgorError(
-            f"'{table.file}' has no header line; name its columns in order, for example "
-            "columns=('stretch', 'nominal_stress_MPa')."
+            f"'{table.file}' has no header line.",
+            python="Name its columns in order, for example columns=('stretch', 'nominal_stress_MPa').",
+            command="Write one with the names of its columns, for example stretch,nominal_stress_MPa.",
         )
     roles = columns if isinstance(columns, Mapping) else {}
     mode = _mode(table.file, mode)
@@ -120,8 +122,10 @@ def read_tests(
         if turn is not None and not cyclic:
             raise TurgorError(
                 f"'{table.file}': the stretch turns round at row {turn + 1} of the numbers, from "
-                f"{test.stretch[turn - 1]:.4g} to {test.stretch[turn]:.4g}. If these are cycles, read with cyclic=True "
-                "and choose one with select_cycle (--cycle on the command line); if not, correct the row."
+                f"{test.stretch[turn - 1]:.4g} to {test.stretch[turn]:.4g}. If these are no cycles, correct the row; "
+                "if they are,",
+                python="read with cyclic=True and choose one with select_cycle.",
+                command="choose one with --cycle.",
             )
         tests.append(test)
     return tuple(tests)
@@ -138,7 +142,11 @@ def _mode(file: str, mode: str | None) -> str:
     for word, known in _MODE_WORDS:
         if word in words:
             return known
-    raise TurgorError(f"'{file}' does not say how the specimen was loaded; give mode, one of {', '.join(MODES)}.")
+    raise TurgorError(
+        f"'{file}' does not say how the specimen was loaded.",
+        python=f"Give mode, one of {', '.join(MODES)}.",
+        command=f"Say it with --mode, one of {', '.join(MODES)}.",
+    )
 
 
 def _for_mode(columns: Sequence[Column], mode: str) -> tuple[Column, ...]:

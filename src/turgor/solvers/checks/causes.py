@@ -89,7 +89,7 @@ def wrinkled_film(state: State) -> Why | None:
                 f" The film on '{name}' is compressed in {100 * share:.0f} % of its area, by up to "
                 f"{-force.min():.3g} N/m; it has no bending stiffness and wrinkles there.",
                 f"A real film wrinkles too, and then bears hardly any compression: let '{name}' bear none (compression "
-                '= 0, Membrane(..., compression=0)), or let it resist bending (form = "shell", bending=True).',
+                "= 0), or let it resist bending, as a shell.",
             )
     return None
 

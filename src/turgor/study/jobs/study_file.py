@@ -203,18 +203,36 @@ def _factors(given: Any, base: JobBase, problems: Problems) -> list[Factor]:
         problems.add(("factors",), f"{given!r} is not a table; write [factors] and its keys below it.")
         return []
     found = []
-    for place, value in _flat(given, ()):
+    for place, value in flat_keys(given):
         factor = problems.attempt(("factors", *place), partial(base.factor, ".".join(place), value))
         if factor is not None:
             found.append(factor)
     return found
 
 
-def _flat(given: Mapping[str, Any], above: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:
-    """Go through keys, whether they stand in quotes or as tables within tables."""
+def flat_keys(given: Mapping[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """Go through factors, whether their keys stand in quotes or as tables within tables.
+
+    Parameters
+    ----------
+    given : mapping
+        ``[factors]`` of a study file.
+    above : tuple of str
+        Keys of the tables around it.
+
+    Yields
+    ------
+    (tuple of str, value)
+        The parts of the key, and levels or a range.
+
+    Examples
+    --------
+    >>> dict(flat_keys({"actuator": {"wall": {"low": "1 mm", "high": "2 mm"}}}))
+    {('actuator', 'wall'): {'low': '1 mm', 'high': '2 mm'}}
+    """
     for name, value in given.items():
         if isinstance(value, Mapping) and not set(value) & set(RANGE):
-            yield from _flat(value, (*above, name))
+            yield from flat_keys(value, (*above, name))
         else:
             yield (*above, name), value
 
