@@ -60,7 +60,7 @@ def test_reads_what_the_constants_give() -> None:
         (
             "60 kP",
             "pressure",
-            "unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, MPa, GPa, bar, mbar, hPa, psi",
+            "unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, MPa, GPa, bar, mbar, hPa",
         ),
         ("60 kpa", "pressure", "unknown unit 'kpa' in '60 kpa'; did you mean 'kPa'?"),
         ("60 MM", "length", "unknown unit 'MM' in '60 MM'; did you mean 'mm'?"),
