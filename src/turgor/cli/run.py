@@ -131,26 +131,44 @@ def _result(outcome: "RunOutcome") -> object:
     return run_result(outcome)
 
 
+def _numbers(outcome: "RunOutcome") -> tuple[list[str], list[str]]:
+    """Last values of what is measured, what the setup is for first, and names of what is zero throughout."""
+    from turgor.results.measures.headlines import in_regions, with_parts
+    from turgor.results.report.error_text import last_with_error
+    from turgor.results.report.response_table import is_zero
+
+    job, response = outcome.job, outcome.response
+    own = [] if job.setup is None else [name for name in job.setup.measures if name in response]
+    numbers: dict[str, str] = {}
+    zeros: dict[str, str] = {}
+    for each in (*own, *job.output.measures):
+        regions = in_regions(response, each)
+        for name in [each] if regions else with_parts(response, each):
+            column = response.find(name)
+            said = column.label.split(" [")[0]
+            if is_zero(column) and name not in own:
+                zeros[name] = said
+                continue
+            value = f"{said} {last_with_error(response, column)}"
+            numbers[name] = f"{value} [{regions}]" if regions else value
+    return list(numbers.values()), list(zeros.values())
+
+
 def _tell(outcome: "RunOutcome") -> None:
     """Print the end of the solve, the last values of the response, the folder of results, and where notes are."""
     from turgor.finding import Severity
     from turgor.job.output.folder import LOG
-    from turgor.results.measures.headlines import in_regions, with_parts
-    from turgor.results.report.error_text import last_with_error
     from turgor.solvers.pressures import pressure_text
 
-    solution, response = outcome.solution, outcome.response
+    solution = outcome.solution
     if solution.complete:
         typer.echo(f"{solution.message} {solution.advice}".strip())
-    numbers: dict[str, str] = {}
-    for each in outcome.job.output.measures:
-        regions = in_regions(response, each)
-        for name in [each] if regions else with_parts(response, each):
-            column = response.find(name)
-            said = f"{column.label.split(' [')[0]} {last_with_error(response, column)}"
-            numbers[name] = f"{said} [{regions}]" if regions else said
+    numbers, zeros = _numbers(outcome)
     drive = pressure_text(solution.states[-1]) or "the end"
-    typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
+    if numbers:
+        typer.echo(f"At {drive}: {', '.join(numbers)}.")
+    if zeros:
+        typer.echo(f"Zero throughout: {', '.join(zeros)}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
     notes = sum(found.severity is Severity.NOTE for found in outcome.findings)
     if notes:

@@ -172,7 +172,7 @@ def _read(
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
     setup, procedure = _read_path(given, around, problems)
     check_coarse_size(mesh, procedure, problems)
-    output = read_output(given["output"], geometry, problems)
+    output = read_output(given["output"], geometry, setup, problems)
     threads = read_engine(given["engine"], problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
         return None

@@ -112,7 +112,7 @@ def _of(model: Any, header: str, *described: Any, read: Reader | None = None, **
 
 def _output(shape: Geometry) -> JobTable:
     def read(values: Mapping[str, Any], problems: Problems) -> None:
-        read_output(values, shape, problems)
+        read_output(values, shape, None, problems)
 
     return _of(OutputTable, "[output]", Output, read=read)
 
