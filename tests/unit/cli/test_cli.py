@@ -332,6 +332,23 @@ def test_an_interrupted_run_writes_the_path_so_far(
     assert [row["load_factor"] for row in rows(folder / "finger-results" / "response.csv")] == [0, 0.5]
 
 
+def test_the_summary_says_what_was_asked(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The force of a blocked tip comes first and is measured whatever else is; what is round-off is no result."""
+    asked = 'measures = ["bending_angle"]\nmesh_error = false\n'
+    (folder / "finger.toml").write_text(
+        JOB.replace('"static"', '"blocked_force"\ndirection = "-z"') + "[output]\n" + QUICK + asked
+    )
+    assert main(["run", "finger.toml"]) == DONE
+    assert re.search(r"(?m)^At 2 kPa: blocked force 0\.0\d+ N, bending angle \d", capsys.readouterr().out)
+    last = rows(folder / "finger-results" / "response.csv")[-1]
+    assert next(float(value) for name, value in last.items() if name.startswith("blocked_force")) > 0
+    (folder / "finger.toml").write_text(JOB + "[output]\n" + QUICK + asked.replace('"]', '", "reaction"]'))
+    assert main(["run", "finger.toml", "--force"]) == DONE
+    out = capsys.readouterr().out
+    assert re.search(r"(?m)^At 2 kPa: bending angle [\d.]+ deg\.$", out)
+    assert "\nZero throughout: reaction.\n" in out
+
+
 def test_walls_that_meet_are_an_error_after_everything_is_written(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -69,6 +69,9 @@ def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: P
             return None
         kind: Any = LAWS[law]
         table = read_table(law_table(kind), values, key, problems)
+    elif isinstance(values, Mapping) and "library" not in values:
+        problems.add(key, _without_law(values))
+        return None
     else:
         table = read_table(LibraryTable, values, key, problems)
     if table is None:
@@ -89,6 +92,18 @@ def _read_material(values: Any, key: Key, geometry: Geometry | None, problems: P
         problems.add((*key, "compression"), "only a membrane on a face has a compression; leave it out.")
         return None
     return as_solid(material) if table.form == SOLID else material
+
+
+def _without_law(values: Mapping[str, Any]) -> str:
+    """What is missing of a material that names neither the library nor a law, by the constants that it has."""
+    laws = {name: {item.name for item in fields(kind)} for name, kind in LAWS.items()}
+    given = [key for key in values if any(key in constants for constants in laws.values())]
+    fitting = [name for name, constants in laws.items() if given and set(given) <= constants]
+    if not fitting:
+        return "'library' or 'law' is missing; name a material of the library, or a law and its constants."
+    least = min(fitting, key=lambda name: len(laws[name]))
+    are = "is a constant" if len(given) == 1 else "are constants"
+    return f"'law' is missing; {' and '.join(given)} {are} of law = \"{least}\"."
 
 
 def _sheet(table: Any, material: Material, key: Key, problems: Problems) -> Membrane | None:

@@ -49,7 +49,7 @@ def records(name: str) -> tuple[Record, ...]:
         family = [known for known in names if known.startswith(f"{name.lower()}-")]
         hint = f"; did you mean '{near[0]}'?" if near else near_match(name.lower(), names) or "."
         if family and not near:
-            hint = f"; did you mean {' or '.join(family)}?"
+            hint = f"; did you mean {' or '.join(repr(each) for each in family)}?"
         raise TurgorError(f"unknown library material '{name}'{hint} Known: {', '.join(names)}.")
     return _library_records(name)
 

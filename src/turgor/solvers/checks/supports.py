@@ -29,7 +29,7 @@ def check_supports(model: Model, inertia: bool = False) -> None:
         free = 0 if inertia else 6 - _held_motions(model, supports, body)
         if free and len(bodies) == 1:
             raise CheckError(
-                f"the supports leave {free} of 6 rigid motions free (B01); fix a face, for example 'fixed'."
+                f"the supports leave {free} of 6 rigid motions free (B01); fix a face, {_faces_to_hold(body)}."
                 f"{_contact_does_not_hold(model, 1)}"
             )
         if free:
