@@ -78,14 +78,16 @@ def compare_folder(
     if asked.only_loading:
         measured = loading(measured, drive_of(measured))
     found = compare(computed, measured, asked.y, x=asked.x)
-    return found, _write(run / COMPARISONS, Path(experiment).stem, found) if run.is_dir() else []
+    other = Path(experiment)
+    name = other.resolve().parent.name if other.name == RESPONSE else other.stem
+    return found, _write(run / COMPARISONS, name, found) if run.is_dir() else []
 
 
 def _measured(experiment: Path, asked: Asked) -> Response:
     """Read what a run is compared with: the table of a laboratory, or the response of another run."""
     file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
     if file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN:
-        return read_response(file, Source(text=experiment.name.removesuffix("-results")))
+        return read_response(file, Source(text=file.resolve().parent.name.removesuffix("-results")))
     return read_experiment(file, units=asked.units, columns=asked.columns)
 
 
