@@ -135,7 +135,7 @@ def test_mistakes_are_answered(call, folder, old, new, sentence):
 def test_a_study_file_that_is_missing(call):
     code, _, said = call("wals.toml")
     assert code == BAD_INPUT
-    assert "there is no study file 'wals.toml'; did you mean 'walls'?" in said
+    assert "there is no study file 'wals.toml'; did you mean 'walls.toml'?" in said
 
 
 def test_interrupted_and_called_again(folder):
