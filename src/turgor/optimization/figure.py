@@ -5,7 +5,6 @@ from textwrap import fill
 from typing import Any
 
 import numpy as np
-from matplotlib.ticker import MaxNLocator
 
 from turgor.optimization.goals import MET, Goal, Limit, Minimize, TipPath
 from turgor.optimization.reading import Read
@@ -54,7 +53,7 @@ def optimization_figure(found: Optimization) -> PlotFigure:
         _history(axes, found, goal)
     panels[0].legend(frameon=False, labelcolor=INK, fontsize=7)
     panels[-1].set_xlabel("run", color=INK)
-    panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
+    panels[-1].xaxis.get_major_locator().set_params(integer=True)
     panels[0].set_title(found.message, loc="left", color=INK, fontsize=9, wrap=True)
     return figure
 

@@ -213,7 +213,9 @@ def test_a_model_that_nothing_holds_is_an_error_of_a_check(folder: Path, capsys:
     (folder / "finger.toml").write_text(JOB + '[supports]\nfixed = "z"\n')
     assert main(["check", "finger.toml"]) == FOUND_ERROR
     err = capsys.readouterr().err
-    assert "rigid motions free (B01); fix a face, for example 'fixed'; its faces are fixed, " in err, "no Python on the command line"
+    assert "rigid motions free (B01); fix a face, for example 'fixed'; its faces are fixed, " in err, (
+        "no Python on the command line"
+    )
 
 
 def test_help_and_usage_errors_import_nothing_heavy() -> None:

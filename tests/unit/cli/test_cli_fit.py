@@ -122,5 +122,5 @@ def test_a_missing_file_and_an_unanswered_question(run, strip, tmp_path):
     assert "cannot be read" in run(tmp_path / "no_uniaxial.csv").output
     bare = tmp_path / "bare_uniaxial.csv"
     bare.write_text(strip.read_text().replace("nominal_stress_MPa", "stress (MPa)"))
-    assert '--stress nominal' in run(bare).output
+    assert "--stress nominal" in run(bare).output
     assert run(bare, "--stress", "nominal", "--laws", "yeoh").exit_code == 0

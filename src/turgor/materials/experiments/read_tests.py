@@ -245,7 +245,7 @@ def _test(
 
 
 def _along_second(table: Table, column: Column) -> NDArray[np.bool_]:
-    """Whether the stress of each row acts along the second axis, by words such as ``2``, ``P22`` or ``y``."""
+    """Whether the stress of each row acts along the second axis, by words such as ``2``, ``sigma_22`` or ``y``."""
     second = []
     for line, row in zip(table.lines, table.rows, strict=True):
         word = row[column.index].strip().lower() if column.index < len(row) else ""

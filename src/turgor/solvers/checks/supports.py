@@ -119,7 +119,8 @@ def _contact_does_not_hold(model: Model, bodies: int) -> str:
         return ""
     return (
         f" Contact with {', '.join(obstacles + others)} does not count: it pushes only while it touches, "
-        "and a body that it alone should hold has no equilibrium before that; Stabilized or Dynamic let it find one."
+        "and a body that it alone should hold has no equilibrium before that; "
+        "the procedures stabilized and dynamic let it find one."
     )
 
 
