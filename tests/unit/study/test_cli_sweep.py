@@ -110,7 +110,7 @@ def test_a_design_that_cannot_be_built_is_a_row(call, folder):
         ('low = "0.1 MPa"', 'low = "1 MPa"', "goes from 1e+06 to 140000; low must be below high"),
         ("[output]", "[outputs]", "study.toml:8: outputs: unknown key 'outputs'; did you mean 'output'?"),
         ('job = "tube.toml"', 'jobs = "tube.toml"', "'job' is missing; name a job file"),
-        ("tube.toml", "tub.toml", "did you mean 'tube'?"),
+        ("tube.toml", "tub.toml", "did you mean 'tube.toml'?"),
         ("at = {", "att = {", "study.toml:10: output.att: unknown key 'att'; did you mean 'at'?"),
         ('"10 kPa"', '"10 kilo"', "output.at: pressure: '10 kilo' is no number with a unit"),
         ("pressure =", "presure =", "study.toml:10: output.at: unknown column 'presure'; did you mean 'pressure'?"),
