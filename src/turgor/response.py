@@ -25,7 +25,7 @@ COLUMN_UNITS: Mapping[str, float] = MappingProxyType(
         "": 1.0, "m": units.m, "mm": units.mm, "um": units.um, "1/m": 1.0, "rad": units.rad, "deg": units.deg,
         "Pa": units.Pa, "kPa": units.kPa, "MPa": units.MPa, "m2": 1.0, "mm2": 1e-6, "m3": 1.0,
         "L": units.L, "mL": units.mL, "N": units.N, "mN": units.mN, "Nm": 1.0, "J": 1.0, "mJ": 1e-3,
-        "N/m": 1.0, "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms,
+        "N/m": 1.0, "kg": units.kg, "g": units.g, "s": units.s, "ms": units.ms, "mL/min": units.mL / 60,
     }
 )  # fmt: skip
 

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from turgor.geometry.shapes.sections import half_disc as half_disc
     from turgor.geometry.shapes.sections import polygon as polygon
     from turgor.geometry.shapes.sections import rectangle as rectangle
+    from turgor.geometry.shapes.sections import ring_sector as ring_sector
     from turgor.section.rod_section import rod_section as rod_section
     from turgor.section.section import Section as Section
     from turgor.section.shapes.cut import cut as cut

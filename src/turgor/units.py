@@ -31,10 +31,15 @@ kPa = 1e3
 MPa = 1e6
 GPa = 1e9
 bar = 1e5
+mbar = 100.0
 psi = 6894.757293168361
+mmHg = 133.322387415
+cmH2O = 98.0665
 
 N = 1.0
 mN = 1e-3
+gf = 9.80665e-3
+lbf = 4.4482216152605
 
 kg = 1.0
 g = 1e-3
@@ -43,23 +48,44 @@ s = 1.0
 ms = 1e-3
 
 mL = 1e-6
+uL = 1e-9
 L = 1e-3
 
 #: Units of each dimension as they are written in files; the SI unit of a dimension comes first.
 UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
-        "length": MappingProxyType({"m": m, "cm": cm, "mm": mm, "um": um, "µm": um, "in": inch}),
+        "length": MappingProxyType({"m": m, "cm": cm, "mm": mm, "um": um, "µm": um, "in": inch, "inch": inch}),
         "angle": MappingProxyType({"rad": rad, "deg": deg, "°": deg}),
-        "pressure": MappingProxyType({"Pa": Pa, "kPa": kPa, "MPa": MPa, "GPa": GPa, "bar": bar, "psi": psi}),
+        "pressure": MappingProxyType(
+            {
+                **{"Pa": Pa, "kPa": kPa, "MPa": MPa, "GPa": GPa, "bar": bar, "mbar": mbar, "hPa": mbar, "psi": psi},
+                **{"mmHg": mmHg, "inHg": 25.4 * mmHg, "cmH2O": cmH2O, "mmH2O": 0.1 * cmH2O, "inH2O": 2.54 * cmH2O},
+                **{"atm": 101325.0, "kgf/cm2": 98066.5, "N/mm2": MPa, "N/mm²": MPa, "N/cm2": 1e4, "N/m2": Pa},
+            }
+        ),
         "time": MappingProxyType({"s": s, "ms": ms, "min": 60.0, "h": 3600.0}),
         "area": MappingProxyType({"m²": 1.0, "m2": 1.0, "cm²": cm**2, "cm2": cm**2, "mm²": mm**2, "mm2": mm**2}),
         "volume": MappingProxyType(
-            {"m³": 1.0, "m3": 1.0, "L": L, "mL": mL, "cm³": mL, "cm3": mL, "mm³": mm**3, "mm3": mm**3}
+            {
+                **{"m³": 1.0, "m3": 1.0, "L": L, "mL": mL, "uL": uL, "µL": uL},
+                **{"cm³": mL, "cm3": mL, "cc": mL, "mm³": mm**3, "mm3": mm**3, "in3": inch**3},
+            }
+        ),
+        "flow rate": MappingProxyType(
+            {
+                "m³/s": 1.0,
+                "m3/s": 1.0,
+                "mL/s": mL,
+                "mL/min": mL / 60,
+                "uL/min": uL / 60,
+                "L/min": L / 60,
+                "L/h": L / 3600,
+            }
         ),
         "rate": MappingProxyType({"1/s": 1.0, "1/ms": 1e3}),
         "acceleration": MappingProxyType({"m/s²": 1.0, "m/s2": 1.0}),
-        "force": MappingProxyType({"N": N, "mN": 1e-3, "kN": 1e3}),
-        "mass": MappingProxyType({"kg": kg, "g": g, "mg": 1e-6}),
+        "force": MappingProxyType({"N": N, "mN": mN, "kN": 1e3, "gf": gf, "kgf": 1e3 * gf, "lbf": lbf}),
+        "mass": MappingProxyType({"kg": kg, "g": g, "mg": 1e-6, "lb": 0.45359237, "oz": 0.45359237 / 16}),
         "density": MappingProxyType({"kg/m³": 1.0, "kg/m3": 1.0, "g/cm³": 1e3, "g/cm3": 1e3}),
         "spring stiffness": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
         "force per length": MappingProxyType({"N/m": 1.0, "N/mm": 1e3, "mN/mm": 1.0}),
@@ -88,6 +114,7 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
         "mass": "50 g",
         "area": "80 mm²",
         "volume": "12 mL",
+        "flow rate": "30 mL/min",
         "density": "1130 kg/m³",
         "spring stiffness": "50 N/m",
         "force per length": "2 N/m",
@@ -149,8 +176,7 @@ def parse_quantity(text: object, dimension: str) -> float:
     60000.0
     >>> parse_quantity("60 kP", "pressure")
     Traceback (most recent call last):
-    turgor.errors.TurgorError: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, \
-MPa, GPa, bar, psi.
+    turgor.errors.TurgorError: unknown unit 'kP' in '60 kP'; did you mean 'kPa'? Known pressure units: Pa, kPa, ...
     """
     units = UNITS[dimension]
     if isinstance(text, bool) or not isinstance(text, str | int | float):

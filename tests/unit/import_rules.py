@@ -27,6 +27,7 @@ FOUNDATION = (
     "registry",
     "loops",
     "_lazy",
+    "toml_text",
 )
 
 #: Modules that only gather names for users; no room imports from them.

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Debug, Json, name_and_unit
+from turgor.cli.options import Debug, Json, name_and_unit, output_option
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run, finished or not.")]
 
@@ -29,10 +29,14 @@ def report_command(folder: Folder, as_json: Json = False, debug: Debug = False) 
 def measure_command(
     folder: Folder,
     names: Annotated[
-        list[str] | None, typer.Argument(metavar="[MEASURE]...", help="What to measure; as the job says by default.")
+        list[str] | None,
+        typer.Argument(
+            metavar="[MEASURE]...", help="What to measure, with blanks or commas between; as the job says by default."
+        ),
     ] = None,
     output: Annotated[
-        Path | None, typer.Option(help="CSV file; the table is printed where none is given.", show_default=False)
+        Path | None,
+        output_option("CSV file; the table is printed where none is given."),
     ] = None,
     debug: Debug = False,
 ) -> None:
@@ -40,7 +44,9 @@ def measure_command(
     with errors_as_sentences(debug):
         from turgor.job.again import measure_folder
 
-        response = measure_folder(folder, tuple(names or ()))
+        response = measure_folder(
+            folder, tuple(name for each in names or () for name in each.replace(",", " ").split())
+        )
         if output is not None:
             response.to_csv(output)
             typer.echo(f"{len(response)} states in {output}.")
@@ -53,7 +59,9 @@ def measure_command(
 
 def compare_command(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Folder of a run, or a CSV file of a response.")],
-    experiment: Annotated[Path, typer.Argument(metavar="EXPERIMENT", help="Table of a laboratory: CSV or text.")],
+    experiment: Annotated[
+        Path, typer.Argument(metavar="EXPERIMENT", help="Table of a laboratory: CSV or text; or another run.")
+    ],
     y: Annotated[
         str | None,
         typer.Option("--y", help="What to compare: NAME, or NAME=NAME THERE.", show_default=False),

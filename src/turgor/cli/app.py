@@ -1,11 +1,13 @@
 """Command line: each command is a thin call of a public function.
 
-Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged (the path so far is written).
+Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged (the path so far is written),
+130 and 143 ended by Ctrl-C and SIGTERM.
 Heavy imports stand inside the commands, so that help and error messages appear at once.
 """
 
 import gc
 import os
+import signal
 import sys
 import warnings
 from collections.abc import Sequence
@@ -14,7 +16,7 @@ from typing import NoReturn
 import typer
 
 from turgor.cli.answers.document import document
-from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
+from turgor.cli.exits import BAD_INPUT, DONE, ENDED
 from turgor.cli.options import JSON
 from turgor.cli.start.commands import app_of
 from turgor.cli.start.ending import leave
@@ -65,17 +67,23 @@ def settle() -> None:
         os.environ[BLAS_THREADS[0]] = "1"
 
 
+#: Words that are typed for options.
+WORDS = {"help": "--help", "version": "--version"}
+
+
 def _run(given: list[str]) -> int:
     """Run a command and return the exit code."""
+    if given and given[0] in WORDS:
+        given = [*given[1:], WORDS[given[0]]]
     try:
         code = app_of(*given)(given or ["--help"], prog_name="turgor", standalone_mode=False)
     except typer.Abort:
-        return NOT_CONVERGED
+        return ENDED + signal.SIGINT
     except Exception as error:
         # mistakes in the arguments are exceptions of typer with a message
         if not hasattr(error, "format_message"):
             raise
-        sentence = f"{_sentence(error.format_message())} See 'turgor --help'."
+        sentence = f"{_sentence(error.format_message())} See '{_path(error)} --help'."
         if JSON in given:
             typer.echo(document(BAD_INPUT, None, (), sentence))
         else:
@@ -84,6 +92,11 @@ def _run(given: list[str]) -> int:
     if not given:
         return BAD_INPUT
     return code if isinstance(code, int) else DONE
+
+
+def _path(error: Exception) -> str:
+    """Words of the command in whose arguments a mistake is."""
+    return str(getattr(getattr(error, "ctx", None), "command_path", "turgor"))
 
 
 def _sentence(text: str) -> str:

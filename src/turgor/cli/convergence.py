@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -21,7 +21,8 @@ def convergence_command(
     ] = "3",
     measure: Annotated[str, typer.Option(help="Measure to compare.")] = "bending_angle",
     output: Annotated[
-        Path | None, typer.Option(help="Folder of table and plot; by default NAME-convergence.", show_default=False)
+        Path | None,
+        output_option("Folder of table and plot; by default NAME-convergence."),
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False,
     changes: Changes = None,

@@ -1,6 +1,7 @@
 """Exit codes of the command line, and what a command answers: sentences for people, or one JSON document."""
 
 import os
+import signal
 import sys
 import traceback
 from collections.abc import Callable, Iterator, Sequence
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from turgor.cli.answers.document import document
-from turgor.errors import NotSolved, TurgorError
+from turgor.errors import CheckError, NotSolved, TurgorError
 
 if TYPE_CHECKING:
     from turgor.finding import Finding
@@ -21,6 +22,9 @@ DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED = 0, 1, 2, 3
 
 #: What shells report for a program whose reader went away, as in ``turgor actuators | head``: 128 + SIGPIPE.
 BROKEN_PIPE = 141
+
+#: Shells report a program that a signal ended as this number and that of the signal: 130 for Ctrl-C, 143 for SIGTERM.
+ENDED = 128
 
 
 def warn(findings: "Sequence[Finding]") -> None:
@@ -101,13 +105,16 @@ def write_nowhere() -> None:
 
 def _said(raised: BaseException) -> tuple[int, str]:
     """Exit code and sentence for an exception."""
+    if isinstance(raised, CheckError):
+        return FOUND_ERROR, raised.on_command_line
     if isinstance(raised, TurgorError):
         code = NOT_CONVERGED if isinstance(raised, NotSolved) else BAD_INPUT
-        return code, " ".join([str(raised), *getattr(raised, "__notes__", [])])
+        return code, " ".join([raised.on_command_line, *getattr(raised, "__notes__", [])])
     if isinstance(raised, OSError):
         return BAD_INPUT, f"'{raised.filename or 'a file'}' cannot be read or written: {raised.strerror}."
     if isinstance(raised, KeyboardInterrupt):
-        return NOT_CONVERGED, str(raised) or "interrupted; with --resume, a run goes on from its last state."
+        said = str(raised) or "interrupted; with --resume, a run goes on from its last state."
+        return ENDED + getattr(raised, "number", signal.SIGINT), said
     if not isinstance(raised, Exception):
         raise raised
     what = f"{type(raised).__name__}: {raised}"

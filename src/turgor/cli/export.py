@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, asked_job, command_of
+from turgor.cli.options import Changes, Debug, Json, asked_job, command_of, output_option
 from turgor.errors import TurgorError
 
 
@@ -31,7 +31,7 @@ class ExportOptions:
     color_by: Annotated[str, typer.Option(help="Field that the motion is colored by.")] = "von_mises"
     width: Annotated[int, typer.Option(help="Width of the moving pictures in pixels.")] = 640
     seconds: Annotated[float, typer.Option(help="Time from rest to the last state.")] = 2.0
-    output: Annotated[Path | None, typer.Option(help="Folder; by default NAME-export here.", show_default=False)] = None
+    output: Annotated[Path | None, output_option("Folder; by default NAME-export here.")] = None
     program: Annotated[str, typer.Option(help="Reader of the .inp file: calculix or abaqus.")] = "calculix"
     poisson: Annotated[
         float | None,

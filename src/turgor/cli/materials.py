@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Debug, Json
+from turgor.cli.options import Debug, Json, output_option
 
 materials_app = typer.Typer(
     rich_markup_mode=None,
@@ -73,9 +73,7 @@ def _plot(
         str | None,
         typer.Option("--range", metavar="LOW:HIGH", help="Stretches to show; by default up to 4.", show_default=False),
     ] = None,
-    output: Annotated[
-        Path | None, typer.Option(help="PNG or SVG; by default NAME.png here.", show_default=False)
-    ] = None,
+    output: Annotated[Path | None, output_option("PNG or SVG; by default NAME.png here.")] = None,
     debug: Debug = False,
 ) -> None:
     """Plot the stress-stretch curves of all records of a material, against a measured test if one is given."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, FOUND_ERROR, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -20,7 +20,8 @@ def mesh_command(
         str | None, typer.Option(help="Another mesh size, such as '2 mm'.", metavar="LENGTH", show_default=False)
     ] = None,
     output: Annotated[
-        Path | None, typer.Option(help="Write the mesh to this file, .vtu for ParaView.", show_default=False)
+        Path | None,
+        output_option("Write the mesh to this file, .vtu for ParaView."),
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="Draw the cells into this PNG.", show_default=False)] = None,
     changes: Changes = None,

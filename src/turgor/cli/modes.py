@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -18,7 +18,8 @@ def modes_command(
     count: Annotated[int, typer.Option(help="Number of modes, from the lowest.")] = 6,
     loaded: Annotated[bool, typer.Option("--loaded", help="About the state under full load, not at rest.")] = False,
     output: Annotated[
-        Path | None, typer.Option(help="Write the mode shapes for ParaView into this new folder.", show_default=False)
+        Path | None,
+        output_option("Write the mode shapes for ParaView into this new folder."),
     ] = None,
     changes: Changes = None,
     as_json: Json = False,

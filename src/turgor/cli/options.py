@@ -31,6 +31,17 @@ Debug = Annotated[bool, typer.Option("--debug", help="Show where an error was ra
 Options = TypeVar("Options")
 
 
+def output_option(text: str) -> Any:
+    """Return the option that names where results go.
+
+    Parameters
+    ----------
+    text : str
+        Its help.
+    """
+    return typer.Option("--output", "-o", help=text, show_default=False)
+
+
 def asked_job(job: Path, changes: Sequence[str] | None) -> "Job":
     """Read a job file with the changes that ``--set`` states.
 

@@ -1,6 +1,7 @@
 """Command ``turgor run``: check, build, mesh, solve, measure, and write everything into a folder."""
 
 import gc
+import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -9,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turgor.cli.exits import DONE, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+from turgor.cli.exits import DONE, ENDED, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
 from turgor.cli.start.signals import ends_at_once
 from turgor.loops import begin_early
 
@@ -27,7 +28,8 @@ class RunOptions:
 
     job: JobFile
     output: Annotated[
-        Path | None, typer.Option(help="Folder of results; by default NAME-results here.", show_default=False)
+        Path | None,
+        output_option("Folder of results; by default NAME-results here."),
     ] = None
     force: Annotated[bool, typer.Option("--force", help="Replace the results that the folder holds.")] = False
     resume: Annotated[bool, typer.Option("--resume", help="Go on with the run in the folder, from its last state.")] = (
@@ -46,7 +48,7 @@ def run(chosen: RunOptions) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
     if chosen.job.exists():
         begin_early()
-    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once():
+    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once() as came:
         from turgor.adaptivity.findings import matter
 
         outcome, told = _solve(chosen)
@@ -58,7 +60,10 @@ def run(chosen: RunOptions) -> None:
         if not outcome.solution.complete and not chosen.as_json:
             typer.echo(f"{outcome.solution.message} {outcome.solution.advice}".strip(), err=True)
         if not outcome.solution.complete:
-            raise typer.Exit(NOT_CONVERGED)
+            code = _ended_early(outcome, came)
+            if code > ENDED and not chosen.as_json:
+                typer.echo("With --resume, it goes on from its last state.", err=True)
+            raise typer.Exit(code)
         raise typer.Exit(FOUND_ERROR if outcome.errors else DONE)
 
 
@@ -100,6 +105,14 @@ def _solve(chosen: RunOptions) -> "tuple[RunOutcome, list[Finding]]":
     return outcome, show.told
 
 
+def _ended_early(outcome: "RunOutcome", came: list[int]) -> int:
+    """Exit code of a run that was ended by a signal, or that stopped itself."""
+    from turgor.solvers.solution import Status
+
+    interrupted = outcome.solution.status is Status.INTERRUPTED
+    return ENDED + (came or [signal.SIGINT])[0] if interrupted else NOT_CONVERGED
+
+
 def _display(quiet: bool) -> "LiveDisplay | PlainDisplay":
     """Make a bar for a terminal, lines for anything else."""
     from turgor.cli.console import PlainConsole, PlainDisplay, may_be_terminal
@@ -118,26 +131,44 @@ def _result(outcome: "RunOutcome") -> object:
     return run_result(outcome)
 
 
+def _numbers(outcome: "RunOutcome") -> tuple[list[str], list[str]]:
+    """Last values of what is measured, what the setup is for first, and names of what is zero throughout."""
+    from turgor.results.measures.headlines import in_regions, with_parts
+    from turgor.results.report.error_text import last_with_error
+    from turgor.results.report.response_table import is_zero
+
+    job, response = outcome.job, outcome.response
+    own = [] if job.setup is None else [name for name in job.setup.measures if name in response]
+    numbers: dict[str, str] = {}
+    zeros: dict[str, str] = {}
+    for each in (*own, *job.output.measures):
+        regions = in_regions(response, each)
+        for name in [each] if regions else with_parts(response, each):
+            column = response.find(name)
+            said = column.label.split(" [")[0]
+            if is_zero(column) and name not in own:
+                zeros[name] = said
+                continue
+            value = f"{said} {last_with_error(response, column)}"
+            numbers[name] = f"{value} [{regions}]" if regions else value
+    return list(numbers.values()), list(zeros.values())
+
+
 def _tell(outcome: "RunOutcome") -> None:
     """Print the end of the solve, the last values of the response, the folder of results, and where notes are."""
     from turgor.finding import Severity
     from turgor.job.output.folder import LOG
-    from turgor.results.measures.headlines import in_regions, with_parts
-    from turgor.results.report.error_text import last_with_error
     from turgor.solvers.pressures import pressure_text
 
-    solution, response = outcome.solution, outcome.response
+    solution = outcome.solution
     if solution.complete:
         typer.echo(f"{solution.message} {solution.advice}".strip())
-    numbers: dict[str, str] = {}
-    for each in outcome.job.output.measures:
-        regions = in_regions(response, each)
-        for name in [each] if regions else with_parts(response, each):
-            column = response.find(name)
-            said = f"{column.label.split(' [')[0]} {last_with_error(response, column)}"
-            numbers[name] = f"{said} [{regions}]" if regions else said
+    numbers, zeros = _numbers(outcome)
     drive = pressure_text(solution.states[-1]) or "the end"
-    typer.echo(f"At {drive}: {', '.join(numbers.values())}.")
+    if numbers:
+        typer.echo(f"At {drive}: {', '.join(numbers)}.")
+    if zeros:
+        typer.echo(f"Zero throughout: {', '.join(zeros)}.")
     typer.echo(f"Results in {outcome.folder}: {', '.join(str(f.relative_to(outcome.folder)) for f in outcome.files)}.")
     notes = sum(found.severity is Severity.NOTE for found in outcome.findings)
     if notes:

@@ -1,5 +1,6 @@
 """Compare a run with an experiment: the comparison is kept beside the run, and its report shows it."""
 
+from codecs import BOM_UTF8 as BOM
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +17,9 @@ from turgor.results.files.response_csv import read_response
 from turgor.results.plots.figures import svg_of, write_figure
 from turgor.results.viewer.curves import Measured
 from turgor.source import Source
+
+#: Name of the first column of the response of a run, which no table of a laboratory has.
+OF_A_RUN = b"load_factor,"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +55,7 @@ def compare_folder(
     run : str or Path
         Folder of a run, or a CSV file that holds a response; for a file, nothing is written.
     experiment : str or Path
-        See `turgor.experiments.read_experiment`.
+        See `turgor.experiments.read_experiment`; or the folder of another run, or its response.
     asked : Asked, optional
 
     Returns
@@ -70,11 +74,21 @@ def compare_folder(
     if run.is_dir() and not file.exists():
         raise TurgorError(f"'{run}' holds no {RESPONSE}, so it is no folder of a run; run the job first.")
     computed = read_response(file, Source(text=run.name.removesuffix("-results") or run.name))
-    measured = read_experiment(experiment, units=asked.units, columns=asked.columns)
+    measured = _measured(Path(experiment), asked)
     if asked.only_loading:
         measured = loading(measured, drive_of(measured))
     found = compare(computed, measured, asked.y, x=asked.x)
-    return found, _write(run / COMPARISONS, Path(experiment).stem, found) if run.is_dir() else []
+    other = Path(experiment)
+    name = other.resolve().parent.name if other.name == RESPONSE else other.stem
+    return found, _write(run / COMPARISONS, name, found) if run.is_dir() else []
+
+
+def _measured(experiment: Path, asked: Asked) -> Response:
+    """Read what a run is compared with: the table of a laboratory, or the response of another run."""
+    file = experiment / RESPONSE if (experiment / RESPONSE).is_file() else experiment
+    if file.is_file() and file.read_bytes().removeprefix(BOM)[: len(OF_A_RUN)] == OF_A_RUN:
+        return read_response(file, Source(text=file.resolve().parent.name.removesuffix("-results")))
+    return read_experiment(file, units=asked.units, columns=asked.columns)
 
 
 def comparisons_of(folder: Path, computed: Response) -> list[tuple[str, Comparison]]:

@@ -80,7 +80,11 @@ def export_job(
     names = _names(job, geometry, mesh, kinds)
     taken = [name for name in names if (place / name).exists()]
     if taken and not force:
-        raise TurgorError(f"'{place / taken[0]}' is there already; choose another folder, or --force to replace it.")
+        raise TurgorError(
+            f"'{place / taken[0]}' is there already.",
+            python="Choose another folder, or replace it with force=True.",
+            command="Choose another folder with --output, or replace it with --force.",
+        )
     place.mkdir(parents=True, exist_ok=True)
     if mesh is not None and "inp" in kinds:
         _write_model(job, mesh, place / f"{job.name}.inp", inp or InpOptions())

@@ -1,13 +1,12 @@
 """Reading of job files: a `Job`, or an error that lists all mistakes at once."""
 
 import re
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError, near_file, near_match
 from turgor.geometry import Geometry
 from turgor.job.broken_planes import with_broken_planes
 from turgor.job.families import geometry_on_disk
@@ -29,6 +28,7 @@ from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import shown
 from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
+from turgor.toml_text import read_toml
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
 SECTIONS = (
@@ -92,9 +92,9 @@ def read_job(path: str | Path, changes: Mapping[str, Any] = MappingProxyType({})
     path = Path(path)
     text = _text(path)
     try:
-        content = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise _not_toml(path, error) from error
+        content = read_toml(text, str(path))
+    except TurgorError as error:
+        raise JobError([str(error)]) from error
     content = changed(content, DEFAULTS, changes)
     problems = Problems(str(path), with_names(changed_places(key_lines(text), changes), content))
     job = _read(content, name_of_file(path), problems, None if like is None else like.built)
@@ -166,13 +166,14 @@ def _read(
     if given["loads"] is not None:
         needed = not _alone(given) and not _rigged(given["points"])
         loads = read_loads(given["loads"], geometry, materials, problems, needed, timed)
-    supports = read_supports(given["supports"], geometry, problems)
+    held = "supports" in content or geometry is None or "fixed" in geometry.faces  # by symmetry, inertia or points
+    supports = read_supports(given["supports"] if held else {}, geometry, problems)
     contact, rigid_files = read_contact(given["contact"], given["obstacles"], geometry, problems)
     points = read_points(given["points"], geometry, loads, timed, problems)
     around = Around(geometry, materials, supports, contact, loads, _moves(given["obstacles"]))
     setup, procedure = _read_path(given, around, problems)
     check_coarse_size(mesh, procedure, problems)
-    output = read_output(given["output"], geometry, problems)
+    output = read_output(given["output"], geometry, setup, problems)
     threads = read_engine(given["engine"], problems)
     if problems.found or actuator is None or mesh is None or procedure is None or output is None:
         return None
@@ -230,22 +231,12 @@ def _text(path: Path) -> str:
         raise TurgorError(f"'{path}' is a folder; name a job file, such as '{path / 'job.toml'}'.")
     if not path.exists():
         folder = path.parent
-        known = sorted(entry.stem for entry in folder.glob("*.toml")) if folder.is_dir() else []
-        hint = near_match(path.stem, known) or "."
-        listed = f" TOML files there: {', '.join(f'{stem}.toml' for stem in known)}." if known else ""
-        raise TurgorError(f"there is no job file '{path}'{hint}{listed}")
+        known = sorted(entry.name for entry in folder.glob("*.toml")) if folder.is_dir() else []
+        listed = f" TOML files there: {', '.join(known)}." if known else ""
+        raise TurgorError(f"there is no job file '{path}'{near_file(path, known)}{listed}")
     try:
         return path.read_bytes().decode("utf-8-sig")
     except OSError as error:
         raise TurgorError(f"'{path}' cannot be read: {error.strerror}.") from error
     except UnicodeDecodeError as error:
         raise TurgorError(f"'{path}' is not a text file in UTF-8; a job file is TOML.") from error
-
-
-def _not_toml(path: Path, error: tomllib.TOMLDecodeError) -> TurgorError:
-    sentence = str(error)
-    match = re.search(r" \(at line (\d+), column (\d+)\)$", sentence)
-    if match is None:
-        return JobError([f"{path}: this is not valid TOML: {sentence}."])
-    what = sentence[: match.start()]
-    return JobError([f"{path}:{match[1]}: this is not valid TOML: {what}, at column {match[2]}."])

@@ -23,6 +23,10 @@ FAR = 1e30
 TRIED = 201
 
 
+#: Values smaller than this, in the unit that is shown, count as zero.
+ROUND_OFF = 1e-6
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Comparison:
     """Two responses side by side; every difference is computed minus measured, at the measured values of the drive.
@@ -240,7 +244,8 @@ def _columns(
         ours = shared[0] if shared else drive_of(computed)
         return _of_one_kind(computed, ours, measured, _same(computed, ours, measured, ""))
     common = [name for name in _values(computed, besides[0]) if name in _values(measured, besides[1])]
-    chosen = next(iter([*headlines(common), *common]), None)
+    changing = [name for name in common if _changes(computed, name) or _changes(measured, name)]
+    chosen = next(iter([*headlines(changing), *changing, *common]), None)
     if chosen is not None:
         return chosen, chosen
     pairs = [
@@ -252,9 +257,16 @@ def _columns(
     if not pairs:
         raise TurgorError(
             f"nothing to compare: computed {', '.join(_values(computed, besides[0]))}; measured "
-            f"{', '.join(_values(measured, besides[1]))}. Give y as 'computed name=measured name'."
+            f"{', '.join(_values(measured, besides[1]))}.",
+            python="Give y as 'computed name=measured name'.",
+            command="Say --y 'computed name=measured name'.",
         )
     return pairs[0]
+
+
+def _changes(response: Response, name: str) -> bool:
+    """Whether a column is more than round-off: not zero throughout in its unit."""
+    return bool((np.abs(response.find(name).in_unit) > ROUND_OFF).any())
 
 
 def _same(computed: Response, ours: str, measured: Response, besides: str) -> str:

@@ -1,36 +1,15 @@
 """Headers of laboratory tables: the name and the unit of a column, however its author wrote them."""
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from types import MappingProxyType
 
 from turgor.errors import TurgorError
 from turgor.response import COLUMN_UNITS
 from turgor.units import UNITS
 
 #: Dimensions that a column of a table may have, as in `turgor.units.UNITS`.
-DIMENSIONS = ("pressure", "angle", "length", "force", "time", "volume", "mass", "moment")
-
-#: Units that gauges and load cells write and job files do not have.
-_OTHER_UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
-    {
-        "pressure": {
-            "mbar": 100.0,
-            "hPa": 100.0,
-            "mmHg": 133.322387415,
-            "atm": 101325.0,
-            "kgf/cm2": 98066.5,
-            "N/mm2": 1e6,
-            "N/cm2": 1e4,
-        },
-        "force": {"kgf": 9.80665, "gf": 9.80665e-3, "lbf": 4.4482216152605},
-        "volume": {"cc": 1e-6, "uL": 1e-9},
-        "length": {"inch": 25.4e-3},
-        "time": {"min": 60.0},
-    }
-)
+DIMENSIONS = ("pressure", "angle", "length", "force", "time", "volume", "mass", "moment", "flow rate")
 
 #: Spellings of units, in lower case, and the one that is known.
 _SPELLINGS = {
@@ -43,13 +22,14 @@ _SPELLINGS = {
 #: Unit that a column of a dimension is shown in where its own is none of `COLUMN_UNITS`.
 _SHOWN = {
     "pressure": "kPa", "angle": "deg", "length": "mm", "force": "N", "time": "s", "volume": "mL", "mass": "g",
-    "moment": "Nm",
+    "moment": "Nm", "flow rate": "mL/min",
 }  # fmt: skip
 
 #: Words of a name that say its dimension; a number below such a name has a unit.
 _WORDS = (
     ("pressure", "pressure"), ("angle", "angle"), ("force", "force"), ("load", "force"), ("displacement", "length"),
     ("height", "length"), ("deflection", "length"), ("distance", "length"), ("volume", "volume"), ("time", "time"),
+    ("flow", "flow rate"),
 )  # fmt: skip
 
 #: Short names that everybody uses.
@@ -114,8 +94,9 @@ def read_header(text: str, unit: str | None = None, *, file: str = "table") -> H
         if dimension and given is None:
             example = _SHOWN[dimension]
             raise TurgorError(
-                f"'{file}': column '{text}' states no unit; write it into the header, such as '{text} ({example})', or "
-                f"give it: units={{'{name}': '{example}'}} (--unit {name}={example} on the command line)."
+                f"'{file}': column '{text}' states no unit; write it into the header, such as '{text} ({example})',",
+                python=f"or give it: units={{'{name}': '{example}'}}.",
+                command=f"or give it: --unit {name}={example}.",
             )
         return Header(name=name, unit="", factor=1.0)
     dimension, known, factor = find_unit(str(given), f"'{file}', column '{text}'")
@@ -187,8 +168,4 @@ def column_name(words: str) -> str:
 
 def _units() -> dict[str, tuple[str, float]]:
     """Every unit with its dimension and its factor to SI."""
-    return {
-        unit: (kind, factor)
-        for kind in DIMENSIONS
-        for unit, factor in {**UNITS[kind], **_OTHER_UNITS.get(kind, {})}.items()
-    }
+    return {unit: (kind, factor) for kind in DIMENSIONS for unit, factor in UNITS[kind].items()}

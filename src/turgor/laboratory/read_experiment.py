@@ -114,8 +114,10 @@ def _named(table: Table, columns: Mapping[str, str] | Sequence[str] | None) -> T
         return replace(table, names=tuple(columns))
     if not table.names:
         raise TurgorError(
-            f"'{table.file}' has no header line; name its columns with their units in order, for example "
-            "columns=('pressure_kPa', 'bending_angle_deg')."
+            f"'{table.file}' has no header line.",
+            python="Name its columns with their units in order, for example "
+            "columns=('pressure_kPa', 'bending_angle_deg').",
+            command="Write one with the names and units of its columns, for example pressure_kPa,bending_angle_deg.",
         )
     return table
 

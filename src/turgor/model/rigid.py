@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError, near_file, near_match
 from turgor.geometry.cad.surface.crossing import crossings, winding
 from turgor.model.obstacles import RigidSurface
 from turgor.units import UNITS
@@ -116,7 +116,7 @@ def read_rigid(path: str | Path, unit: str = "mm") -> RigidSurface:
 def _check_there(file: Path) -> None:
     if not file.is_file():
         there = sorted(entry.name for entry in file.parent.glob("*.stl")) if file.parent.is_dir() else []
-        raise TurgorError(f"there is no STL file '{file}'{near_match(file.name, there) or '.'}")
+        raise TurgorError(f"there is no STL file '{file}'{near_file(file, there)}")
 
 
 def _check(file: Path, points: Array, triangles: Ints) -> None:

@@ -1,5 +1,6 @@
 """Figure of an optimization: how each goal came nearer from run to run, or the front of several objectives."""
 
+from collections.abc import Sequence
 from textwrap import fill
 from typing import Any
 
@@ -9,16 +10,23 @@ from turgor.optimization.goals import MET, Goal, Limit, Minimize, TipPath
 from turgor.optimization.reading import Read
 from turgor.optimization.result import Optimization
 from turgor.response import COLUMN_UNITS, unit_text
-from turgor.results.plots.figures import PlotFigure
+from turgor.results.fields.state_fields import StateFields
+from turgor.results.pictures.state_picture import shared_view, state_figure
+from turgor.results.plots.figures import PlotFigure, png_of
 from turgor.results.plots.response_plots import BLUE, COLORS
 from turgor.results.plots.study_figure import pictures_beside
 from turgor.results.plots.styling import INK, style_axes
+from turgor.solvers.pressures import pressure_text
+from turgor.solvers.solution import State
 
 #: Gray of candidates that are not the best, and of those that miss a target or pass a limit.
 FAINT = "#9aa3ad"
 
 #: Letters of one line above a picture.
 TITLE_LETTERS = 90
+
+#: Width of each of two pictures [pixels].
+PICTURE_WIDTH = 900
 
 #: Height of one panel [inch].
 PANEL = 1.9
@@ -45,26 +53,39 @@ def optimization_figure(found: Optimization) -> PlotFigure:
         _history(axes, found, goal)
     panels[0].legend(frameon=False, labelcolor=INK, fontsize=7)
     panels[-1].set_xlabel("run", color=INK)
+    panels[-1].xaxis.get_major_locator().set_params(integer=True)
     panels[0].set_title(found.message, loc="left", color=INK, fontsize=9, wrap=True)
     return figure
 
 
-def before_and_after(found: Optimization) -> PlotFigure | None:
+def ends_of(found: Optimization) -> tuple[int, int]:
+    """Return the numbers of the runs of the start and of the best design."""
+    return found.start, found.best if found.best is not None else found.start
+
+
+def before_and_after(found: Optimization, states: Sequence[State] = ()) -> PlotFigure | None:
     """Draw the start and the best design beside each other, with their values.
 
     Parameters
     ----------
     found : Optimization
         Whose runs have pictures, as those of jobs.
+    states : sequence of State
+        Last states of the two, which are drawn at one scale with one range of colors; by default the pictures of the
+        runs, each with its own.
 
     Returns
     -------
     matplotlib.figure.Figure or None
         None where there are no two pictures.
     """
-    pairs = [("before", found.start), ("after", found.best if found.best is not None else found.start)]
+    pairs = zip(("before", "after"), ends_of(found), strict=True)
     rows = [(name, number, found.study.rows[number]) for name, number in pairs]
     pictures = [row.ended.found.picture if row.ended.found is not None else b"" for _, _, row in rows]
+    if states:
+        shown = [StateFields(state) for state in states]
+        view = shared_view(shown, PICTURE_WIDTH)
+        pictures = [png_of(state_figure(each, view, title=pressure_text(each.state))) for each in shown]
     if not all(pictures):
         return None
     titles = []

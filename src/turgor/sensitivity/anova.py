@@ -12,6 +12,7 @@ from scipy.stats import chi2, f
 from turgor.errors import TurgorError
 from turgor.response import Column
 from turgor.study.factor import Factor, Value
+from turgor.study.rounding import percent
 from turgor.study.study import Study
 
 Array = NDArray[np.float64]
@@ -106,12 +107,10 @@ class Anova:
 
     def sentence(self) -> str:
         """Return the ranking with shares in a sentence."""
-        shares = ", ".join(f"{name} {100 * self.term(name).share:.2g} %" for name in self.ranking)
+        shares = ", ".join(f"{name} {percent(self.term(name).share)} %" for name in self.ranking)
         pairs = sum(each.share for each in self.terms if len(each.factors) == 2)
-        rest = f", pairs {100 * pairs:.2g} %" if any(len(each.factors) == 2 for each in self.terms) else ""
-        return (
-            f"{Column(self.measure, '', np.zeros(1)).words}: {shares}{rest}, rest {100 * self.remainder.share:.2g} %."
-        )
+        rest = f", pairs {percent(pairs)} %" if any(len(each.factors) == 2 for each in self.terms) else ""
+        return f"{Column(self.measure, '', np.zeros(1)).words}: {shares}{rest}, rest {percent(self.remainder.share)} %."
 
     def table(self) -> str:
         """Return the lines as text."""

@@ -9,6 +9,7 @@ from turgor.results.plots.response_plots import COLORS
 from turgor.results.plots.styling import INK, QUIET, style_axes
 from turgor.sensitivity.anova import Anova
 from turgor.sensitivity.indices import Indices
+from turgor.study.rounding import percent
 
 #: Height of a bar with its gap, of what stands around the bars, and the width [inch].
 BAR, AROUND, WIDTH = 0.42, 1.3, 6.4
@@ -84,5 +85,5 @@ def anova_figure(found: Sequence[tuple[str, Anova]]) -> PlotFigure:
 
 
 def _title(found: Indices) -> str:
-    left = f"; the surrogate leaves {100 * found.unexplained:.2g} % unexplained" if found.unexplained else ""
+    left = f"; the surrogate leaves {percent(found.unexplained)} % unexplained" if found.unexplained else ""
     return f"{found.count} points, lines: 95 %{left}"

@@ -12,6 +12,7 @@ from turgor.response import Column
 from turgor.sensitivity.asked import Asked, Problem, problem_of
 from turgor.study.factor import Value
 from turgor.study.optional import needed
+from turgor.study.rounding import percent
 from turgor.uncertainty.spread import Spread
 
 Array = NDArray[np.float64]
@@ -86,13 +87,13 @@ class Indices:
         told = []
         for name in self.ranking:
             n = self.factors.index(name)
-            told.append(f"{name} {100 * self.total[n]:.2g} % ({100 * low[n]:.2g} to {100 * high[n]:.2g})")
+            told.append(f"{name} {percent(self.total[n])} % ({percent(low[n])} to {percent(high[n])})")
         column = Column(self.measure, self.unit, np.array([self.deviation]))
         deviation = f"{column.in_unit[0]:.3g} {self.unit}".rstrip()
-        left = f"; the surrogate leaves {100 * self.unexplained:.2g} % unexplained" if self.unexplained else ""
-        alone = 100 * float(self.first.sum())
+        left = f"; the surrogate leaves {percent(self.unexplained)} % unexplained" if self.unexplained else ""
+        alone = f"factors alone bring {percent(float(self.first.sum()))} %"
         how = f" with {', '.join(self.normal)} normal" if self.normal else ""
-        return f"{column.words} varies by {deviation}{how}: {', '.join(told)}; factors alone bring {alone:.2g} %{left}."
+        return f"{column.words} varies by {deviation}{how}: {', '.join(told)}; {alone}{left}."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from itertools import combinations
+from typing import ClassVar
 
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.directions import DIRECTIONS
@@ -44,6 +45,8 @@ class BlockedForce:
     direction: str = FREE
     face: str = "tip"
     friction: float = 0.0
+    #: What it is for; a run writes it whatever else is measured.
+    measures: ClassVar[tuple[str, ...]] = ("blocked_force",)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "hold", _in_order(self.hold))
@@ -96,6 +99,8 @@ class Grasp:
     pull: str = "+x"
     fingers: int = 2
     closing: float = 0.5
+    #: What it is for; a run writes them whatever else is measured.
+    measures: ClassVar[tuple[str, ...]] = ("pull_distance", "grip_force", "holding_force")
 
     def __post_init__(self) -> None:
         if not 0 < self.pull_distance < float("inf"):

@@ -181,5 +181,5 @@ def interrupted(model: Model, state: State) -> Outcome:
     return Outcome(
         Status.INTERRUPTED,
         f"Interrupted at {_at(state)}; the path so far is kept.",
-        "Run again to reach the full load; a run that is kept in a folder goes on with --resume.",
+        "Run again to reach the full load; a run that is kept in a folder can be resumed.",
     )

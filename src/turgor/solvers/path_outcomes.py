@@ -124,8 +124,8 @@ def unwatched_stability(iterative: bool, unknowns: int) -> tuple[Finding, ...]:
             severity=Severity.NOTE,
             message=f"Stability was not watched: the {unknowns:,} unknowns were solved for by iteration, without the "
             "factors whose signs tell unstable states.",
-            advice="Where the actuator may buckle or jump, watch that on a coarser mesh, or ask for factors with "
-            'EngineOptions(linear_solver="rslab"), which take several times the memory.',
+            advice="Where the actuator may buckle or jump, watch that on a coarser mesh, or solve with a direct "
+            "solver (in Python), which takes several times the memory.",
         ),
     )
 

@@ -28,6 +28,9 @@ from turgor.study.jobs.job_numbers import JobNumber, numbers_of
 #: Folder beside the job for paths that are being followed: each goes when its run has ended, the folder with the last.
 PATHS = "paths"
 
+#: Folder of the last states of runs, beside the job.
+LAST_STATES = "last-states"
+
 #: How often the folder of a path is made: other runs may remove the one above it while it is empty.
 ATTEMPTS = 10
 
@@ -131,6 +134,21 @@ def forget_path(job: str, digest: str, numbers: Mapping[str, Value]) -> None:
     rmtree(folder, ignore_errors=True)
     with suppress(OSError):  # the paths of other runs are there
         folder.parent.rmdir()
+
+
+def last_state_of(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:
+    """Return the file for the last state of a run, which pictures of several runs at one scale need.
+
+    Parameters
+    ----------
+    job, digest, numbers
+        As those of `solved_job`.
+
+    Returns
+    -------
+    Path
+    """
+    return Path(job).parent / LAST_STATES / f"{path_name(digest, numbers)}.turgor"
 
 
 def _path_of(job: str, digest: str, numbers: Mapping[str, Value]) -> Path:

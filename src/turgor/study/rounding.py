@@ -22,3 +22,14 @@ def rounded(value: float) -> float:
     0.3
     """
     return float(f"{value:.{DIGITS}g}")
+
+
+def percent(share: float) -> str:
+    """Write a share in percent with two digits, and whole percents in full.
+
+    Examples
+    --------
+    >>> percent(0.9973), percent(0.0312), percent(1.234)
+    ('100', '3.1', '123')
+    """
+    return f"{100 * share:.0f}" if abs(100 * share) >= 99.5 else f"{100 * share:.2g}"

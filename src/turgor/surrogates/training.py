@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
-from turgor.response import Column, Response
+from turgor.response import COLUMN_UNITS, Column, Response
 from turgor.study.factor import Factor
 from turgor.study.study import Row, Study
 from turgor.surrogates.coding import Coding, check_levels
@@ -23,6 +23,9 @@ POINTS = 7
 
 #: Rows below which there is nothing to hold out.
 FEWEST = 5
+
+#: Measures that stay below this in their unit are round-off.
+ROUND_OFF = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -174,7 +177,8 @@ def measures_that_vary(study: Study, at: tuple[str, float] | None = None, inputs
 def _varies(study: Study, name: str) -> bool:
     values = study.column(name)
     known = values[np.isfinite(values)]
-    return bool(len(known) and np.ptp(known) > 1e-9 * max(abs(known).max(), 1e-30))
+    least = ROUND_OFF * COLUMN_UNITS[study.unit(name)]  # forces at the supports of a free actuator are smaller
+    return bool(len(known) and np.ptp(known) > 1e-9 * abs(known).max() and abs(known).max() > least)
 
 
 def _grid(study: Study, along: str, points: int) -> Array:

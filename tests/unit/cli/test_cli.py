@@ -3,17 +3,20 @@
 import csv
 import os
 import re
+import signal
 import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
 import pytest
+from typer.main import get_command
 
 import turgor.job.prepare
 import turgor.job.run
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
+from turgor.cli.start.commands import app_of
 from turgor.solvers.checkpoints.record import Question, RunRecord
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.solve import follow_question
@@ -101,7 +104,7 @@ def test_a_folder_that_holds_something_is_not_touched(folder: Path, capsys: pyte
     assert main(["run", "finger.toml"]) == BAD_INPUT
     out, err = capsys.readouterr()
     assert err == (
-        "the output folder 'finger-results' exists and is not empty; name another with --output OTHER, or replace the "
+        "the output folder 'finger-results' exists and is not empty. Name another with --output OTHER, or replace the "
         "results in it with --force.\n"
     )
     assert "meshing" not in out, "it is refused before anything is computed"
@@ -119,14 +122,15 @@ def test_a_folder_that_cannot_be_made_is_named(folder: Path, capsys: pytest.Capt
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (["run"], "turgor: Missing argument 'JOB'. See 'turgor --help'."),
+        (["run"], "turgor: Missing argument 'JOB'. See 'turgor run --help'."),
         (["rum", "finger.toml"], "turgor: No such command 'rum'."),
         (["run", "finger.toml", "--thread", "2"], "turgor: No such option: --thread"),
         (["run", "finger.toml", "--threads", "0"], "turgor: Invalid value for '--threads':"),
         (
             ["run", "fingr.toml"],
-            "there is no job file 'fingr.toml'; did you mean 'finger'? TOML files there: finger.toml.",
+            "there is no job file 'fingr.toml'; did you mean 'finger.toml'? TOML files there: finger.toml.",
         ),
+        (["run", "nofile.toml"], "there is no job file 'nofile.toml'. TOML files there: finger.toml."),
         (["run", "."], "'.' is a folder; name a job file"),
     ],
 )
@@ -176,6 +180,42 @@ def test_version_actuators_and_materials(capsys: pytest.CaptureFixture[str]) -> 
     assert "  yeoh-mosadegh-2014: yeoh, C1 = 0.11 MPa, C2 = 0.02 MPa; B. Mosadegh" in out
     assert main([]) == BAD_INPUT
     assert "Exit codes:" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        (["-V"], ["--version"]),
+        (["version"], ["--version"]),
+        (["-h"], ["--help"]),
+        (["help"], ["--help"]),
+        (["help", "run"], ["run", "--help"]),
+        (["materials", "-h"], ["materials", "--help"]),
+    ],
+)
+def test_usual_words_for_help_and_version(
+    capsys: pytest.CaptureFixture[str], typed: list[str], meant: list[str]
+) -> None:
+    assert main(typed) == DONE
+    said = capsys.readouterr().out
+    assert main(meant) == DONE
+    assert said == capsys.readouterr().out != ""
+
+
+def test_every_output_has_a_short_option() -> None:
+    commands = get_command(app_of()).commands  # type: ignore[attr-defined]
+    named = [option.opts for each in commands.values() for option in each.params if "--output" in option.opts]
+    assert len(named) > 12
+    assert all("-o" in opts for opts in named)
+
+
+def test_a_model_that_nothing_holds_is_an_error_of_a_check(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "finger.toml").write_text(JOB + '[supports]\nfixed = "z"\n')
+    assert main(["check", "finger.toml"]) == FOUND_ERROR
+    err = capsys.readouterr().err
+    assert "rigid motions free (B01); fix a face, for example 'fixed'; its faces are fixed, " in err, (
+        "no Python on the command line"
+    )
 
 
 def test_help_and_usage_errors_import_nothing_heavy() -> None:
@@ -289,9 +329,26 @@ def test_an_interrupted_run_writes_the_path_so_far(
 
     monkeypatch.setattr(turgor.job.run, "follow_question", interrupted)
     (folder / "finger.toml").write_text(JOB + "[output]\n" + QUICK)
-    assert main(["run", "finger.toml", "--quiet"]) == NOT_CONVERGED
+    assert main(["run", "finger.toml", "--quiet"]) == 128 + signal.SIGINT
     assert "Interrupted at 1 kPa (load factor 0.5); the path so far is kept." in capsys.readouterr().err
     assert [row["load_factor"] for row in rows(folder / "finger-results" / "response.csv")] == [0, 0.5]
+
+
+def test_the_summary_says_what_was_asked(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The force of a blocked tip comes first and is measured whatever else is; what is round-off is no result."""
+    asked = 'measures = ["bending_angle"]\nmesh_error = false\n'
+    (folder / "finger.toml").write_text(
+        JOB.replace('"static"', '"blocked_force"\ndirection = "-z"') + "[output]\n" + QUICK + asked
+    )
+    assert main(["run", "finger.toml"]) == DONE
+    assert re.search(r"(?m)^At 2 kPa: blocked force 0\.0\d+ N, bending angle \d", capsys.readouterr().out)
+    last = rows(folder / "finger-results" / "response.csv")[-1]
+    assert next(float(value) for name, value in last.items() if name.startswith("blocked_force")) > 0
+    (folder / "finger.toml").write_text(JOB + "[output]\n" + QUICK + asked.replace('"]', '", "reaction"]'))
+    assert main(["run", "finger.toml", "--force"]) == DONE
+    out = capsys.readouterr().out
+    assert re.search(r"(?m)^At 2 kPa: bending angle [\d.]+ deg\.$", out)
+    assert "\nZero throughout: reaction.\n" in out
 
 
 def test_walls_that_meet_are_an_error_after_everything_is_written(

@@ -96,7 +96,9 @@ def test_a_test_that_does_not_say_how_it_was_loaded_is_asked(folder: Path, capsy
     (folder / "strip_uniaxial.csv").rename(folder / "strip.csv")
     arguments = ["materials", "plot", "ecoflex-00-30", "--against", "strip.csv"]
     assert main(arguments) == BAD_INPUT
-    assert capsys.readouterr().err.startswith("'strip.csv' does not say how the specimen was loaded; give mode")
+    assert capsys.readouterr().err.startswith(
+        "'strip.csv' does not say how the specimen was loaded. Say it with --mode, one of uniaxial"
+    )
     assert main([*arguments, "--mode", "planar", "--output", "plot.svg"]) == DONE
     assert "plot.svg" in [file.name for file in folder.iterdir()]
 

@@ -6,6 +6,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+import turgor as tg
+from turgor.errors import TurgorError
 from turgor.geometry.shapes import sections
 from turgor.geometry.shapes.solids import box, volume
 from turgor.units import mm
@@ -109,3 +111,13 @@ def test_a_ring_sector_has_the_volume_of_its_outline():
 def test_a_tube_is_what_lies_between():
     made = sections.tube(sections.disc(5 * mm), sections.disc(4 * mm), LONG)
     assert volume(made) == pytest.approx(9 * pi * 10 * mm**3)
+
+
+def test_a_ring_sector_is_a_public_shape_and_refuses_what_is_none():
+    quarter = tg.sections.ring_sector(2 * mm, 4 * mm, 0.0, pi / 2)
+    assert quarter.area == pytest.approx(3 * pi * mm**2)
+    sketch = tg.sections.Sketch(areas={"body": tg.sections.disc(5 * mm), "cavity": quarter})
+    assert sketch.geometry.regions == ("body",)
+    for arguments, said in (((4, 2, 0, 1), "0 <= inner < outer"), ((1, 2, 0, 7), "less than a full turn")):
+        with pytest.raises(TurgorError, match=said):
+            tg.sections.ring_sector(*arguments)

@@ -143,6 +143,20 @@ def test_a_law_is_spelled_in_a_job_as_on_the_command_line(tmp_path: Path, name: 
     assert 'law = "neo_hooke"' in lock_text(job, {"turgor": "0.0"})
 
 
+def test_a_sheet_is_stated_by_youngs_modulus_and_poissons_ratio(tmp_path: Path) -> None:
+    job = read(tmp_path, SMALL.replace('library = "paper", record = "hooke-polygerinos-2020"', HOOKE))
+    sheet = job.materials["strain_limiting_layer"]
+    assert isinstance(sheet, tg.Shell) and sheet.material.law == Hooke(E=6.5e9, nu=0.2)
+
+
+def test_a_pressure_acts_on_a_face_that_is_no_cavity(tmp_path: Path) -> None:
+    job = read(tmp_path, SMALL.replace('"20 kPa"', '"20 kPa"\n[loads.tip]\npressure = "300 mbar"\nhistory = "s"'))
+    assert [(load.face, load.pressure) for load in job.loads] == [("cavity", 20e3), ("tip", 30e3)]
+    again = tmp_path / "again.toml"
+    again.write_text(lock_text(job, {"turgor": "0.0"}), encoding="utf-8")
+    assert read_job(again).loads == job.loads
+
+
 def test_a_material_can_be_stated_by_its_law(tmp_path: Path) -> None:
     stated = '{ law = "neo_hooke", C10 = "120 kPa", bulk_modulus = "1 GPa", density = "1.1 g/cm³", name = "mine", \
 stretch_range = [0.5, 3.0], source = { text = "our own tests", doubts = ["one specimen only"] } }'
@@ -162,6 +176,8 @@ stretch_range = [0.5, 3.0], source = { text = "our own tests", doubts = ["one sp
     assert (base.law, base.bulk_modulus, base.density) == (Yeoh(C10=0.11e6, C20=0.02e6), inf, None)
     assert "small.toml" in base.source.text
 
+
+HOOKE = 'law = "hooke", E = "6.5 GPa", nu = 0.2'
 
 CHANGES = [
     # (what stands in the file, what it is changed to, problem)
@@ -221,6 +237,15 @@ CHANGES = [
     ("[loads]\npressure", "pressure", "small.toml: loads: the table [loads] is missing."),
     ("[output]", "[engine]\nthreads = 0\n[output]", "small.toml:22: engine.threads: 0; allowed is 1 or more."),
     ("[mesh]\nsize", "mesh", "small.toml:7: actuator.mesh: unknown key 'mesh'"),
+    ('"static"', '"riks"', "small.toml:19: procedure.type: unknown procedure 'riks'; did you mean 'arc_length'? Known"),
+    ('"bending_angle"', '"angle"', "small.toml:22: output.measures: unknown measure 'angle'; did you mean 'bending_a"),
+    ('body = { library = "elastosil-m4601"', 'body = { library = "ecoflex"', "small.toml:11: materials.body.library: "
+     "unknown library material 'ecoflex'; did you mean 'ecoflex-00-10' or 'ecoflex-00-30' or 'ecoflex-00-50'? Known: "),
+    ('library = "paper", record = "hooke-polygerinos-2020"', 'E = "6.5 GPa", nu = 0.2', "small.toml:13: materials.strai"
+     "n_limiting_layer: 'law' is missing; E and nu are constants of law = \"hooke\"."),
+    ('pressure = "20 kPa"', '[loads.tipp]\npressure = "1 kPa"', "small.toml:16: loads.tipp: unknown face 'tipp'; did "),
+    ('pressure = "20 kPa"', 'tip = "1 kPa"', "small.toml:16: loads.tip: '1 kPa' is not a table; write [loads.tip] and"),
+    ('size = "3 mm"', "size = 3 mm", "small.toml:8: a text with a unit needs quotes; put quotes around it: \"3 mm\"."),
     ("[loads]", "[loads", "small.toml:15: this is not valid TOML: Expected ']' at the end of a table declaration, at"),
 ]  # fmt: skip
 
@@ -323,7 +348,7 @@ def test_all_problems_are_reported_together_in_the_order_of_the_file(tmp_path: P
 
 def test_a_file_that_is_not_there_is_answered_with_the_near_match(tmp_path: Path) -> None:
     (tmp_path / "small.toml").write_text(SMALL)
-    with pytest.raises(TurgorError, match=r"no job file '.*smal.toml'; did you mean 'small'"):
+    with pytest.raises(TurgorError, match=r"no job file '.*smal.toml'; did you mean 'small.toml'"):
         read_job(tmp_path / "smal.toml")
     with pytest.raises(TurgorError, match="is a folder; name a job file"):
         read_job(tmp_path)

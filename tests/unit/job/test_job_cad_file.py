@@ -15,6 +15,7 @@ from turgor.geometry.cad.split import SplitPlane
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.text.problems import JobError
+from turgor.model.supports import Fixed
 from turgor.units import kPa, mm
 
 JOB = """
@@ -71,6 +72,13 @@ def test_the_actuator_is_the_file_with_its_selectors(folder, monkeypatch):
     assert job.actuator.build().regions == ("body", "base")
 
 
+def test_a_part_without_a_face_fixed_needs_no_empty_supports(folder):
+    """Mirror planes, points or inertia may hold it; where nothing does, the check of the supports says so."""
+    job = read(folder, JOB.replace('fixed = { normal = "-x" }\n', ""))
+    assert job.supports == ()
+    assert read(folder, JOB).supports == (Fixed("fixed"),)
+
+
 def test_the_lock_file_gives_an_equal_job(folder, tmp_path_factory):
     more = JOB.replace(
         "[actuator.split]",
@@ -103,7 +111,6 @@ def test_the_lock_file_gives_an_equal_job(folder, tmp_path_factory):
         ('0, "1.5 mm"]', '0]', "point of NearestTo is (0.038, 0.0); three finite numbers are needed"),
         ('0, "1.5 mm"]', '1, "1.5 mm"]', "job.toml:8: actuator.faces.tip.near: 1 needs a unit"),
         ('{ normal = "-x" }', '{ name = "clamp" }', "face 'fixed': name 'clamp' is not in the file; it has no names."),
-        ('fixed = { normal = "-x" }', "", "supports.fixed: unknown face 'fixed'"),
         ('"2 mm"', '"20 mm"', "thickness of the split is 20 mm; allowed is between 0 and 15 mm"),
         ('base = {', 'bottom = {', "materials.bottom"),
     ],

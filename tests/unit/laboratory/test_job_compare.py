@@ -70,6 +70,22 @@ def test_compare_prints_and_writes_and_the_report_shows_it(run, experiment, caps
     assert "<h3>Against rig</h3>" in page and f"at most by -{largest:.3g} mm" in page
 
 
+@pytest.mark.parametrize("named", ["", "response.csv"])
+def test_a_run_is_compared_with_a_run(run, named, tmp_path, capsys):
+    """By its folder or by its response; a column that is zero in both is not what is compared."""
+    softer = JOB.replace("0.1 MPa", "0.09 MPa").replace('"tip_disp', '"bending_angle", "tip_disp')
+    (tmp_path / "softer.toml").write_text(softer.replace("mesh_error = true", "mesh_error = false\nreport = false"))
+    other = run_job(read_job(tmp_path / "softer.toml"), tmp_path / "softer-results", threads=1)
+    assert main(["compare", str(run.folder), str(other.folder / named)]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith("Tip displacement differs by ") and "softer-results.png" in said
+
+
+def test_names_to_measure_may_have_commas(run, capsys):
+    assert main(["measure", str(run.folder), "tip_displacement,chord_angle"]) == 0
+    assert capsys.readouterr().out.startswith("load_factor,pressure_kPa,tip_displacement_mm,chord_angle_deg\n")
+
+
 def test_a_report_made_anew_keeps_the_mesh_errors(run):
     before = run.response["tip_displacement_mesh_error"]
     again = report_folder(run.folder, lambda text: None).response

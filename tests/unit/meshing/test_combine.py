@@ -288,14 +288,14 @@ def test_every_body_needs_supports_of_its_own(pair: Mesh, missing: int, body: st
         check_supports(model(pair, [support for i, support in enumerate(HELD) if i != missing]))
     said = str(caught.value)
     assert f"leave 3 of 6 rigid motions of the body {body} free (B01)" in said  # the mirror plane holds the others
-    assert f"for example Fixed('{face}')" in said
+    assert f"for example '{face}'" in said
     assert "Contact with other bodies does not count" in said
 
 
 def test_a_face_that_is_meant_for_it_is_proposed_first(finger: Mesh) -> None:
     other = replace(finger, faces=dict(reversed(finger.faces.items())))
     both = together({"a": finger, "b": placed(other, shift=(0, 0, 30 * mm))})
-    with pytest.raises(TurgorError, match=r"Fixed\('fixed_b'\)"):
+    with pytest.raises(TurgorError, match="for example 'fixed_b'"):
         check_supports(model(both, [Fixed("fixed_a")]))
 
 

@@ -377,8 +377,8 @@ def test_the_lock_file_gives_the_same_loads(tmp_path: Path, loads: str) -> None:
 
 MISTAKES = [
     # (loads, at, problem)
-    ('[loads.cavty_1]\npressure = "1 kPa"', "0.1", "twin.toml:11: loads.cavty_1: the actuator has no cavity 'cavty_1'; "
-     "did you mean 'cavity_1'? Its cavities are cavity_1, cavity_2."),
+    ('[loads.cavty_1]\npressure = "1 kPa"', "0.1", "twin.toml:11: loads.cavty_1: unknown face 'cavty_1'; did you "
+     "mean 'cavity_1'? Known: cavity_1, cavity_2, fixed, outside, tip."),
     ('[loads.cavity]\npressure = "1 kPa"', "0.1", "twin.toml:11: loads.cavity: the actuator has no cavity 'cavity';"),
     ('cavity_2 = "20 kPa"', "0.1", "twin.toml:11: loads.cavity_2: '20 kPa' is not a table; write [loads.cavity_2] and"),
     ('cavity_3 = "20 kPa"', "0.1", "twin.toml:11: loads.cavity_3: the actuator has no cavity 'cavity_3'; did you mean"),

@@ -10,6 +10,8 @@ from calibration_cases import JOB
 from turgor.cli import main
 from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
 from turgor.jobs import read_job
+from turgor.optimization.files.study_files import read_study_file
+from turgor.results.pictures.state_picture import state_figure
 
 STUDY = """
 job = "tube.toml"
@@ -73,6 +75,24 @@ def test_a_lean_tube_is_found_written_and_read_again(call, folder):
     assert job.procedure.at == (0.75,), "a state at 15 kPa"
     for name in ("optimization.png", "before-and-after.png"):
         assert Image.open(results / name).size[0] > 400
+
+
+def test_before_and_after_have_one_scale_and_runs_are_whole_numbers(call, folder, monkeypatch):
+    drawn = []
+
+    def noted(state, view=None, **how):
+        drawn.append(view)
+        return state_figure(state, view, **how)
+
+    monkeypatch.setattr("turgor.optimization.figure.state_figure", noted)
+    assert call("lean.toml")[0] == DONE
+    assert len(drawn) == 2 and drawn[0] is drawn[1]
+
+
+def test_factors_may_be_tables_within_tables(folder):
+    text = STUDY.replace('"actuator.wall"', "actuator.wall").replace('"actuator.inner_radius"', "actuator.inner_radius")
+    (folder / "plain.toml").write_text(text, encoding="utf-8")
+    assert read_study_file(folder / "plain.toml").factors == read_study_file(folder / "lean.toml").factors
 
 
 def test_the_answer_for_programs(call):

@@ -3,6 +3,7 @@
 import ast
 import pkgutil
 import re
+import signal
 from dataclasses import is_dataclass
 from importlib import import_module
 from pathlib import Path
@@ -12,7 +13,7 @@ from PIL import Image
 
 import turgor as tg
 from turgor.cli import answers
-from turgor.cli.exits import BAD_INPUT, DONE, FOUND_ERROR, NOT_CONVERGED
+from turgor.cli.exits import BAD_INPUT, DONE, ENDED, FOUND_ERROR, NOT_CONVERGED
 from turgor.cli.start.commands import COMMANDS
 from turgor.job.tables.contact import ContactTable
 from turgor.job.tables.fibers import FibersTable
@@ -111,7 +112,8 @@ def test_page_on_the_command_line_names_every_command_result_and_exit_code():
         kinds = {name for name, kind in vars(found).items() if is_dataclass(kind)}
         members = page.partition(f"answers.{module}\n   :members:")[2].partition(":no-index:")[0]
         assert set(re.findall(r"\w+", members)) == kinds, module
-    assert re.findall(r"(?m)^\| (\d) \|", page) == [str(code) for code in (DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED)]
+    codes = (DONE, BAD_INPUT, FOUND_ERROR, NOT_CONVERGED, ENDED + signal.SIGINT, ENDED + signal.SIGTERM)
+    assert re.findall(r"(?m)^\| (\d+) \|", page) == [str(int(code)) for code in codes]
 
 
 def test_gallery_shows_its_pictures_and_they_move(monkeypatch):

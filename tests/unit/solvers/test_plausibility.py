@@ -78,7 +78,7 @@ BAD = [
     ("P01", "0.5 times its shear modulus: the Poisson's ratio", model(rubber(NeoHooke(C10=1e5), bulk_modulus=1e5))),
     ("P01", "locking stretch in uniaxial tension is 1.06", model(rubber(Gent(mu=2e5, Jm=0.01)))),
     ("P01", "locking stretch in uniaxial tension is 1.2", model(rubber(ArrudaBoyce(mu=2e5, locking_stretch=1.02)))),
-    ("P01", "density is 1.07 kg/m³", model(rubber(NeoHooke(C10=1e5), density=1.07))),
+    ("P01", "density of a rubber is 1.07 kg/m³", model(rubber(NeoHooke(C10=1e5), density=1.07))),
     ("P01", "sheet or thread is 6.5 kPa", model(sheets=sheet(Hooke(E=6.5e3, nu=0.2)))),
     ("P02", "gauge pressure is 22.5 MPa; usual is at most 2 MPa", model(loads=[Pressure("cavity", 22.5 * MPa)])),
     ("P02", "5 MPa: the ratio of pressure to Young's modulus", model(loads=[Pressure("cavity", 5 * MPa)])),
@@ -96,6 +96,18 @@ BAD = [
 def test_a_sound_model_is_silent():
     assert found(SOUND) == ()
     assert found(model(), VolumeControl(volume=0.5 * mL)) == ()
+
+
+def test_metals_are_no_rubber():
+    """A part of steel, alone or beside rubber, and a sheet of steel: their moduli and densities are usual."""
+    law, bulk = NeoHooke(C10=40 * GPa), 175 * GPa
+    steel = Material(name="steel", law=law, bulk_modulus=bulk, density=7850.0)
+    rubber_too = {"body": cases.RUBBER, "base": steel}
+    pressed = [Pressure("cavity", 20 * kPa)]
+    assert found(model(steel)) == ()
+    assert found(Model(MESH, rubber_too, [CLAMPED], pressed)) == ()
+    foil = Membrane(Material(name="foil", law=Hooke(E=200 * GPa, nu=0.3), density=7850.0), 0.1 * mm)
+    assert found(model(sheets={"fixed": foil})) == ()
 
 
 @pytest.mark.parametrize(("code", "said", "bad"), BAD, ids=[said for _, said, _ in BAD])
@@ -129,9 +141,9 @@ def test_layers_of_paper_and_rigid_plates_are_no_rubber():
         assert found(both) == ()
     (told,) = found(Model(MESH, {"body": plate, "base": plate}, [Fixed("fixed")], []))
     assert "the initial shear modulus of a rubber is 100 MPa" in told.message
-    steel = Material(name="steel", law=NeoHooke(C10=48 * GPa))
+    steel = Material(name="steel", law=NeoHooke(C10=480 * GPa))
     (told,) = found(Model(MESH, {"body": steel, "base": cases.RUBBER}, [Fixed("fixed")], []))
-    assert "the initial shear modulus of a stiff part is 96 GPa" in told.message
+    assert "the initial shear modulus of a stiff part is 960 GPa" in told.message
 
 
 def test_a_sealed_cavity_keeps_its_volume():

@@ -10,7 +10,7 @@ import pytest
 
 from calibration_cases import JOB
 from turgor.cli import main
-from turgor.cli.exits import BAD_INPUT, DONE, NOT_CONVERGED
+from turgor.cli.exits import BAD_INPUT, DONE
 from turgor.studies import load_study
 from turgor.surrogates.surrogate import Surrogate
 
@@ -93,5 +93,5 @@ def test_interrupted_it_says_how_to_go_on(folder):
     fitted.send_signal(signal.SIGINT)
     _, said = fitted.communicate(timeout=60)
     assert len(list(runs.glob("*.json"))) < 9
-    assert fitted.returncode == NOT_CONVERGED
+    assert fitted.returncode == 128 + signal.SIGINT
     assert "interrupted; what has ended is kept in again-study, and the same command goes on from there." in said

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of
+from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
@@ -68,7 +68,8 @@ class _Options:
         None
     )
     output: Annotated[
-        Path | None, typer.Option(help="Folder of results; by default NAME-calibration.", show_default=False)
+        Path | None,
+        output_option("Folder of results; by default NAME-calibration."),
     ] = None
     retry: Retry = False
     changes: Changes = None

@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import often
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,7 +21,7 @@ class _Options:
     measures: Annotated[
         list[str] | None, often("--measure", "NAME", "What is differentiated; by default what the job measures.")
     ] = None
-    output: Annotated[Path | None, typer.Option(help="A CSV file for the derivatives.", show_default=False)] = None
+    output: Annotated[Path | None, output_option("A CSV file for the derivatives.")] = None
     changes: Changes = None
     as_json: Json = False
     debug: Debug = False

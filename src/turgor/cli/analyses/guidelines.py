@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Debug, Json, Retry
+from turgor.cli.options import Debug, Json, Retry, output_option
 
 if TYPE_CHECKING:
     from turgor.guidelines.guideline import Guideline, Setting
@@ -21,7 +21,7 @@ Keys = Annotated[
     list[str] | None,
     typer.Argument(metavar="[GUIDELINE]...", help="Such as 7.4-5, or 7.4 for a whole section; all by default."),
 ]
-Folder = Annotated[Path, typer.Option("--output", help="Folder of runs and page.")]
+Folder = Annotated[Path, output_option("Folder of runs and page.")]
 Full = Annotated[bool, typer.Option("--full", help="Default meshes and all values, instead of few and coarse ones.")]
 
 

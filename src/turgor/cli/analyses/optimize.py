@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import told_run
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, Retry, asked_job, command_of
+from turgor.cli.options import Changes, Debug, Json, Retry, asked_job, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 if TYPE_CHECKING:
@@ -28,7 +28,8 @@ class _Options:
     mesh_error: Annotated[bool, typer.Option(help="Estimate the mesh error of the best design.")] = True
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
     output: Annotated[
-        Path | None, typer.Option(help="Folder of results; by default STUDY-optimization.", show_default=False)
+        Path | None,
+        output_option("Folder of results; by default STUDY-optimization."),
     ] = None
     retry: Retry = False
     changes: Changes = None

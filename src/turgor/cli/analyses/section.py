@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job
+from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, output_option
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -25,7 +25,8 @@ def section_command(
     ] = "",
     ends: Annotated[str, typer.Option(help="'closed': the pressure pushes on the ends, too; or 'open'.")] = "closed",
     output: Annotated[
-        Path | None, typer.Option(help="Folder of table and plot; by default NAME-section.", show_default=False)
+        Path | None,
+        output_option("Folder of table and plot; by default NAME-section."),
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace what the folder holds.")] = False,
     changes: Changes = None,

@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import often
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, Retry, command_of
+from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
@@ -34,9 +34,7 @@ Scheduler = Annotated[
         metavar="ADDRESS", help="Compute on the workers of a Dask scheduler: tcp://host:8786.", show_default=False
     ),
 ]
-Output = Annotated[
-    Path | None, typer.Option(help="Folder of results; by default that of the study.", show_default=False)
-]
+Output = Annotated[Path | None, output_option("Folder of results; by default that of the study.")]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from turgor.cli.exits import DONE, NOT_CONVERGED, errors_as_sentences
-from turgor.cli.options import Changes, Debug, Json, Retry, command_of
+from turgor.cli.options import Changes, Debug, Json, Retry, command_of, output_option
 from turgor.cli.start.signals import ends_at_once
 
 if TYPE_CHECKING:
@@ -25,7 +25,8 @@ MOST_ROWS = 40
 class _Options:
     study: Annotated[Path, typer.Argument(metavar="STUDY", help="Study file in TOML.", show_default=False)]
     output: Annotated[
-        Path | None, typer.Option(help="Folder of results; by default NAME-study here.", show_default=False)
+        Path | None,
+        output_option("Folder of results; by default NAME-study here."),
     ] = None
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
     scheduler: Annotated[

@@ -8,7 +8,7 @@ import typer
 
 from turgor.cli.analyses.calibrate import often, told_run
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of
+from turgor.cli.options import Changes, Debug, JobFile, Json, Retry, asked_job, command_of, output_option
 from turgor.cli.start.signals import ends_at_once, kept_in_folder
 
 
@@ -35,7 +35,8 @@ class _Options:
     mesh_error: Annotated[bool, typer.Option(help="Estimate the mesh error of the nominal run.")] = True
     processes: Annotated[int, typer.Option(help="Processes at once, each with one thread.", min=1)] = 1
     output: Annotated[
-        Path | None, typer.Option(help="Folder of results; by default NAME-uncertainty.", show_default=False)
+        Path | None,
+        output_option("Folder of results; by default NAME-uncertainty."),
     ] = None
     retry: Retry = False
     changes: Changes = None

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import errors_as_sentences
-from turgor.cli.options import Debug
+from turgor.cli.options import Debug, output_option
 from turgor.errors import TurgorError
 
 
@@ -19,9 +19,7 @@ def init_command(
             show_default=False,
         ),
     ] = None,
-    output: Annotated[
-        Path | None, typer.Option(help="The file; by default FAMILY.toml here.", show_default=False)
-    ] = None,
+    output: Annotated[Path | None, output_option("The file; by default FAMILY.toml here.")] = None,
     unit: Annotated[
         str | None, typer.Option(help="Unit of the numbers in a CAD or mesh file, such as mm.", show_default=False)
     ] = None,

@@ -9,7 +9,7 @@ import typer
 
 from turgor.cli.exits import errors_as_sentences
 from turgor.cli.fitting.fit_tables import show, show_each
-from turgor.cli.options import Debug, Json, command_of
+from turgor.cli.options import Debug, Json, command_of, output_option
 from turgor.errors import TurgorError
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ class FitOptions:
         int, typer.Option(min=0, help="Terms of a Prony series, fitted over time after the law; 0 for none.")
     ] = 0
     softening: Annotated[bool, typer.Option("--softening", help="Fit stress softening to cycles too.")] = False
-    output: Annotated[Path | None, typer.Option(help="Folder for plots and constants.", show_default=False)] = None
+    output: Annotated[Path | None, output_option("Folder for plots and constants.")] = None
     as_json: Json = False
     debug: Debug = False
 

@@ -56,7 +56,8 @@ def app_of(*given: str) -> typer.Typer:
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
         help="Finite element modeling of soft fluidic actuators.",
-        epilog="Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged.",
+        epilog="Exit codes: 0 done, 1 usage or bad input, 2 a check found an error, 3 not converged, 130 Ctrl-C.",
+        context_settings={"help_option_names": ["-h", "--help"]},
     )
     app.callback()(_options)
     for name in given[:1] if given[:1] and given[0] in COMMANDS else COMMANDS:
@@ -77,7 +78,8 @@ def _print_version(wanted: bool) -> None:
 
 def _options(
     version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and stop.")
+        bool,
+        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="Print the version and stop."),
     ] = False,
 ) -> None:
     """Read the options before the command."""

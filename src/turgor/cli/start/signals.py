@@ -13,7 +13,7 @@ from types import FrameType
 
 import typer
 
-from turgor.cli.exits import NOT_CONVERGED
+from turgor.cli.exits import ENDED
 from turgor.errors import TurgorError
 
 #: Time [s] that a command has to write what is left; a factorization of a large matrix may last longer.
@@ -28,24 +28,51 @@ SENTENCE = b"interrupted; with --resume, a run goes on from its last state.\n"
 ENDING = (signal.SIGINT, signal.SIGTERM)
 
 
+class Ended(KeyboardInterrupt):
+    """What Ctrl-C and SIGTERM raise.
+
+    Parameters
+    ----------
+    number : int
+        Of the signal.
+    sentence : str
+        What is told; empty for the usual one.
+    """
+
+    def __init__(self, number: int, sentence: str = "") -> None:
+        super().__init__(*([sentence] if sentence else []))
+        self.number = number
+
+
 @contextmanager
-def ends_at_once() -> Iterator[None]:
+def ends_at_once() -> Iterator[list[int]]:
     """Turn SIGTERM into what Ctrl-C does, and end the process if either has not ended it within `PATIENCE`.
 
     States of a run are on disk as soon as they are accepted, so that nothing is lost. Compiled code does not notice a
     signal, but lets other threads run: one of them waits for it.
+
+    Yields
+    ------
+    list of int
+        The signals that came.
     """
+    came: list[int] = []
     if current_thread() is not main_thread():
-        yield
+        yield came
         return
+
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        came.append(number)
+        raise Ended(number)
+
     here, there = socket.socketpair()
     there.setblocking(False)
     before = signal.set_wakeup_fd(there.fileno(), warn_on_full_buffer=False)
-    handlers = {number: signal.signal(number, _interrupt) for number in ENDING}
+    handlers = {number: signal.signal(number, interrupt) for number in ENDING}
     Thread(target=_watch, args=(here,), daemon=True).start()
     try:
         with _nothing_swallowed():
-            yield
+            yield came
     finally:
         for number, handler in handlers.items():
             signal.signal(number, handler)
@@ -97,15 +124,11 @@ def kept_in_folder(folder: Path) -> Iterator[None]:
     """
     try:
         yield
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(
-            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there."
+    except KeyboardInterrupt as ended:
+        raise Ended(
+            getattr(ended, "number", signal.SIGINT),
+            f"interrupted; what has ended is kept in {folder}, and the same command goes on from there.",
         ) from None
-
-
-def _interrupt(number: int, frame: FrameType | None) -> None:
-    """Interrupt as Ctrl-C does."""
-    raise KeyboardInterrupt
 
 
 def _watch(here: socket.socket) -> None:
@@ -118,5 +141,5 @@ def _watch(here: socket.socket) -> None:
                     pass
             except TimeoutError:
                 os.write(2, SENTENCE)
-                os._exit(NOT_CONVERGED)
+                os._exit(ENDED + number[0])
             return

@@ -8,7 +8,7 @@ from shutil import copyfile
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError, near_file
 from turgor.finding import Finding
 from turgor.geometry import occ
 from turgor.geometry.cad.stl import stl_bodies
@@ -129,7 +129,7 @@ def _kind(path: Path) -> str:
         raise TurgorError(f"'{path}' is a folder; name a CAD file.")
     if not path.exists():
         there = [entry.name for entry in path.parent.glob("*") if entry.suffix.lower() in SUFFIXES]
-        hint = near_match(path.name, there) or "."
+        hint = near_file(path, there)
         listed = f" CAD files there: {', '.join(sorted(there))}." if there else ""
         raise TurgorError(f"there is no file '{path}'{hint}{listed}")
     start = path.read_bytes()[:200].lstrip()

@@ -200,7 +200,7 @@ def _nested(part: Part, named: Mapping[str, Hollow], nested: Sequence[Hollow], m
         severity=Severity.NOTE,
         message=f"Cavities can be closed at several places: {'; '.join(lines)}. The outermost is taken.",
         advice="Nothing needs to be done unless the inlet must stay without pressure: then name the walls of the "
-        "cavity yourself, for example with InBox.",
+        "cavity yourself, for example by a box around its wall.",
     )
 
 
@@ -225,8 +225,8 @@ def _leaks(passages: Sequence[Hollow], found: bool) -> Finding:
         severity=Severity.NOTE if found else Severity.WARNING,
         message=f"{len(passages)} of the part's hollows ({listed}) lead from one opening to another: pressure would "
         "leak, so they are no cavities.",
-        advice="Close all openings but one in the CAD program; or, if they are plugged in reality, name the hollow: "
-        "cavity = NearestTo(a point on its wall).",
+        advice="Close all openings but one in the CAD program; or, if they are plugged in reality, name the hollow "
+        "'cavity' by a point on its wall.",
     )
 
 
@@ -250,8 +250,8 @@ def _missing(part: Part, names: Sequence[str]) -> list[Finding]:
             code="D05",
             severity=Severity.NOTE if cavity else Severity.WARNING,
             message=f"'{part.path.name}' has no face named {' or '.join(lacking)}.",
-            advice="Supports and measures need these names: give a selector for each, such as fixed = "
-            "WithNormal('-x') and tip = WithNormal('+x'); `turgor inspect` lists the faces.",
+            advice="Supports and measures need these names: name each of them, such as fixed by the normal "
+            "-x and tip by the normal +x.",
         )
     ]
 

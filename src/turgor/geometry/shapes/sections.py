@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from math import atan2, ceil, cos, hypot, pi, sin, tan
 from typing import Any
 
+from turgor.errors import TurgorError
 from turgor.geometry import occ
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.shapes.arcs import (
@@ -154,7 +155,18 @@ def ring_sector(inner: float, outer: float, start: float, stop: float) -> Outlin
     --------
     >>> round(ring_sector(1.0, 2.0, 0.0, pi / 2).area / pi, 6)
     0.75
+    >>> ring_sector(2.0, 1.0, 0.0, pi)
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: ring_sector: the inner radius is 2 m, the outer one 1 m; 0 <= inner < outer is needed.
     """
+    if not 0 <= inner < outer:
+        raise TurgorError(
+            f"ring_sector: the inner radius is {inner:g} m, the outer one {outer:g} m; 0 <= inner < outer is needed."
+        )
+    if not 0 < stop - start < 2 * pi:
+        raise TurgorError(
+            f"ring_sector: it goes from {start:g} to {stop:g} rad; more than 0 and less than a full turn is needed."
+        )
     pieces = ceil((stop - start) / pi * 1.01)  # arcs of less than half a turn
     angles = [start + (stop - start) * i / pieces for i in range(pieces + 1)]
     step = (stop - start) / pieces

@@ -64,7 +64,7 @@ def claimed(folder: Path, force: bool, resume: bool = False) -> Iterator[Path]:
         written.
     """
     if folder.exists() and not folder.is_dir():
-        raise TurgorError(f"the output folder '{folder}' is a file; name another with --output OTHER.")
+        raise TurgorError(f"the output folder '{folder}' is a file; name another.")
     new = not folder.exists()
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -78,8 +78,7 @@ def claimed(folder: Path, force: bool, resume: bool = False) -> Iterator[Path]:
             yield folder
     except Timeout:
         raise TurgorError(
-            f"another run is writing into the output folder '{folder}'; wait for it, or name another with "
-            "--output OTHER."
+            f"another run is writing into the output folder '{folder}'; wait for it, or name another."
         ) from None
     finally:
         if new and not any(folder.iterdir()):
@@ -103,10 +102,13 @@ def _check_empty(folder: Path, allowed: bool) -> None:
     """Refuse a folder that holds files, unless it may."""
     if allowed or all(each.name == IN_USE for each in folder.iterdir()):
         return
-    unfinished = " go on with an unfinished run in it with --resume," if _unfinished(folder) else ""
+    unfinished = _unfinished(folder)
     raise TurgorError(
-        f"the output folder '{folder}' exists and is not empty;{unfinished} name another with --output OTHER, or "
-        "replace the results in it with --force."
+        f"the output folder '{folder}' exists and is not empty.",
+        python=f"{'Go on with the unfinished run in it (resume=True), name' if unfinished else 'Name'} another folder, "
+        "or replace the results in it (force=True).",
+        command=f"{'Go on with the unfinished run in it with --resume, name' if unfinished else 'Name'} another with "
+        "--output OTHER, or replace the results in it with --force.",
     )
 
 

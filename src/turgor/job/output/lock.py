@@ -115,8 +115,9 @@ def check_same_job(job: Job, file: Path) -> None:
         )
         more = f"; and {len(other) - 3} more" if len(other) > 3 else ""
         raise TurgorError(
-            f"the run in '{file.parent}' was one of another job: {listed}{more}. Go on with the job as it was, or "
-            "begin anew with --force."
+            f"the run in '{file.parent}' was one of another job: {listed}{more}. Go on with the job as it was, or",
+            python="begin anew with force=True.",
+            command="begin anew with --force.",
         )
 
 

@@ -112,7 +112,7 @@ def _of(model: Any, header: str, *described: Any, read: Reader | None = None, **
 
 def _output(shape: Geometry) -> JobTable:
     def read(values: Mapping[str, Any], problems: Problems) -> None:
-        read_output(values, shape, problems)
+        read_output(values, shape, None, problems)
 
     return _of(OutputTable, "[output]", Output, read=read)
 
@@ -138,7 +138,7 @@ def _supports() -> JobTable:
         default=toml(DEFAULTS["supports"]["fixed"], Kind(words="text")),
         allowed=f"some of x, y and z; or {', '.join((*RADIAL, PLANE))}",
         meaning="Directions in which the face is held, or that its radius is, or that it stays plane. The default is "
-        "that of the face `fixed`.",
+        "that of the face `fixed`, where the part has one.",
         example='"xyz"',
     )
     return JobTable(

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import Field, model_validator
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError, near_file
 from turgor.geometry.cad.cad_file import CadFile
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.geometry.cad.split import SplitPlane
@@ -119,7 +119,7 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | No
 
         there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in SUFFIXES)
         listed = f" CAD files there: {', '.join(there)}." if there else ""
-        problems.add((*key, "file"), f"there is no file '{file}'{near_match(file.name, there) or '.'}{listed}")
+        problems.add((*key, "file"), f"there is no file '{file}'{near_file(file, there)}{listed}")
         return None
     split = None
     if table.split is not None:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from turgor.errors import near_match
+from turgor.errors import near_match, unknown
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
 from turgor.geometry.names import cavity_names
@@ -30,18 +30,22 @@ def read_loads(
     needed: bool = True,
     duration: float | None = None,
 ) -> tuple[Driving, ...]:
-    """Read ``[loads]``: a pressure in all cavities, or in one as ``[loads.cavity_1]`` and the like; gravity, forces."""
+    """Read ``[loads]``: a pressure in all cavities, or in one as ``[loads.cavity_1]`` and the like; gravity, forces.
+
+    ``[loads.tip]`` with a pressure is one on a face that is no cavity.
+    """
     key = ("loads",)
     cavities = ("cavity",) if geometry is None else cavity_names(geometry.faces)
     plain, own, pulled = values, {}, {}
     if isinstance(values, Mapping):
         pulled = {name: value for name, value in values.items() if is_force(name, value, cavities)}
-        own = {n: value for n, value in values.items() if n not in pulled and _is_cavity(n, value, cavities)}
+        faces = cavities if geometry is None else (*cavities, *pressed_faces(geometry))
+        own = {n: value for n, value in values.items() if n not in pulled and _is_face(n, value, faces)}
         plain = {name: value for name, value in values.items() if name not in own and name not in pulled}
         plain = _without_history(plain, cavities, problems)
     table = read_table(LoadsTable, plain, key, problems)
     pressures = {} if table is None or table.pressure is None else _in_all(table.pressure, cavities, own, problems)
-    pressures |= _in_each(own, None if geometry is None else cavities, duration, problems)
+    pressures |= _in_each(own, geometry, duration, problems)
     if table is None:
         return ()
     loads: list[Driving] = [pressures[name] for name in (*cavities, *pressures) if name in pressures]
@@ -69,9 +73,9 @@ def _without_history(values: Mapping[str, Any], cavities: tuple[str, ...], probl
     return {name: value for name, value in values.items() if name != "history" or not cavities}
 
 
-def _is_cavity(name: str, value: object, cavities: tuple[str, ...]) -> bool:
-    """Whether a key of ``[loads]`` stands for a cavity: it is a name of one, or holds a table."""
-    called = name in cavities or name.startswith("cavity_")
+def _is_face(name: str, value: object, faces: tuple[str, ...]) -> bool:
+    """Whether a key of ``[loads]`` stands for a cavity or another face: it is a name of one, or holds a table."""
+    called = name in faces or name.startswith("cavity_")
     return called or (isinstance(value, Mapping) and name not in LoadsTable.model_fields)
 
 
@@ -87,16 +91,15 @@ def _in_all(
 
 
 def _in_each(
-    own: Mapping[str, Any], cavities: tuple[str, ...] | None, duration: float | None, problems: Problems
+    own: Mapping[str, Any], geometry: Geometry | None, duration: float | None, problems: Problems
 ) -> dict[str, Pressure]:
-    """Pressures of tables such as ``[loads.cavity_1]``; ``cavities`` is None if the shape is unknown."""
+    """Pressures of tables such as ``[loads.cavity_1]`` or ``[loads.tip]``; the geometry is None if it is unknown."""
     found = {}
     for name, values in own.items():
         key = ("loads", name)
-        if cavities is not None and name not in cavities:
-            hint = near_match(name, cavities) or "."
-            known = f" Its cavities are {', '.join(cavities)}." if cavities else ""
-            problems.add(key, f"the actuator has no cavity '{name}'{hint}{known}")
+        wrong = "" if geometry is None else _no_face(name, geometry)
+        if wrong:
+            problems.add(key, wrong)
             continue
         table = read_table(CavityTable, values, key, problems)
         if table is None:
@@ -105,6 +108,22 @@ def _in_each(
         if made is not None:
             found[name] = made
     return found
+
+
+def _no_face(name: str, geometry: Geometry) -> str:
+    """Why no pressure can act on a face of this name; empty where one can."""
+    cavities, faces = cavity_names(geometry.faces), pressed_faces(geometry)
+    if name in (*cavities, *faces):
+        return ""
+    if name.startswith("cavity"):
+        known = f" Its cavities are {', '.join(cavities)}." if cavities else ""
+        return f"the actuator has no cavity '{name}'{near_match(name, cavities) or '.'}{known}"
+    return str(unknown("face", name, (*cavities, *faces)))
+
+
+def pressed_faces(geometry: Geometry) -> tuple[str, ...]:
+    """Return the faces besides cavities that a pressure can act on: all that are no plane of symmetry."""
+    return tuple(face for face in geometry.faces if not face.startswith(("symmetry_", "cyclic_", "cavity")))
 
 
 def _pressure(face: str, table: CavityTable, duration: float | None) -> Pressure:

@@ -75,6 +75,9 @@ def _read_material(
             return None
         kind: Any = LAWS[law]
         table = read_table(law_table(kind), values, key, problems)
+    elif isinstance(values, Mapping) and "library" not in values:
+        problems.add(key, _without_law(values))
+        return None
     else:
         table = read_table(LibraryTable, values, key, problems)
     if table is None:
@@ -94,6 +97,18 @@ def _read_material(
     if table.thickness is not None:
         return _sheet(table, form, material, key, problems)
     return as_solid(material) if form == SOLID else material
+
+
+def _without_law(values: Mapping[str, Any]) -> str:
+    """What is missing of a material that names neither the library nor a law, by the constants that it has."""
+    laws = {name: {item.name for item in fields(kind)} for name, kind in LAWS.items()}
+    given = [key for key in values if any(key in constants for constants in laws.values())]
+    fitting = [name for name, constants in laws.items() if given and set(given) <= constants]
+    if not fitting:
+        return "'library' or 'law' is missing; name a material of the library, or a law and its constants."
+    least = min(fitting, key=lambda name: len(laws[name]))
+    are = "is a constant" if len(given) == 1 else "are constants"
+    return f"'law' is missing; {' and '.join(given)} {are} of law = \"{least}\"."
 
 
 def _keys_of_sheets_fit(table: Any, form: str | None, key: Key, problems: Problems) -> bool:

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import Field
 
-from turgor.errors import near_match
+from turgor.errors import near_file
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.job.tables.cad import SelectorTable, selector_table
 from turgor.job.text.lines import Key
@@ -76,7 +76,7 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
             suffixes = (*READERS, ".stl")  # surfaces can be filled with a mesh
             there = sorted(p.name for p in file.parent.glob("*") if p.suffix.lower() in suffixes)
             listed = f" Mesh files there: {', '.join(there)}." if there else ""
-            problems.add(place, f"there is no file '{file}'{near_match(file.name, there) or '.'}{listed}")
+            problems.add(place, f"there is no file '{file}'{near_file(file, there)}{listed}")
     if problems.found:
         return None
     return problems.attempt(

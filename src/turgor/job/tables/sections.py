@@ -24,6 +24,7 @@ from turgor.meshing.exchange.mesh_file import MeshedShape
 from turgor.meshing.sizing.default_size import default_size
 from turgor.meshing.sizing.sizes import check_face_sizes, check_features, check_settings
 from turgor.meshing.sweeping.swept import check_cells
+from turgor.setups.values import Setup
 from turgor.solvers.procedures.static import Static
 from turgor.units import mm
 
@@ -97,8 +98,11 @@ def _marker(name: str, point: Sequence[float]) -> None:
     marker(name, point)
 
 
-def read_output(values: Any, geometry: Geometry | None, problems: Problems) -> Output | None:
-    """Read ``[output]``: which measures, by default those that the part has, and what else to write."""
+def read_output(values: Any, geometry: Geometry | None, setup: Setup | None, problems: Problems) -> Output | None:
+    """Read ``[output]``: which measures, by default those that the part has, and what else to write.
+
+    To measures that are listed come those that the setup is for.
+    """
     key = ("output",)
     table = read_table(OutputTable, values, key, problems)
     if table is None:
@@ -109,8 +113,10 @@ def read_output(values: Any, geometry: Geometry | None, problems: Problems) -> O
         problems.attempt((*key, "markers", name), partial(_marker, name, point))
     if problems.found:
         return None  # the job is refused: the standard measures, which load the engine, are not needed
+    own = () if setup is None or not table.measures else setup.measures
     return Output(
-        measures=tuple(table.measures) or standard_measures(None if geometry is None else geometry.faces),
+        measures=tuple(dict.fromkeys((*table.measures, *own)))
+        or standard_measures(None if geometry is None else geometry.faces),
         markers={name: (point[0], point[1], point[2]) for name, point in table.markers.items()},
         fields=table.fields,
         pictures=table.pictures,

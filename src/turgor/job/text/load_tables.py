@@ -157,7 +157,7 @@ class LoadsTable(Table):
 
 
 class CavityTable(Table):
-    """``[loads.cavity_1]``: pressure in one cavity, and its history. The name is that of the cavity.
+    """``[loads.cavity_1]``: pressure in one cavity or on another face, and its history. The name is that of the face.
 
     Keys
     ----

@@ -89,7 +89,7 @@ class Problems:
         try:
             return make()
         except TurgorError as error:
-            sentence = str(error)
+            sentence = error.on_command_line
             match = re.match(r"(?:[^;]{0,80}?[.: ])?(\w+) (?:is|holds) ", sentence)
             if match is not None and match[1] in set(fields):
                 key, sentence = (*key, match[1]), sentence[match.end() :]

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, dataclass, fields
 from dataclasses import Field as DataclassField
 from functools import cache, partial
+from types import MappingProxyType
 from typing import Annotated, Any, get_args
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, create_model
@@ -187,6 +188,19 @@ class OutputTable(Table):
     mesh_error: MeshErrorWay = True
 
 
+#: Values of ``type`` by the words that others use for them.
+MEANT: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(("riks", "crisfield", "arclength", "static_riks"), "arc_length"),
+        **dict.fromkeys(("newton", "nonlinear", "static_general", "general"), "static"),
+        **dict.fromkeys(("transient", "implicit", "explicit", "dynamics"), "dynamic"),
+        **dict.fromkeys(("volume", "syringe"), "volume_control"),
+        **dict.fromkeys(("force", "tip_force"), "blocked_force"),
+        "mckibben": "contracting_tube",
+    }
+)
+
+
 @cache
 def dataclass_table(value: type) -> type[Table]:
     """Make the table of a dataclass: one key per field, and a ``type``.
@@ -230,7 +244,7 @@ def chosen_kind(
         return None
     name = str(values["type"])
     if name not in kinds:
-        problems.add((*key, "type"), str(unknown(what, name, (*kinds, *others))))
+        problems.add((*key, "type"), str(unknown(what, name, (*kinds, *others), MEANT)))
         return None
     return kinds[name]
 

@@ -9,18 +9,9 @@ from turgor.units import UNITS
 
 #: Factor to SI of each unit, as testing machines write the unit, by dimension.
 FACTORS: Mapping[str, Mapping[str, float]] = {
-    "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3, "kgf": 9.80665, "gf": 9.80665e-3, "lbf": 4.4482216152605},
+    "force": UNITS["force"],
     "length": UNITS["length"],
-    "stress": {
-        **UNITS["pressure"],
-        "N/mm²": 1e6,
-        "N/mm2": 1e6,
-        "N/mm^2": 1e6,
-        "N/m2": 1.0,
-        "N/m²": 1.0,
-        "kgf/cm²": 98066.5,
-        "kgf/cm2": 98066.5,
-    },
+    "stress": {**UNITS["pressure"], "N/mm^2": 1e6, "N/m²": 1.0, "kgf/cm²": 98066.5},
     "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
     "ratio": {"-": 1.0, "": 1.0, "1": 1.0, "%": 0.01, "mm/mm": 1.0, "m/m": 1.0},
 }
@@ -48,11 +39,15 @@ DIMENSIONS: Mapping[str, str] = {
     "stress_2": "stress",
 }
 
+#: Roles of columns that hold words: the name of a specimen, and the axis along which the stress of a row acts.
+WORDS = ("specimen", "component")
+
 #: Patterns and roles. The first pattern that matches the name, in lower case and without its unit, gives the role.
 _PATTERNS: tuple[tuple[str, str], ...] = (
     (r"^(test |elapsed |total )?time$|^t$", "time"),
     (r"time|cycle|resistance|temperature|width|thickness|area|speed|load factor", ""),
     (r"specimen|sample|replicate|^id$|probe", "specimen"),
+    (r"^(stress )?(component|direction|axis)$", "component"),
     (r"cauchy.*difference|difference.*cauchy|stress difference", "cauchy_difference"),
     (r"(engineering|nominal|^eng\.?|piola|pk1).*stress.*(?<!\d)2$", "nominal_stress_2"),
     (r"(engineering|nominal|^eng\.?|piola|pk1).*stress", "nominal_stress"),
@@ -63,7 +58,8 @@ _PATTERNS: tuple[tuple[str, str], ...] = (
     (r"(true|log\w*|hencky).*strain", "true_strain"),
     (r"shear.*(strain|amount)|amount.*shear|gamma|γ", "shear"),
     (r"strain|dehnung|elongation at", "nominal_strain"),
-    (r"(stretch|lambda|λ).*(?<!\d)2$", "stretch_2"),
+    (r"(stretch|lambda|λ).*(?<!\d)2( \(?(fixed|held|constant)\)?)?$", "stretch_2"),
+    (r"^(fixed|held|constant|transverse|lateral) (stretch|lambda|λ)$", "stretch_2"),
     (r"stretch|lambda|λ", "stretch"),
     (r"extension|displacement|elongation|crosshead|travel|weg", "extension"),
     (r"length|grip|distance", "length"),
@@ -82,7 +78,7 @@ class Column:
     name : str
         Name as written in the file.
     role : str
-        A key of `DIMENSIONS`, or ``specimen``.
+        A key of `DIMENSIONS`, or one of `WORDS`.
     factor : float
         Factor from its numbers to SI.
     """
@@ -121,7 +117,7 @@ def find_columns(names: Sequence[str], roles: Mapping[str, str], file: str) -> t
     for index, name in enumerate(names):
         text, unit = split_unit(name)
         role = stated.get(index, role_of(text))
-        if role == "specimen":
+        if role in WORDS:
             found.append(Column(index=index, name=name, role=role, factor=1.0))
         elif role == "time" and unit not in FACTORS["time"] and index not in stated:
             continue  # a clock or a counter; what needs a time raises its own error
@@ -139,6 +135,8 @@ def split_unit(name: str) -> tuple[str, str | None]:
     (('Engineering Stress', 'MPa'), ('force', 'N'), ('stretch', '-'), ('Strain', None))
     """
     bracket = re.fullmatch(r"(.*?)\s*[(\[]([^)\]]*)[)\]]\s*", name)
+    if bracket and bracket[2].strip().lower() in ("fixed", "held", "constant"):
+        return name, None
     if bracket:
         return bracket[1], bracket[2].strip()
     last = re.search(r"[_ ,]([^_ ,]+)$", name)

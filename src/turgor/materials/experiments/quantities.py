@@ -14,8 +14,6 @@ from turgor.materials.experiments.header_sizes import Sizes
 Array: TypeAlias = NDArray[np.float64]
 Columns: TypeAlias = Mapping[str, Column]
 
-_EXAMPLE = 'specimen=Specimen(length=33*mm, width=6*mm, thickness=3*mm) or --specimen "33 mm, 6 mm, 3 mm"'
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Quantity:
@@ -91,11 +89,12 @@ def stress_quantity(
         return _from_force(file, columns, sizes)
     if "stress" not in columns:
         found = ", ".join(f"'{column.name}'" for column in columns.values())
-        raise TurgorError(f"'{file}' has no such column of stress or force (found: {found}); name it with columns.")
+        raise TurgorError(f"'{file}' has no such column of stress or force (found: {found}); name it in the header.")
     if measure is None:
         raise TurgorError(
-            f"'{file}': is '{columns['stress'].name}' force per initial area or force per current area? Answer with "
-            'stress_measure="nominal" or stress_measure="cauchy"; on the command line with --stress.'
+            f"'{file}': is '{columns['stress'].name}' force per initial area or force per current area?",
+            python='Answer with stress_measure="nominal" or stress_measure="cauchy".',
+            command="Answer with --stress nominal or --stress cauchy.",
         )
     return _of_measure("stress", measure, columns, mode)
 
@@ -129,15 +128,16 @@ def _from_length(file: str, columns: Columns, sizes: Callable[[], Sizes]) -> Qua
     if role not in columns:
         found = ", ".join(f"'{column.name}'" for column in columns.values()) or "none that is known"
         raise TurgorError(
-            f"'{file}' has no column of stretch, strain, length or extension (found: {found}); "
-            "name it with columns={'stretch': ...}."
+            f"'{file}' has no column of stretch, strain, length or extension (found: {found}).",
+            python="Name it with columns={'stretch': ...}.",
+            command="Name it so in the header, such as 'stretch'.",
         )
     stated = sizes()
     initial = stated.length
     if initial is None:
         raise TurgorError(
-            f"'{file}' holds {role}s{_known(stated)}; give the dimensions of the specimen, as by {_EXAMPLE}, or write "
-            "'# Length = 33 mm' above the names of the columns."
+            f"'{file}' holds {role}s{_known(stated)}, and their initial length is not stated.",
+            **_given("# Length = 33 mm"),
         )
     ahead = initial if role == "extension" else 0.0
     text = f"'{columns[role].name}' with an initial length of {initial * 1e3:g} mm{_origin(stated, 'length')}"
@@ -149,8 +149,8 @@ def _from_force(file: str, columns: Columns, sizes: Callable[[], Sizes]) -> Quan
     section = stated.section
     if section is None:
         raise TurgorError(
-            f"'{file}' holds forces{_known(stated)}; give the section of the specimen, as by {_EXAMPLE}, or write "
-            "'# Cross-section = 18 mm²' above the names of the columns."
+            f"'{file}' holds forces{_known(stated)}, and the section of the specimen is not stated.",
+            **_given("# Cross-section = 18 mm²"),
         )
     text = f"force over an area of {section * 1e6:g} mm²{_origin(stated, 'area', 'width', 'thickness')}"
     return Quantity(role="force", text=text, convert=lambda values, _: values / section)
@@ -192,3 +192,12 @@ def _over_stretch(values: Array, stretch: Array | None) -> Array:
 def _exponential(strain: Array, stretch: Array | None) -> Array:
     with np.errstate(over="ignore"):
         return np.asarray(np.exp(strain))  # MaterialTest raises an error for infinity
+
+
+def _given(line: str) -> dict[str, str]:
+    """How the dimensions of a specimen are given, in Python and on the command line."""
+    give, or_write = "Give the dimensions of the specimen,", f"or write '{line}' above the names of the columns."
+    return {
+        "python": f"{give} such as specimen=Specimen(length=33*mm, width=6*mm, thickness=3*mm), {or_write}",
+        "command": f'{give} such as --specimen "33 mm, 6 mm, 3 mm", {or_write}',
+    }

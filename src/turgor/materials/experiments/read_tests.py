@@ -6,9 +6,10 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
-from turgor.materials.experiments.columns import Column, find_columns
+from turgor.materials.experiments.columns import Column, find_columns, role_of, split_unit
 from turgor.materials.experiments.header_sizes import Sizes, sizes_of
 from turgor.materials.experiments.material_test import MODES, Array, Edit, MaterialTest
 from turgor.materials.experiments.quantities import second_stress, stress_quantity, stretch_quantity
@@ -76,8 +77,9 @@ def read_test(
     if len(found) > 1:
         names = ", ".join(test.name for test in found)
         raise TurgorError(
-            f"'{Path(path).name}' holds {len(found)} specimens ({names}); read them with read_tests, "
-            "and average them if they are replicates (--average on the command line)."
+            f"'{Path(path).name}' holds {len(found)} specimens ({names}).",
+            python="Read them with read_tests, and average them if they are replicates.",
+            command="If they are replicates, average them with --average.",
         )
     return found[0]
 
@@ -105,11 +107,12 @@ def read_tests(
             raise TurgorError(f"'{table.file}' has {len(table.rows[0])} columns, and {len(columns)} names were given.")
     if not table.names:
         raise TurgorError(
-            f"'{table.file}' has no header line; name its columns in order, for example "
-            "columns=('stretch', 'nominal_stress_MPa')."
+            f"'{table.file}' has no header line.",
+            python="Name its columns in order, for example columns=('stretch', 'nominal_stress_MPa').",
+            command="Write one with the names of its columns, for example stretch,nominal_stress_MPa.",
         )
     roles = columns if isinstance(columns, Mapping) else {}
-    mode = _mode(table.file, mode)
+    mode = _mode(table.file, mode, table.names)
     if stress_measure not in (None, *_MEASURES):
         raise unknown("stress_measure", str(stress_measure), _MEASURES)
     tests = []
@@ -120,14 +123,17 @@ def read_tests(
         if turn is not None and not cyclic:
             raise TurgorError(
                 f"'{table.file}': the stretch turns round at row {turn + 1} of the numbers, from "
-                f"{test.stretch[turn - 1]:.4g} to {test.stretch[turn]:.4g}. If these are cycles, read with cyclic=True "
-                "and choose one with select_cycle (--cycle on the command line); if not, correct the row."
+                f"{test.stretch[turn - 1]:.4g} to {test.stretch[turn]:.4g}. If these are no cycles, correct the row; "
+                "if they are,",
+                python="read with cyclic=True and choose one with select_cycle.",
+                command="choose one with --cycle.",
             )
         tests.append(test)
     return tuple(tests)
 
 
-def _mode(file: str, mode: str | None) -> str:
+def _mode(file: str, mode: str | None, names: Sequence[str]) -> str:
+    """The mode that is stated, or that the name of the file or a second stretch tells."""
     if mode is not None:
         if mode == "pure_shear":
             return "planar"
@@ -138,7 +144,13 @@ def _mode(file: str, mode: str | None) -> str:
     for word, known in _MODE_WORDS:
         if word in words:
             return known
-    raise TurgorError(f"'{file}' does not say how the specimen was loaded; give mode, one of {', '.join(MODES)}.")
+    if any(role_of(split_unit(name)[0]) in ("component", "cauchy_difference") for name in names):
+        return "biaxial"  # nothing else has a second axis
+    raise TurgorError(
+        f"'{file}' does not say how the specimen was loaded.",
+        python=f"Give mode, one of {', '.join(MODES)}.",
+        command=f"Say it with --mode, one of {', '.join(MODES)}.",
+    )
 
 
 def _for_mode(columns: Sequence[Column], mode: str) -> tuple[Column, ...]:
@@ -203,12 +215,19 @@ def _test(
     biaxial = mode == "biaxial"
     second = second_stress(table.file, columns, measure, pull) if biaxial else None
     across = ("stretch_2",) if biaxial and "stretch_2" in columns else ()
+    sided = ("component",) if biaxial and "component" in columns else ()
     roles = (along.role, pull.role, *across, *((second.role,) if second else ()))
+    if sided and not across:
+        raise TurgorError(f"'{table.file}' names components of the stress, but has no column of a second stretch.")
     table, gone = table.complete(columns[role].index for role in roles)
     values = {role: table.column(columns[role].index) * columns[role].factor for role in roles}
-    stretch = along.convert(values[along.role], None)
+    stretch, across_it = along.convert(values[along.role], None), values.get("stretch_2")
+    if sided and across_it is not None:
+        turned = _along_second(table, columns["component"])  # the rubber is the same along both axes
+        stretch, across_it = np.where(turned, across_it, stretch), np.where(turned, stretch, across_it)
     difference = pull.role == "cauchy_difference"
     alone = " along the first axis" if biaxial and second is None and not difference else ""
+    alone = f" along the axis that '{columns['component'].name}' names" if sided else alone
     how = f"{along.text}; {pull.text}{alone}" + (f"; {second.text}" if second else "")
     time, clock = _time(table, columns.get("time"))
     return MaterialTest(
@@ -217,12 +236,26 @@ def _test(
         nominal_stress=pull.convert(values[pull.role], stretch),
         name=name,
         source=Source(text=f"test {name}", detail=f"{table.file}: {how}"),
-        stretch_2=values.get("stretch_2"),
-        nominal_stress_2=second.convert(values[second.role], values.get("stretch_2")) if second else None,
+        stretch_2=across_it,
+        nominal_stress_2=second.convert(values[second.role], across_it) if second else None,
         cauchy_difference=difference,
         time=time,
         edits=(Edit(text=f"Read {len(stretch)} rows; {how}{clock}{gone}."),),
     )
+
+
+def _along_second(table: Table, column: Column) -> NDArray[np.bool_]:
+    """Whether the stress of each row acts along the second axis, by words such as ``2``, ``sigma_22`` or ``y``."""
+    second = []
+    for line, row in zip(table.lines, table.rows, strict=True):
+        word = row[column.index].strip().lower() if column.index < len(row) else ""
+        match = re.fullmatch(r".*?(1|2|x|y|first|second)", word)
+        if match is None:
+            raise TurgorError(
+                f"'{table.file}', line {line}: '{word}' in column '{column.name}' is no axis; write 1 or 2."
+            )
+        second.append(match[1] in ("2", "y", "second"))
+    return np.array(second)
 
 
 def _time(table: Table, column: Column | None) -> tuple[Array | None, str]:

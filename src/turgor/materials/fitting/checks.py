@@ -118,8 +118,8 @@ def _check_stability(found: "Fit") -> tuple[Finding, ...]:
             code=doubt.code,
             severity=doubt.severity,
             message=doubt.message,
-            advice="Stay below the stated stretch, or fit with a wider range (--range, stretch=...), within which a "
-            "law is kept stable.",
+            advice="Stay below the stated stretch, or fit with a wider range of stretches, within which a law is "
+            "kept stable.",
         )
         for doubt in unstable_law(found.law)
     )

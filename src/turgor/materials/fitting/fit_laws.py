@@ -8,6 +8,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from turgor.errors import TurgorError, unknown
+from turgor.materials.experiments.copies import check_copies
 from turgor.materials.experiments.material_test import Array, MaterialTest
 from turgor.materials.fitting.checks import covered_range, fit_findings
 from turgor.materials.fitting.constrained import solve_constrained
@@ -89,7 +90,7 @@ def fit(
         weights=weights,
         tests=used,
     )
-    return fitted.with_findings(fit_findings(fitted, given))
+    return fitted.with_findings((*fit_findings(fitted, given), *check_copies(given)))
 
 
 def _used(

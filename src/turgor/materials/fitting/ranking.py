@@ -43,7 +43,13 @@ class Ranking:
     @property
     def words(self) -> tuple[str, ...]:
         """Sentences that help to choose a law: order, modes, range and search."""
-        return (*_on_order(self.fits), *_on_modes(self.fits), *_on_range(self.fits), *_on_search(self.fits))
+        return (
+            *_on_order(self.fits),
+            *_on_modes(self.fits),
+            *_on_range(self.fits),
+            *_on_search(self.fits),
+            *_on_tests(self.fits),
+        )
 
 
 def rank(
@@ -110,6 +116,11 @@ def _on_modes(fits: Sequence[Fit]) -> list[str]:
                 said.setdefault(found.message, []).append(each.spec.name)
                 advice = found.advice
     return [f"{', '.join(names)}: {message} (M02)" for message, names in said.items()] + ([advice] if advice else [])
+
+
+def _on_tests(fits: Sequence[Fit]) -> list[str]:
+    """Sentences on series that are copies of each other (P08)."""
+    return [f"{found.message} {found.advice} (P08)" for found in fits[0].findings if found.code == "P08"]
 
 
 def _on_range(fits: Sequence[Fit]) -> list[str]:

@@ -11,6 +11,7 @@ from typing import Any
 from turgor.errors import TurgorError, near_match
 from turgor.materials.library.record import FILE_KEYS, Record, read_record
 from turgor.materials.library.table_keys import table
+from turgor.toml_text import read_toml
 
 _NO_SEPARATORS = str.maketrans("", "", "-_ ")
 
@@ -45,7 +46,10 @@ def records(name: str) -> tuple[Record, ...]:
     names = library()
     if name not in names:
         near = [known for known in names if known.replace("-", "") == name.lower().translate(_NO_SEPARATORS)]
+        family = [known for known in names if known.startswith(f"{name.lower()}-")]
         hint = f"; did you mean '{near[0]}'?" if near else near_match(name.lower(), names) or "."
+        if family and not near:
+            hint = f"; did you mean {' or '.join(repr(each) for each in family)}?"
         raise TurgorError(f"unknown library material '{name}'{hint} Known: {', '.join(names)}.")
     return _library_records(name)
 
@@ -106,10 +110,7 @@ def _library_records(name: str) -> tuple[Record, ...]:
 
 
 def _read(text: str, name: str) -> tuple[Record, ...]:
-    try:
-        content: Mapping[str, Any] = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise TurgorError(f"'{name}' is not valid TOML: {error}.") from None
+    content: Mapping[str, Any] = read_toml(text, name)
     table(content, name, FILE_KEYS, ("name", "records"))
     table(content["records"], f"{name}: records")
     numbered = references()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError, near_file, near_match
 from turgor.finding import Finding, Severity
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.exchange.boundary import Sides, sides_of
@@ -133,7 +133,7 @@ def _read(file: Path) -> RawMesh:
         raise TurgorError(f"'{file}' has the ending '{file.suffix}', which is no mesh file{what} Known: {known}.")
     if not file.is_file():
         there = sorted(entry.name for entry in file.parent.glob(f"*{file.suffix}")) if file.parent.is_dir() else []
-        raise TurgorError(f"there is no mesh file '{file}'{near_match(file.name, there) or '.'}")
+        raise TurgorError(f"there is no mesh file '{file}'{near_file(file, there)}")
     try:
         return reader(file)
     except TurgorError:

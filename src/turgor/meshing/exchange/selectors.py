@@ -116,7 +116,7 @@ def picked_cells(selectors: Sequence[Selector], centers: Array) -> Ints:
     for selector in selectors:
         if not isinstance(selector, InBox):
             raise TurgorError(
-                f"{type(selector).__name__} does not mean cells; regions are groups of the file or boxes (InBox)."
+                f"{type(selector).__name__} does not mean cells; regions are groups of the file or boxes."
             )
         mask &= ((centers >= np.array(selector.low)) & (centers <= np.array(selector.high))).all(axis=1)
     return np.flatnonzero(mask)

@@ -26,7 +26,7 @@ from turgor.solvers.procedures.static import Static
 from turgor.study.computation import Computation
 from turgor.study.evaluations import Evaluations
 from turgor.study.factor import Value
-from turgor.study.job_runs import forget_path, measured_job, solution_of_job
+from turgor.study.job_runs import forget_path, last_state_of, measured_job, solution_of_job
 from turgor.study.jobs.columns import unit_of_column
 from turgor.study.jobs.job_file import JobFile, job_file
 from turgor.study.jobs.job_numbers import any_number
@@ -154,6 +154,10 @@ def solved_design(
     if workspace:
         response = with_workspace(response, Path(job), numbers, workspace)
     drawn = picture(solution, width=PICTURE_WIDTH).png if solution.states else b""
+    if solution.states:
+        last = last_state_of(job, digest, numbers)
+        last.parent.mkdir(parents=True, exist_ok=True)
+        replace(solution, states=solution.states[-1:]).save(last)
     forget_path(job, digest, numbers)
     return Computed(response=response, picture=drawn, notes=notes)
 

@@ -1,6 +1,5 @@
 """Study files of an optimization: factors, goals and settings as TOML, beside a job file."""
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -26,6 +25,8 @@ from turgor.optimization.search import Search
 from turgor.study.factor import Factor, Value
 from turgor.study.jobs.job_factors import job_factor
 from turgor.study.jobs.job_file import JobFile
+from turgor.study.jobs.study_file import flat_keys
+from turgor.toml_text import read_toml
 
 Made = TypeVar("Made")
 
@@ -88,11 +89,10 @@ def read_study_file(path: str | Path) -> StudyFile:
     """
     path = Path(path)
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise TurgorError(f"'{path}' cannot be read: {error}.") from None
-    except tomllib.TOMLDecodeError as error:
-        raise TurgorError(f"'{path}' is no TOML: {error}.") from None
+    content = read_toml(text, str(path))
     check_keys(content, KEYS, str(path))
     for key in ("job", "factors"):
         if not content.get(key):
@@ -103,7 +103,7 @@ def read_study_file(path: str | Path) -> StudyFile:
     return StudyFile(
         file=path,
         job=path.parent / str(content["job"]),
-        factors={key: _factor_table(key, each, path) for key, each in _table(content, "factors", path).items()},
+        factors=_factor_tables(_table(content, "factors", path), path),
         goals=tuple(goals),
         workspace=read_workspace(_table(content, "workspace", path), f"{path}: [workspace]"),
         casting=casting if "casting" in content else None,
@@ -151,6 +151,12 @@ def read_factors(study: StudyFile, base: JobFile) -> tuple[list[Factor], dict[st
         found.append(factor)
         start[factor.name] = round(begin) if number.whole else min(max(begin, low), high)
     return found, start
+
+
+def _factor_tables(given: Table, path: Path) -> dict[str, Table]:
+    """Ranges by their keys with dots between."""
+    named = {".".join(place): each for place, each in flat_keys(given)}
+    return {key: _factor_table(key, each, path) for key, each in named.items()}
 
 
 def _factor_table(key: str, given: Any, path: Path) -> Table:

@@ -4,11 +4,14 @@ import csv
 from math import isfinite
 from pathlib import Path
 
-from turgor.optimization.figure import before_and_after, optimization_figure
+from turgor.optimization.figure import before_and_after, ends_of, optimization_figure
 from turgor.optimization.result import Optimization
 from turgor.response import COLUMN_UNITS
 from turgor.results.plots.figures import write_figure
+from turgor.solvers.solution import State
+from turgor.solvers.stored import load
 from turgor.store.whole import whole
+from turgor.study.job_runs import last_state_of
 from turgor.study.jobs.job_file import JobFile
 from turgor.units import unit_value
 
@@ -45,11 +48,19 @@ def write_optimization(found: Optimization, folder: str | Path, base: JobFile | 
     if base is not None:
         files.append(folder / BEST)
         base.write(found.values, files[-1], f"Optimized:\n{found.summary()}")
-    drawn = before_and_after(found)
+    drawn = before_and_after(found, () if base is None else _last_states(found, base))
     if drawn is not None:
         files.append(folder / BEFORE_AND_AFTER)
         write_figure(files[-1], drawn)
     return tuple(files)
+
+
+def _last_states(found: Optimization, base: JobFile) -> tuple[State, ...]:
+    """The last states of the start and of the best design; none where a run has kept none."""
+    where = base.values
+    rows = (found.study.rows[number] for number in ends_of(found))
+    files = [last_state_of(str(where["job"]), str(where["digest"]), row.values) for row in rows]
+    return tuple(load(file).states[-1] for file in files) if all(file.is_file() for file in files) else ()
 
 
 def write_candidates(found: Optimization, file: Path) -> None:

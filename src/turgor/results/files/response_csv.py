@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError, near_file
 from turgor.response import COLUMN_UNITS, Column, Response, split_header
 from turgor.source import Source
 
@@ -33,8 +33,8 @@ def read_response(path: str | Path, source: Source | None = None) -> Response:
     """
     path = Path(path)
     if not path.is_file():
-        near = near_match(path.name, [p.name for p in path.parent.glob("*.csv")]) if path.parent.is_dir() else ""
-        raise TurgorError(f"response file '{path}' does not exist{near or '.'}")
+        there = [each.name for each in path.parent.glob("*.csv")] if path.parent.is_dir() else []
+        raise TurgorError(f"response file '{path}' does not exist{near_file(path, there)}")
     with path.open(newline="", encoding="utf-8-sig") as file:
         rows = [(line, row) for line, row in enumerate(csv.reader(file), start=1) if row]
     if len(rows) < 2:

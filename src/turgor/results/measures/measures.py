@@ -1,7 +1,8 @@
 """Measures: each is a number read off one state; `measure` reads them along a path into a `Response`."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -216,7 +217,7 @@ def find_measure(name: str) -> Measure:
         return area_on(name.removesuffix("_contact_area"))
     if name.endswith("_force"):
         return force_on(name.removesuffix("_force"))
-    raise unknown("measure", name, MEASURES)
+    raise unknown("measure", name, MEASURES, MEANT)
 
 
 def volume_of(cavity: str) -> Measure:
@@ -368,6 +369,19 @@ STANDARD_MEASURES: tuple[Measure, ...] = (
     bending_angle, tip_displacement, cavity_volume, principal_stretch_p99, maximum_principal_stretch, von_mises_p99,
     maximum_von_mises, reaction,
 )  # fmt: skip
+
+#: Measures by the words that others use for them.
+MEANT: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(("angle", "bend", "bending", "tip_angle"), "bending_angle"),
+        **dict.fromkeys(("twist", "torsion"), "twist_angle"),
+        **dict.fromkeys(("displacement", "deflection", "tip", "u"), "tip_displacement"),
+        **dict.fromkeys(("volume", "v"), "cavity_volume"),
+        **dict.fromkeys(("stress", "mises", "von_mises", "s"), "von_mises_p99"),
+        **dict.fromkeys(("stretch", "strain", "principal_stretch"), "principal_stretch_p99"),
+        **dict.fromkeys(("force", "reaction_force", "rf"), "reaction"),
+    }
+)
 
 #: Every ready-made measure by name: those that the files of this folder define.
 MEASURES: Registry[Measure] = Registry("turgor.results.measures", measures_of)

@@ -95,6 +95,39 @@ def response_figure(response: Response, title: str = "") -> Figure:
     title : str
         Line above the panels.
     """
+    drive, panels = drive_of(response), _panels(response)
+    columns = min(2, len(panels))
+    rows = -(-len(panels) // columns)
+    figure = PlotFigure(figsize=(5.2 * columns, 3.3 * rows + (0.4 if title else 0)))
+    for number, names in enumerate(panels):
+        _plot_lines(figure.add_subplot(rows, columns, number + 1), response, drive, names)
+    if title:
+        known = any(response.mesh_error(name) is not None for names in panels for name in names)
+        title += " · bands: estimated mesh error" if known else ""
+        figure.suptitle(title, x=0.01, ha="left", color=INK, fontsize=13)
+    return figure
+
+
+def panel_figures(response: Response) -> tuple[Figure, ...]:
+    """Draw each panel of `response_figure` as a figure of its own, for pages of any width.
+
+    Parameters
+    ----------
+    response : Response
+
+    Returns
+    -------
+    tuple of Figure
+    """
+    figures = []
+    for names in _panels(response):
+        figures.append(PlotFigure(figsize=(5.2, 3.3)))
+        _plot_lines(figures[-1].add_subplot(), response, drive_of(response), names)
+    return tuple(figures)
+
+
+def _panels(response: Response) -> list[list[str]]:
+    """Columns that share each panel."""
     drive = drive_of(response)
     pressures = [column.name for column in pressures_in(response)]
     measured = [column.name for column in response.quantities if column.name not in ("load_factor", drive, *pressures)]
@@ -104,16 +137,7 @@ def response_figure(response: Response, title: str = "") -> Figure:
         raise TurgorError(f"the response holds {', '.join(response.names)} only; there is nothing to plot against it.")
     if pressures and drive not in pressures:
         panels.insert(0, pressures)
-    columns = min(2, len(panels))
-    rows = -(-len(panels) // columns)
-    figure = PlotFigure(figsize=(5.2 * columns, 3.3 * rows + (0.4 if title else 0)))
-    for number, names in enumerate(panels):
-        _plot_lines(figure.add_subplot(rows, columns, number + 1), response, drive, names)
-    if title:
-        known = any(response.mesh_error(name) is not None for name in chosen)
-        title += " · bands: estimated mesh error" if known else ""
-        figure.suptitle(title, x=0.01, ha="left", color=INK, fontsize=13)
-    return figure
+    return panels
 
 
 def contact_figure(response: Response) -> Figure | None:

@@ -3,10 +3,12 @@
 import json
 import struct
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
+
+from matplotlib.figure import Figure
 
 from turgor.engine.percentiles import PERCENTILE
 from turgor.errors import TurgorError
@@ -21,7 +23,7 @@ from turgor.results.measures.measures import MEASURES, find_measure
 from turgor.results.pictures.picture import Picture as Picture
 from turgor.results.plots.figures import svg_of
 from turgor.results.plots.linked import places_of_points
-from turgor.results.plots.response_plots import response_figure
+from turgor.results.plots.response_plots import panel_figures
 from turgor.results.report import describe, describe_procedure
 from turgor.results.report.contact_report import contact_columns, contact_section
 from turgor.results.report.error_text import last_with_error
@@ -140,6 +142,7 @@ def _context(report: Report, scene: Scene | None) -> dict[str, object]:
         "message": solution.message,
         "advice": solution.advice,
         "findings": list(report.findings),
+        "warnings": [each for each in report.findings if each.severity is Severity.WARNING],
         **_viewer(scene),
         **_response(report),
         "pictures": [{"caption": p.caption, "data": b64encode(p.png).decode()} for p in report.pictures],
@@ -196,21 +199,29 @@ def _viewer(scene: Scene | None) -> dict[str, object]:
 
 def _response(report: Report) -> dict[str, object]:
     """The response: numbers at the end, plots, tables, definitions and mesh errors."""
-    response, plot, places = report.response, "", "[]"
-    if len(response) > 1:
-        figure = response_figure(response)
-        plot = svg_of(figure)
-        places = json.dumps(places_of_points(figure, len(response)))
+    response = report.response
+    linked = len(response) == len(report.solution.states)
+    plots = [_linked(figure, len(response) if linked else 0) for figure in _figures(response)]
     table = response_table(response)
     return {
         "numbers": _numbers(response),
         "percentile": PERCENTILE if {each.name for each in BY_REGION} & set(response.names) else 0,
-        "plot": plot,
-        "places": places if len(response) == len(report.solution.states) else "",
+        "plots": plots,
         "response": {**table, "parts": parted(table)},
         "mesh_errors": _mesh_errors(response),
         "definitions": _definitions(response, contact_columns(report.solution.model)),
     }
+
+
+def _figures(response: Response) -> Sequence[Figure]:
+    """The panels of the response, if it has a path."""
+    return panel_figures(response) if len(response) > 1 else ()
+
+
+def _linked(figure: Figure, rows: int) -> tuple[str, str]:
+    """A plot as SVG, and where the points of its lines lie; nothing where no state belongs to them."""
+    plot = svg_of(figure)  # first, which lays the panel out
+    return plot, json.dumps(places_of_points(figure, rows)) if rows else ""
 
 
 def _mesh_errors(response: Response) -> list[tuple[str, str]]:

@@ -76,8 +76,8 @@ def wrinkled_film(state: State) -> Why | None:
             return Why(
                 f" The film on '{name}' is compressed in {100 * found.wrinkled:.0f} % of its area, by up to "
                 f"{found.largest:.3g} N/m; it has no bending stiffness and wrinkles there.",
-                f"Let '{name}' bend as a sheet does (form = \"shell\", Shell(...)). A film that wrinkles bears hardly "
-                "any compression: let it bear none (compression = 0, Membrane(..., compression=0)).",
+                f"Let '{name}' bend as a sheet does: make it a shell. A film that wrinkles bears hardly any "
+                "compression: let it bear none (compression = 0).",
             )
     return None
 

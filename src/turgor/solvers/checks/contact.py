@@ -180,6 +180,5 @@ def _met(model: Model, cavity: str | None, whom: str, factor: float) -> Finding:
         code="B02",
         severity=Severity.ERROR,
         message=f"{walls} met{whom} at {load}; beyond it they pass through each other, because self-contact is off.",
-        advice=f"Switch it on with self_contact = true under [contact], Contact(self_contact=True) in Python, or use "
-        f"the results below {load} only.",
+        advice=f"Switch self-contact on, or use the results below {load} only.",
     )

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from turgor.engine.algebra.boundary import Held, held_components
 from turgor.engine.points.bearing_term import stopped
 from turgor.engine.points.carriers import with_carried
-from turgor.errors import TurgorError
+from turgor.errors import CheckError
 from turgor.finding import Finding, Severity
 from turgor.meshing.bodies.bodies import Body, find_bodies
 from turgor.meshing.mesh import Mesh
@@ -28,19 +28,19 @@ def check_supports(model: Model, inertia: bool = False) -> None:
     for body in bodies:
         free = 0 if inertia else 6 - _held_motions(model, supports, body)
         if free and len(bodies) == 1:
-            raise TurgorError(
-                f"the supports leave {free} of 6 rigid motions free (B01); hold a face, for example Fixed('fixed')."
+            raise CheckError(
+                f"the supports leave {free} of 6 rigid motions free (B01); fix a face, {_faces_to_hold(body)}."
                 f"{_contact_does_not_hold(model, 1)}"
             )
         if free:
-            raise TurgorError(
+            raise CheckError(
                 f"the supports leave {free} of 6 rigid motions of the body {_named(body)} free (B01); "
-                f"hold one of its faces, {_faces_to_hold(body)}.{_contact_does_not_hold(model, len(bodies))}"
+                f"fix one of its faces, {_faces_to_hold(body)}.{_contact_does_not_hold(model, len(bodies))}"
             )
         materials = [model.region_materials[name] for name in body.regions]
         whole = supports.mask[np.intersect1d(surface, body.nodes)].all()
         if whole and all(material.incompressible for material in materials):
-            raise TurgorError(
+            raise CheckError(
                 "the supports prescribe the whole surface of an incompressible body (B01), which leaves its mean "
                 "stress undetermined; leave a direction of one face free or give the material a bulk_modulus."
             )
@@ -108,7 +108,7 @@ def _faces_to_hold(body: Body) -> str:
     if not faces:
         return "which has no name yet"
     best = next((name for name in faces if name.startswith("fixed")), faces[0])
-    return f"for example Fixed('{best}'); its faces are {', '.join(faces)}"
+    return f"for example '{best}'; its faces are {', '.join(faces)}"
 
 
 def _contact_does_not_hold(model: Model, bodies: int) -> str:
@@ -119,7 +119,8 @@ def _contact_does_not_hold(model: Model, bodies: int) -> str:
         return ""
     return (
         f" Contact with {', '.join(obstacles + others)} does not count: it pushes only while it touches, "
-        "and a body that it alone should hold has no equilibrium before that; Stabilized or Dynamic let it find one."
+        "and a body that it alone should hold has no equilibrium before that; "
+        "the procedures stabilized and dynamic let it find one."
     )
 
 

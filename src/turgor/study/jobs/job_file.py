@@ -85,10 +85,10 @@ def job_file(job: Job, folder: Path) -> JobFile:
         If the folder holds files of something else.
     """
     if folder.exists() and not folder.is_dir():
-        raise TurgorError(f"--output is '{folder}', which is a file; name a folder.")
+        raise TurgorError(f"the folder of results '{folder}' is a file; name another.")
     others = [each for each in folder.iterdir() if not each.name.startswith(START)] if folder.is_dir() else []
     if others and not (folder / START).is_file():  # parts of it are written by another call at this moment
-        raise TurgorError(f"--output is '{folder}', which holds files of something else; name another folder.")
+        raise TurgorError(f"the folder of results '{folder}' holds files of something else; name another.")
     return JobFile(file=folder / START, numbers=write_whole_job(job, folder / START))
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError, near_file, near_match
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
 from turgor.job.read import name_of_file, read_job
@@ -22,6 +22,7 @@ from turgor.study.files.designs_csv import read_designs
 from turgor.study.jobs.columns import unit_of_column
 from turgor.study.jobs.job_factors import RANGE, check_choices, job_factor
 from turgor.study.jobs.job_numbers import numbers_of
+from turgor.toml_text import read_toml
 from turgor.units import UNITS, parse_quantity, split_quantity, unit_value
 
 #: Keys of a study file.
@@ -150,13 +151,13 @@ def read_study_file(path: str | Path, changes: Mapping[str, Any] = MappingProxyT
     """
     path = Path(path)
     if not path.is_file():
-        known = sorted(each.stem for each in path.parent.glob("*.toml")) if path.parent.is_dir() else []
-        raise TurgorError(f"there is no study file '{path}'{near_match(path.stem, known) or '.'}")
+        known = sorted(each.name for each in path.parent.glob("*.toml")) if path.parent.is_dir() else []
+        raise TurgorError(f"there is no study file '{path}'{near_file(path, known)}")
     text = path.read_text(encoding="utf-8-sig")
     try:
-        content = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise JobError([f"{path}: this is not valid TOML: {error}."]) from None
+        content = read_toml(text, str(path))
+    except TurgorError as error:
+        raise JobError([str(error)]) from None
     problems = Problems(str(path), key_lines(text))
     for key in content:
         if key not in SECTIONS:
@@ -202,18 +203,36 @@ def _factors(given: Any, base: JobBase, problems: Problems) -> list[Factor]:
         problems.add(("factors",), f"{given!r} is not a table; write [factors] and its keys below it.")
         return []
     found = []
-    for place, value in _flat(given, ()):
+    for place, value in flat_keys(given):
         factor = problems.attempt(("factors", *place), partial(base.factor, ".".join(place), value))
         if factor is not None:
             found.append(factor)
     return found
 
 
-def _flat(given: Mapping[str, Any], above: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:
-    """Go through keys, whether they stand in quotes or as tables within tables."""
+def flat_keys(given: Mapping[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """Go through factors, whether their keys stand in quotes or as tables within tables.
+
+    Parameters
+    ----------
+    given : mapping
+        ``[factors]`` of a study file.
+    above : tuple of str
+        Keys of the tables around it.
+
+    Yields
+    ------
+    (tuple of str, value)
+        The parts of the key, and levels or a range.
+
+    Examples
+    --------
+    >>> dict(flat_keys({"actuator": {"wall": {"low": "1 mm", "high": "2 mm"}}}))
+    {('actuator', 'wall'): {'low': '1 mm', 'high': '2 mm'}}
+    """
     for name, value in given.items():
         if isinstance(value, Mapping) and not set(value) & set(RANGE):
-            yield from _flat(value, (*above, name))
+            yield from flat_keys(value, (*above, name))
         else:
             yield (*above, name), value
 

@@ -63,7 +63,7 @@ def test_the_same_strip_in_many_tables(file, text):
         ("stretch,stress (MPa)\n1,0\n2,0.2\n", 'stress_measure="nominal" or stress_measure="cauchy"'),
         ("a,b\n1,0\n2,0.2\n", "no column of stretch, strain, length or extension"),
         ("stretch,temperature\n1,0\n2,0.2\n", "no such column of stress or force"),
-        ("1,0\n2,0.2\n", "no header line; name its columns"),
+        ("1,0\n2,0.2\n", "no header line. Name its columns"),
         ("stretch,nominal a (MPa),nominal b (MPa)\n1,0,0\n2,1,1\n", "no such column of stress"),
         ("stretch,nominal stress a (MPa),nominal stress b (MPa)\n1,0,0\n2,1,1\n", "say which with columns"),
     ],
@@ -133,7 +133,7 @@ def test_mode_comes_from_the_name_or_is_asked_for(file):
     text = "stretch,nominal_stress_MPa\n1,0\n2,0.2\n"
     assert read_test(file(text, "pure_shear.csv")).mode == "planar"
     assert read_test(file(text, "Equibiaxial 3.csv")).mode == "equibiaxial"
-    with pytest.raises(TurgorError, match="give mode, one of uniaxial, equibiaxial"):
+    with pytest.raises(TurgorError, match="Give mode, one of uniaxial, equibiaxial"):
         read_test(file(text, "test7.csv"))
     with pytest.raises(TurgorError, match="did you mean 'planar'"):
         read_test(file(text), mode="planr")

@@ -117,7 +117,11 @@ def test_the_dimensions_of_the_specimen_may_stand_in_the_header(file, header):
 @pytest.mark.parametrize(
     ("header", "specimen", "sentence"),
     [
-        ("# Length = 11mm\n", None, "holds forces, and its header states only 'Length = 11mm'; give the section"),
+        (
+            "# Length = 11mm\n",
+            None,
+            "holds forces, and its header states only 'Length = 11mm', and the section of the specimen is not stated",
+        ),
         ("# Length = 11mm\n# Stroke length: 50 mm\n# L0: 12 mm\n", None, "states both 'Length = 11mm' and 'L0: 12 mm'"),
         ("# Length = 11\n# area 3 mm²\n", None, "'Length = 11' in its header states no unit .* '11 mm'"),
         ("# Length = 0 mm\n", None, "'Length = 0 mm' in its header is no dimension"),

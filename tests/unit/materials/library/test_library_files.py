@@ -86,7 +86,7 @@ MISTAKES = [
     ),
     ('"0.5 MPa^-1"', '"-0.5 MPa^-1"', "records.june.compressibility: D1 must be positive"),
     ('"0.5 MPa^-1"', '"a MPa^-1"', "records.june.compressibility.D1: 'a MPa^-1' is not a number with a unit."),
-    ('doubts = ["The', 'doubts = "The', "ours.toml' is not valid TOML"),
+    ('doubts = ["The', 'doubts = "The', "ours.toml:23: this is not valid TOML: Expected newline"),
     ('cited_by = ["a thesis"]', 'cited_by = "a thesis"', "records.june: 'cited_by' is 'a thesis'; a list of texts"),
     ("[supplier]", "kind = 'gum'\n[supplier]", "ours.toml: kind is 'gum'; allowed is rubber, fiber, sheet, composite."),
 ]

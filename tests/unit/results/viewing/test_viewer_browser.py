@@ -120,6 +120,26 @@ def test_a_click_on_a_curve_chooses_its_state(shown):
         assert shown.page.locator("[data-v=slider]").input_value() == "1", plot
 
 
+@pytest.mark.parametrize("width", [1400, 800, 390])
+def test_nothing_leaves_the_page(driver, report, width):
+    """Cards hold their numbers, letters of the charts stay small, and no part is wider than the window."""
+    with opened(driver, report) as page:
+        page.page.set_viewport_size({"width": width, "height": 900})
+        found = page.page.evaluate(
+            """() => ({
+              wide: document.documentElement.scrollWidth,
+              cards: [...document.querySelectorAll(".numbers b")].map((b) => b.scrollWidth - b.clientWidth),
+              caption: (([o, v]) => v.right - o.right)([".v-path output", ".viewer"].map(
+                (name) => document.querySelector(name).getBoundingClientRect())),
+              letters: [...document.querySelectorAll(".v-number")].map((text) => text.getBoundingClientRect().height),
+            })"""
+        )
+    assert found["wide"] <= width
+    assert max(found["cards"]) <= 0
+    assert found["caption"] >= 0
+    assert max(found["letters"]) < 24
+
+
 def test_a_cut_opens_the_cavity(shown):
     shown.change("slider", "2")
     whole = image(shown.pixels())

@@ -77,6 +77,6 @@ def test_a_sensitivity(call, tmp_path):
     code, said, told = call("sensitivity", 2)
     assert code == DONE
     assert told.count(": done, ") == 2
-    assert said.startswith("tip displacement x: actuator.wall 1e+02 %")
+    assert said.startswith("tip displacement x: actuator.wall 100 %")
     index = json.loads((tmp_path / "walls-study" / "study.json").read_text(encoding="utf-8"))
     assert [each["problem"] for each in index["rows"]] == [""] * 2

@@ -93,7 +93,7 @@ def _findings(name: str, said: list[str]) -> tuple[Finding, ...]:
             code="D06",
             severity=Severity.NOTE,
             message=f"The surface of '{name}' was repaired: {'; '.join(said)}.",
-            advice="Look at the part with `turgor inspect --picture` to see that it is the one that you mean.",
+            advice="Look at a picture of the part to see that it is the one that you mean.",
         ),
     )
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from turgor.engine.chambers import cavity_volume
 from turgor.model.drive import extremes, pressures_at
 from turgor.model.loads import Gravity
-from turgor.solvers.checks.plausibility.of_materials import RIGID
+from turgor.solvers.checks.plausibility.of_materials import RIGID, has_rubber
 from turgor.solvers.checks.plausibility.of_shapes import region_volume
 from turgor.solvers.checks.plausibility.question import Magnitude, Question, shown
 from turgor.solvers.procedures.volume_control import VolumeControl
@@ -32,8 +32,8 @@ def pressure_over_stiffness(question: Question) -> Iterator[Magnitude]:
     model, stiffness = question.model, _stiffness(question)
     pressed = {face: max(map(abs, values)) for face, values in _pressures(question).items()}
     cavities = {face: p for face, p in pressed.items() if p and face in model.mesh.cavities}
-    if not cavities or not stiffness:
-        return
+    if not cavities or not stiffness or not has_rubber(question):
+        return  # the range is that of rubber: a bellows of metal moves little
     work = sum(p * abs(cavity_volume(model.mesh, face)) for face, p in cavities.items())
     face, pressure = max(cavities.items(), key=lambda each: each[1])
     # in a thick wall the pressure alone counts, however small the cavity

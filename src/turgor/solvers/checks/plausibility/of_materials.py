@@ -48,9 +48,21 @@ def locking_stretch(question: Question) -> Iterator[Magnitude]:
             yield _of(each, _uniaxial(3 * each.law.locking_stretch**2 - 3))
 
 
-def density(question: Question) -> Iterator[Magnitude]:
-    """Density of every material that states one [kg/m³]."""
-    return (_of(each, each.density) for each in materials_of(question) if each.density is not None)
+def rubber_density(question: Question) -> Iterator[Magnitude]:
+    """Density of every region's rubber that states one [kg/m³]."""
+    return (_of(each, each.density) for each, stiff in _solids(question) if each.density is not None and not stiff)
+
+
+def stiff_density(question: Question) -> Iterator[Magnitude]:
+    """Density of stiff parts, sheets and threads that state one [kg/m³]."""
+    rubbers = [each for each, stiff in _solids(question) if not stiff]
+    others = (each for each in materials_of(question) if each not in rubbers)
+    return (_of(each, each.density) for each in others if each.density is not None)
+
+
+def has_rubber(question: Question) -> bool:
+    """Whether any region is a rubber."""
+    return any(not stiff for _, stiff in _solids(question))
 
 
 def sheet_modulus(question: Question) -> Iterator[Magnitude]:

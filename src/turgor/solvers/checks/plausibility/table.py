@@ -71,8 +71,8 @@ ROWS: tuple[Row, ...] = (
         read=of_materials.rubber_modulus,
     ),
     Row(
-        code="P01", quantity="initial shear modulus of a stiff part", low=of_materials.STIFFEST_RUBBER, high=30e9,
-        unit="Pa", source="paper to aluminum", advice="Check the unit of Young's modulus.",
+        code="P01", quantity="initial shear modulus of a stiff part", low=of_materials.STIFFEST_RUBBER, high=200e9,
+        unit="Pa", source="paper to tungsten, 161 GPa; steel has 80 GPa", advice="Check the unit of Young's modulus.",
         read=of_materials.stiff_modulus,
     ),
     Row(
@@ -88,9 +88,14 @@ ROWS: tuple[Row, ...] = (
         read=of_materials.locking_stretch,
     ),
     Row(
-        code="P01", quantity="density", low=500.0, high=3000.0, unit="kg/m³",
-        source="Elastosil 1130, paper 750, Kevlar 1440 kg/m³ in the library",
-        advice="Check its unit: 1.07 g/cm³ are 1070 kg/m³.", read=of_materials.density,
+        code="P01", quantity="density of a rubber", low=500.0, high=3000.0, unit="kg/m³",
+        source="Elastosil 1130 kg/m³ in the library",
+        advice="Check its unit: 1.07 g/cm³ are 1070 kg/m³.", read=of_materials.rubber_density,
+    ),
+    Row(
+        code="P01", quantity="density of a stiff part, sheet or thread", low=100.0, high=20e3, unit="kg/m³",
+        source="paper 750, Kevlar 1440 kg/m³ in the library; steel 7850, tungsten 19300 kg/m³",
+        advice="Check its unit: 1.44 g/cm³ are 1440 kg/m³.", read=of_materials.stiff_density,
     ),
     Row(
         code="P01", quantity="Young's modulus of a sheet or thread", low=1e5, high=500e9, unit="Pa",

@@ -1,0 +1,45 @@
+"""TOML: the common slips are answered with the line and the mend."""
+
+import re
+
+import pytest
+
+from turgor.errors import TurgorError
+from turgor.toml_text import read_toml
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("a = 1\nlength = 36 mm  # long", '2: a text with a unit needs quotes; put quotes around it: "36 mm".'),
+        ("wall = { low = 1 mm, high = 2 mm }", 'put quotes around it: "1 mm".'),
+        ("at = [10 mm, 20 mm]", 'put quotes around it: "10 mm".'),
+        ("type = fast_pneunet", '1: a text needs quotes; put quotes around it: "fast_pneunet".'),
+        ("report = False", "1: write false instead of False."),
+        ("wall = 1,5", "1: '1,5' has a decimal comma; write a point"),
+        ('name = "finger', "1: a quote is missing"),
+        ('size: "3 mm"', '1: write an equals sign after the key: size = "3 mm".'),
+        (r'file = "C:\Users\me\part.step"', r'1: write / instead of \ in a path: "C:/Users/me/part.step".'),
+        (r'file = "C:\parts\new.step"', r'1: write / instead of \ in a path: "C:/parts/new.step".'),
+        (r'file = "C:\new\tube.step"', r'1: write / instead of \ in a path: "C:/new/tube.step".'),
+        (
+            '[actuator]\nchambers = 3\nwall = "1 mm"\nchambers = 4',
+            "4: 'chambers' stands twice, in lines 2 and 4; leave one out.",
+        ),
+        ('[mesh]\n[loads]\n[mesh]\nsize = "1 mm"', "3: 'mesh' stands twice, in lines 1 and 3; leave one out."),
+        ("a = { b = 1, b = 2 }", "1: 'b' stands twice in a table in braces; leave one out."),
+        ('a = "x" b', "1: this is not valid TOML: Expected newline"),
+        ("[loads", "1: this is not valid TOML: Expected ']'"),
+    ],
+)
+def test_a_slip_is_answered_with_the_mend(text: str, sentence: str) -> None:
+    with pytest.raises(TurgorError, match=re.escape(sentence)) as error:
+        read_toml(text, "job.toml")
+    assert str(error.value).startswith("job.toml:")
+
+
+@pytest.mark.parametrize(
+    "text", ['f = "C:/x"', r"f = 'C:\new'", r'f = "C:\\new"', r'# f = "C:\new"', "[a]\nx=1\n[b]\nx=1"]
+)
+def test_what_is_right_is_read(text: str) -> None:
+    read_toml(text, "job.toml")
