@@ -78,6 +78,7 @@ class Traction:
     history: History = RAMP
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "vector", vector(f"traction on '{self.face}'", self.vector))
         object.__setattr__(self, "history", checked(self.history, f"traction on '{self.face}'"))
 
 

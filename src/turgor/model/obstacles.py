@@ -9,7 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.geometry.directions import normalized
+from turgor.model.points import vector
 from turgor.shown import brief
+from turgor.units import plain_number
 
 Vector = tuple[float, float, float]
 
@@ -38,7 +41,7 @@ class Plane:
     normal: Vector
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "point", _vector("plane: point", self.point))
+        object.__setattr__(self, "point", vector("plane: point", self.point))
         object.__setattr__(self, "normal", _direction("plane: normal", self.normal))
 
 
@@ -58,7 +61,7 @@ class Sphere:
     radius: float
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", _vector("sphere: center", self.center))
+        object.__setattr__(self, "center", vector("sphere: center", self.center))
         _positive("sphere: radius", self.radius)
 
 
@@ -84,7 +87,7 @@ class Cylinder:
     length: float | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", _vector("cylinder: center", self.center))
+        object.__setattr__(self, "center", vector("cylinder: center", self.center))
         object.__setattr__(self, "axis", _direction("cylinder: axis", self.axis))
         _positive("cylinder: radius", self.radius)
         if self.length is not None:
@@ -111,8 +114,8 @@ class Box:
     rounding: float = 0.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", _vector("box: center", self.center))
-        object.__setattr__(self, "size", _vector("box: size", self.size))
+        object.__setattr__(self, "center", vector("box: center", self.center))
+        object.__setattr__(self, "size", vector("box: size", self.size))
         for length in self.size:
             _positive("box: size", length)
         if not 0 <= self.rounding <= min(self.size) / 2:
@@ -246,31 +249,19 @@ def _positive(what: str, value: float, unit: str = " mm") -> None:
         raise TurgorError(f"{what} is {shown:g}{unit}; allowed is more than 0.")
 
 
-def _vector(what: str, values: Any) -> Vector:
-    try:
-        x, y, z = (float(value) for value in values)
-    except (TypeError, ValueError):
-        raise TurgorError(f"{what} is {values!r}; three numbers are needed.") from None
-    if not np.isfinite([x, y, z]).all():
-        raise TurgorError(f"{what} is {values!r}; three finite numbers are needed.")
-    return x, y, z
-
-
 def _direction(what: str, values: Any) -> Vector:
-    vector = np.array(_vector(what, values))
-    length = float(np.linalg.norm(vector))
-    if not length > 0:
-        raise TurgorError(f"{what} is a zero vector; give a direction such as (0, 0, 1).")
-    if abs(length - 1) > 1e-15:  # what was normalized before keeps every digit
-        vector = vector / length
-    x, y, z = (float(value) for value in vector)
-    return x, y, z
+    given = vector(what, values)
+    unit = normalized(given)
+    if unit is None:
+        why = "a zero vector" if not any(given) else f"{values!r}, whose length cannot be computed"
+        raise TurgorError(f"{what} is {why}; give a direction such as (0, 0, 1).")
+    return unit
 
 
 def _path(name: str, path: Iterable[Any]) -> Path:
     said = f"obstacle '{name}': path is {path!r}"
     try:
-        points = tuple((float(factor), _vector(f"obstacle '{name}': path", place)) for factor, place in path)
+        points = tuple((plain_number(factor), vector(f"obstacle '{name}': path", place)) for factor, place in path)
     except (TypeError, ValueError):
         raise TurgorError(
             f"{said}; points (load factor, displacement) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."

@@ -8,6 +8,7 @@ import numpy as np
 from turgor.errors import TurgorError, unknown
 from turgor.geometry.directions import AXES
 from turgor.model.history import RAMP, History, checked, share_at
+from turgor.units import plain_number
 
 Vector = tuple[float, float, float]
 
@@ -223,7 +224,7 @@ def vector(what: str, values: Any) -> Vector:
     (0.0, 1.0, 2.0)
     """
     try:
-        x, y, z = (float(value) for value in values)
+        x, y, z = (plain_number(value) for value in values)
     except (TypeError, ValueError):
         raise TurgorError(f"{what} is {values!r}; three numbers are needed.") from None
     if not np.isfinite([x, y, z]).all():
