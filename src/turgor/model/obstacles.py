@@ -181,6 +181,9 @@ class Obstacle:
     stiffness : float [Pa/m], optional
         Penalty: pressure per depth of penetration. By default it follows from the material and the mesh, and is raised
         where the penetration exceeds its tolerance.
+    elastic_slip : float [m], optional
+        How far a point that sticks slips elastically before it slides; half a percent of the side of its cell by
+        default. A smaller one holds better and makes steps harder.
 
     Examples
     --------
@@ -197,6 +200,7 @@ class Obstacle:
     spring: float | None = None
     face: str | None = None
     stiffness: float | None = None
+    elastic_slip: float | None = None
 
     def __post_init__(self) -> None:
         if not self.name.isidentifier():
@@ -205,6 +209,8 @@ class Obstacle:
         for key in ("spring", "stiffness"):
             if getattr(self, key) is not None:
                 _positive(f"obstacle '{self.name}': {key}", getattr(self, key), "")
+        if self.elastic_slip is not None:
+            _positive(f"obstacle '{self.name}': elastic_slip", self.elastic_slip)
         object.__setattr__(self, "path", _path(self.name, self.path))
 
     def displacement(self, load_factor: float) -> NDArray[np.float64]:
@@ -226,15 +232,20 @@ class SelfContact:
         Coulomb's coefficient, from 0 (frictionless) to 2.
     stiffness : float [Pa/m], optional
         Pressure per depth of penetration; see `Obstacle`.
+    elastic_slip : float [m], optional
+        How far a point that sticks slips elastically; see `Obstacle`.
     """
 
     friction: float = 0.0
     stiffness: float | None = None
+    elastic_slip: float | None = None
 
     def __post_init__(self) -> None:
         check_friction("self_contact", self.friction)
         if self.stiffness is not None:
             _positive("self_contact: stiffness", self.stiffness, "")
+        if self.elastic_slip is not None:
+            _positive("self_contact: elastic_slip", self.elastic_slip)
 
 
 def check_friction(what: str, friction: float) -> None:

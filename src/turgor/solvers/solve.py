@@ -17,7 +17,7 @@ from turgor.finding import by_weight
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.solvers.checkpoints.record import Question, RunRecord
-from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
+from turgor.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
 from turgor.solvers.checks.early import early_findings
 from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.checks.supports import check_supports
@@ -230,6 +230,7 @@ def _solved(
     findings = (
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
+        *elastic_slips(system, problem.states),
         *limit_point_findings(problem.limits, method.limit_points),
         *unwatched_stability(tangent.iterative, system.size),
         *method.findings(problem.states),

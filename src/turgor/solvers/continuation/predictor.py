@@ -187,7 +187,23 @@ def _along_tangent(
     at = evaluate(constraint, tangent, (ahead, last.scalars), parameter)
     if here is None or at is None:
         return None
+    bent = _bent(system, history, parameter) if at.contacts.rubs else None
+    beside = None if bent is None else evaluate(constraint, tangent, (bent, last.scalars), parameter)
+    if bent is not None and beside is not None and relative_residual(system, beside) < relative_residual(system, at):
+        ahead, at = bent, beside
     return Start(ahead, system.stresses(here, ahead - last.unknowns), last.scalars, evaluation=at)
+
+
+def _bent(system: System, history: Sequence[Point], parameter: float) -> Array | None:
+    """Unknowns (size,) on the parabola of the last two tangents; None where one is not known.
+
+    What slides around a drum lifts off along its tangent, by more than it is pressed in.
+    """
+    before, last = history[-2:]
+    if before.change is None or last.change is None:
+        return None
+    turned = (last.change - before.change) / (last.parameter - before.parameter)
+    return _ahead(last, parameter) + 0.5 * (parameter - last.parameter) ** 2 * turned
 
 
 def _between(system: System, points: Sequence[Point], parameter: float) -> Start:
