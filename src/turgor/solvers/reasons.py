@@ -8,7 +8,7 @@ from enum import Enum, auto
 
 
 class Cause(Enum):
-    """Cause of a rejected step; `INERTIA_CORRECTED` is a note on an accepted one."""
+    """Cause of a rejected step, or a note on how an accepted one was found."""
 
     INVERTED_START = auto()
     INVERTED_CELL = auto()
@@ -19,6 +19,8 @@ class Cause(Enum):
     CONTACT_UNSETTLED = auto()
     INERTIA_CORRECTED = auto()
     INERTIA_CORRECTION_FAILED = auto()
+    PSEUDO_TRANSIENT = auto()
+    FOLD_SNAPPED = auto()
     PSEUDO_TRANSIENT_FAILED = auto()
     STABILITY_LOST = auto()
     UNSTABLE = auto()
@@ -41,6 +43,8 @@ TEXTS = {
     Cause.CONTACT_UNSETTLED: "contact did not settle in {value:.0f} passes",
     Cause.INERTIA_CORRECTED: "found by inertia correction, where Newton's method failed",
     Cause.INERTIA_CORRECTION_FAILED: "inertia correction found no stable equilibrium",
+    Cause.PSEUDO_TRANSIENT: "found by pseudo-transient continuation, where no step of Newton's method succeeded",
+    Cause.FOLD_SNAPPED: "a film snapped to another fold; found by pseudo-transient continuation",
     Cause.PSEUDO_TRANSIENT_FAILED: "pseudo-transient continuation did not come to rest either",
     Cause.STABILITY_LOST: "stability was lost",
     Cause.UNSTABLE: "the equilibrium is unstable",

@@ -90,8 +90,12 @@ def _self_contact(table: ContactTable, problems: Problems) -> SelfContact | bool
     if table.self_contact is False:
         problems.add(("contact", stated[0]), "that of self-contact, which self_contact = false switches off.")
         return False
-    given = {"friction": table.friction or 0.0, "stiffness": table.stiffness, "elastic_slip": table.elastic_slip}
-    make = partial(SelfContact, **given)
+    make = partial(
+        SelfContact,
+        friction=table.friction or 0.0,
+        stiffness=table.stiffness,
+        elastic_slip=table.elastic_slip,
+    )
     return problems.attempt(("contact",), make, fields=stated)
 
 

@@ -276,10 +276,11 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     report = task.problem.listeners.reporter(len(run.steps) + 1, load)
     result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
     why = why_rejected(system, run.states, run.history, result) if result.converged else None
-    if why is not None and system.model.sheets_wrinkle and _folds(run, result, why):
-        why = None
-    found = result.converged and why is None
-    noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, result.reason or why))
+    folds = why is not None and system.model.sheets_wrinkle and _folds(run, result, why)
+    found = result.converged and (why is None or folds)
+    snapped = folds and len(run.states) > 1
+    how = Reason(Cause.FOLD_SNAPPED if snapped else Cause.PSEUDO_TRANSIENT) if found else result.reason or why
+    noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, how))
     if not found or result.evaluation is None:
         return None
     return plain_point(run, result.evaluation, (load, result.scalars), result.unstable_modes), result
