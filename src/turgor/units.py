@@ -150,6 +150,27 @@ def unit_value(unit: str) -> float:
     return next((units[unit] for units in UNITS.values() if unit in units), 1.0)
 
 
+def plain_number(value: object) -> float:
+    """Return a number as a float; a truth value is none.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is no number.
+
+    Examples
+    --------
+    >>> plain_number(2)
+    2.0
+    >>> plain_number(False)
+    Traceback (most recent call last):
+    TypeError: False is a truth value, not a number.
+    """
+    if type(value).__name__ in ("bool", "bool_"):  # NumPy has one of its own
+        raise TypeError(f"{value} is a truth value, not a number.")
+    return float(value)  # type: ignore[arg-type]
+
+
 def parse_quantity(text: object, dimension: str) -> float:
     """Read a number with its unit, such as ``"1.5 mm"``, and return it in SI units.
 

@@ -1,4 +1,4 @@
-"""Damping: viscous forces in proportion to the rate of strain; rigid motions are not damped."""
+"""Damping: viscous forces in proportion to the rate of strain, or of the gradient of the displacement."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,6 +78,23 @@ class StrainRateDamping:
         rate = 0.5 * (product + np.swapaxes(product, -1, -2))
         rate -= np.trace(rate, axis1=-2, axis2=-1)[..., None, None] / 3 * np.eye(3)
         return np.ascontiguousarray(self._viscosity[:, None, None] * rate[..., FIRST, SECOND])
+
+
+def gradient_stiffness(system: System) -> Array:
+    """Lower triangle (nnz,) of ∫ ∇u · ∇u dV on the pattern of a system's tangent, scaled as for a modulus of 1.
+
+    It resists short waves most, in which thin cells turn inside out, and a flat film bulges against it as one piece.
+
+    Parameters
+    ----------
+    system : System
+    """
+    gradients = np.einsum("qnj,cqji->cqni", system.element.tables.dN, system.Jinv)
+    rows, columns = np.tril_indices(system.cell_size)
+    same = (rows % 3 == columns % 3) & (rows < 3 * gradients.shape[2])
+    a, b = rows[same] // 3, columns[same] // 3
+    products = np.einsum("cq,cqni,cqmi->cnm", system.dV, gradients, gradients)
+    return system.scattered(np.flatnonzero(same), products[:, a, b])
 
 
 def _deviator_moduli() -> Array:

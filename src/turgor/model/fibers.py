@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, unknown
+from turgor.geometry.directions import normalized
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
 from turgor.units import deg, mm
@@ -87,7 +88,7 @@ angle_from_circumference, turns, pitch.
         if self.starts is not None and self.starts != int(self.starts):
             raise TurgorError(f"winding starts is {self.starts:g}; a whole number of threads is needed, at least 1.")
         axis = _vector(self.axis)
-        if axis is None or not all(map(isfinite, axis)) or not any(axis):
+        if axis is None or not all(map(isfinite, axis)) or normalized((axis[0], axis[1], axis[2])) is None:
             raise TurgorError(f"winding axis is {self.axis!r}; a direction is needed, such as (1, 0, 0).")
 
     def _exactly_one(self, names: tuple[str, ...]) -> None:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from turgor.errors import TurgorError, unknown
+from turgor.units import plain_number
 
 #: Points (load factor, share), or an expression of the load factor ``s``.
 History = tuple[tuple[float, float], ...] | str
@@ -196,7 +197,7 @@ def over_time(history: Iterable[tuple[float, float]] | str, duration: float) -> 
 def _points(history: Any, said: str, first: str) -> tuple[tuple[float, float], ...]:
     """Pairs of finite numbers, the first of each being a load factor or a time."""
     try:
-        points = tuple((float(at), float(share)) for at, share in history)
+        points = tuple((plain_number(at), plain_number(share)) for at, share in history)
     except (TypeError, ValueError):
         points = ()
     if not points or not all(math.isfinite(number) for point in points for number in point):

@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.geometry.directions import normalized
 from turgor.given import name as name_of
 from turgor.given import one, vector
 from turgor.shown import brief
+from turgor.units import plain_number
 
 Vector = tuple[float, float, float]
 
@@ -180,6 +182,9 @@ class Obstacle:
     stiffness : float [Pa/m], optional
         Penalty: pressure per depth of penetration. By default it follows from the material and the mesh, and is raised
         where the penetration exceeds its tolerance.
+    elastic_slip : float [m], optional
+        How far a point that sticks slips elastically before it slides; half a percent of the side of its cell by
+        default. A smaller one holds better and makes steps harder.
 
     Examples
     --------
@@ -196,6 +201,7 @@ class Obstacle:
     spring: float | None = None
     face: str | None = None
     stiffness: float | None = None
+    elastic_slip: float | None = None
 
     def __post_init__(self) -> None:
         if not name_of(self.name, "name of an obstacle", "plate").isidentifier():
@@ -205,6 +211,8 @@ class Obstacle:
         for key in ("spring", "stiffness"):
             if getattr(self, key) is not None:
                 _positive(f"obstacle '{self.name}': {key}", getattr(self, key), "")
+        if self.elastic_slip is not None:
+            _positive(f"obstacle '{self.name}': elastic_slip", self.elastic_slip)
         object.__setattr__(self, "path", _path(self.name, self.path))
 
     def displacement(self, load_factor: float) -> NDArray[np.float64]:
@@ -226,15 +234,20 @@ class SelfContact:
         Coulomb's coefficient, from 0 (frictionless) to 2.
     stiffness : float [Pa/m], optional
         Pressure per depth of penetration; see `Obstacle`.
+    elastic_slip : float [m], optional
+        How far a point that sticks slips elastically; see `Obstacle`.
     """
 
     friction: float = 0.0
     stiffness: float | None = None
+    elastic_slip: float | None = None
 
     def __post_init__(self) -> None:
         check_friction("self_contact", self.friction)
         if self.stiffness is not None:
             _positive("self_contact: stiffness", self.stiffness, "")
+        if self.elastic_slip is not None:
+            _positive("self_contact: elastic_slip", self.elastic_slip)
 
 
 def check_friction(what: str, friction: float) -> None:
@@ -250,20 +263,19 @@ def _positive(what: str, value: float, unit: str = " mm") -> None:
 
 
 def _direction(what: str, values: Any) -> Vector:
-    given = np.array(vector(values, what))
-    length = float(np.linalg.norm(given))
-    if not length > 0:
-        raise TurgorError(f"{what} is a zero vector; give a direction such as (0, 0, 1).")
-    if abs(length - 1) > 1e-15:  # what was normalized before keeps every digit
-        given = given / length
-    x, y, z = (float(value) for value in given)
-    return x, y, z
+    given = vector(values, what)
+    unit = normalized(given)
+    if unit is None:
+        why = "a zero vector" if not any(given) else f"{values!r}, whose length cannot be computed"
+        raise TurgorError(f"{what} is {why}; give a direction such as (0, 0, 1).")
+    return unit
 
 
 def _path(name: str, path: Iterable[Any]) -> Path:
     said = f"obstacle '{name}': path is {path!r}"
     try:
-        points = tuple((float(factor), vector(place, f"obstacle '{name}': path", "length")) for factor, place in path)
+        where = f"obstacle '{name}': path"
+        points = tuple((plain_number(factor), vector(place, where, "length")) for factor, place in path)
     except (TypeError, ValueError):
         raise TurgorError(
             f"{said}; points (load factor, displacement) are needed, such as [(0, (0, 0, 0)), (1, (0, 0, 0.01))]."

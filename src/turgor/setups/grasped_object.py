@@ -111,8 +111,8 @@ def grasped(model: Model, setup: Grasp) -> Model:
     rest, end = (0.0, 0.0, 0.0), (setup.pull_distance * x, setup.pull_distance * y, setup.pull_distance * z)
     grasped = Grasped(
         name=obstacle.name, shape=obstacle.shape, friction=obstacle.friction, face=obstacle.face,
-        stiffness=obstacle.stiffness, path=((0.0, rest), (setup.closing, rest), (1.0, end)),
-        fingers=setup.fingers, pull=(x, y, z),
+        stiffness=obstacle.stiffness, elastic_slip=obstacle.elastic_slip,
+        path=((0.0, rest), (setup.closing, rest), (1.0, end)), fingers=setup.fingers, pull=(x, y, z),
     )  # fmt: skip
     others = tuple(each for each in model.contact.obstacles if each is not obstacle)
     planes = _planes(model, setup, _middle(obstacle))

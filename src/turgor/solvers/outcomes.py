@@ -22,6 +22,18 @@ from turgor.solvers.solution import State, Status, Step
 #: say. A maximum within the second distance is stated if the factors show a loss of stability.
 NEAR, SAID = 1e-3, 1e-2
 
+#: A tolerance that is met for certain, over the round-off that was found.
+ROUND_OFF_MARGIN = 5.0
+
+#: Advice where no step from rest succeeds: no cell is distorted there.
+AT_REST = (
+    "Nothing has moved yet, so no cell is distorted: check supports, loads and the units of the laws. A flat film or "
+    "wall that resists its load too little may start with the procedure stabilized, or from a slightly curved shape."
+)
+
+#: How steps were found that a real body makes at once.
+SNAPPED = (Cause.INERTIA_CORRECTED, Cause.FOLD_SNAPPED)
+
 #: On the way to a limit point a body moves this many times as much for the load as before at least.
 SOFTENING = 1.5
 
@@ -80,8 +92,8 @@ def converged(model: Model, states: Sequence[State], steps: Sequence[Step]) -> O
 
 
 def _falls(model: Model, steps: Sequence[Step]) -> str:
-    """Where contact opened and the body jumped to another equilibrium close by."""
-    falls = [step.load_factor for step in steps if step.accepted and step.cause is Cause.INERTIA_CORRECTED]
+    """Where contact opened, or a film folded, and the body jumped to another equilibrium close by."""
+    falls = [step.load_factor for step in steps if step.accepted and step.cause in SNAPPED]
     if not falls:
         return ""
     more = f", first of {len(falls)} times" if len(falls) > 1 else ""
@@ -89,8 +101,10 @@ def _falls(model: Model, steps: Sequence[Step]) -> str:
 
 
 def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_stability: bool) -> Outcome:
-    """The step fell below the smallest allowed."""
+    """The step fell below the smallest allowed, or shorter steps do not help."""
     last = states[-1]
+    if steps[-1].cause is Cause.ROUND_OFF:
+        return _out_of_reach(last, steps[-1])
     top = extremum_ahead(
         [state.load_factor for state in states], [float(np.linalg.norm(state.displacement)) for state in states]
     )
@@ -118,12 +132,23 @@ def stuck(model: Model, states: Sequence[State], steps: Sequence[Step], lost_sta
     stiff = stiff_threads_text(model)
     if stiff and why is None:
         distorted += " Fibers are so stiff that it was not found which of them are slack."
-    advice = stiff or "Look at the last state for a badly distorted cell or walls that met; refine the mesh there."
+    look = "Look at the last state for a badly distorted cell or walls that met; refine the mesh there."
+    advice = stiff or (look if last.displacement.any() else AT_REST)
     return Outcome(
         Status.STEP_TOO_SMALL,
         f"No equilibrium was found beyond {_at(last)}: {steps[-1].reason}, "
         f"down to steps of {steps[-1].increment:.2g} of the load.{said(why) or distorted}",
         advice if why is None else why.advice,
+    )
+
+
+def _out_of_reach(last: State, step: Step) -> Outcome:
+    """The tolerance is smaller than the round-off of the equations."""
+    reached = 10.0 ** np.ceil(np.log10(ROUND_OFF_MARGIN * step.residual))
+    return Outcome(
+        Status.STEP_TOO_SMALL,
+        f"The tolerance is out of reach beyond {_at(last)}: {step.reason}. Nothing fails mechanically.",
+        f"Raise procedure.tolerance to {reached:.0e} or more.",
     )
 
 

@@ -6,7 +6,7 @@ from turgor.finding import Finding, Severity
 from turgor.solvers.checks.causes import cause_in, said, turned_law, wrinkled_film
 from turgor.solvers.checks.distortion import distortion_text
 from turgor.solvers.continuation.path_points import Bifurcation, Run
-from turgor.solvers.outcomes import Outcome
+from turgor.solvers.outcomes import Outcome, stuck
 from turgor.solvers.pressures import pressure_text
 from turgor.solvers.reasons import Cause
 from turgor.solvers.solution import LimitPoint, State, Status, Step
@@ -57,6 +57,8 @@ def followed(run: Run, why: str) -> Outcome:
 def lost_path(run: Run) -> Outcome:
     """No arc is short enough to go on along the same path."""
     last, step = run.states[-1], run.steps[-1]
+    if step.cause is Cause.ROUND_OFF:
+        return stuck(run.task.system.model, run.states, run.steps, False)
     why = cause_in(last)
     return Outcome(
         Status.TURNED_BACK if step.cause is Cause.OTHER_BRANCH else Status.STEP_TOO_SMALL,

@@ -8,16 +8,19 @@ from enum import Enum, auto
 
 
 class Cause(Enum):
-    """Cause of a rejected step; `INERTIA_CORRECTED` is a note on an accepted one."""
+    """Cause of a rejected step, or a note on how an accepted one was found."""
 
     INVERTED_START = auto()
     INVERTED_CELL = auto()
     DEEP_PENETRATION = auto()
     SINGULAR_TANGENT = auto()
     TOO_MANY_ITERATIONS = auto()
+    ROUND_OFF = auto()
     CONTACT_UNSETTLED = auto()
     INERTIA_CORRECTED = auto()
     INERTIA_CORRECTION_FAILED = auto()
+    PSEUDO_TRANSIENT = auto()
+    FOLD_SNAPPED = auto()
     PSEUDO_TRANSIENT_FAILED = auto()
     STABILITY_LOST = auto()
     UNSTABLE = auto()
@@ -29,16 +32,19 @@ class Cause(Enum):
     ENERGY_ERROR = auto()
 
 
-#: What a person reads; ``{value}`` is the number of the reason and ``{detail}`` the words of another library.
+#: What a person reads; ``{value}`` is the number of the reason and ``{detail}`` what it adds in words.
 TEXTS = {
     Cause.INVERTED_START: "the start turns a cell inside out",
     Cause.INVERTED_CELL: "every update turns a cell inside out",
     Cause.DEEP_PENETRATION: "every update presses walls too deep",
     Cause.SINGULAR_TANGENT: "{detail}",
-    Cause.TOO_MANY_ITERATIONS: "no convergence in {value:.0f} iterations",
+    Cause.TOO_MANY_ITERATIONS: "no convergence in {value:.0f} iterations{detail}",
+    Cause.ROUND_OFF: "the residual stagnates at {value:.2g}, the round-off of the equations",
     Cause.CONTACT_UNSETTLED: "contact did not settle in {value:.0f} passes",
     Cause.INERTIA_CORRECTED: "found by inertia correction, where Newton's method failed",
     Cause.INERTIA_CORRECTION_FAILED: "inertia correction found no stable equilibrium",
+    Cause.PSEUDO_TRANSIENT: "found by pseudo-transient continuation, where no step of Newton's method succeeded",
+    Cause.FOLD_SNAPPED: "a film snapped to another fold; found by pseudo-transient continuation",
     Cause.PSEUDO_TRANSIENT_FAILED: "pseudo-transient continuation did not come to rest either",
     Cause.STABILITY_LOST: "stability was lost",
     Cause.UNSTABLE: "the equilibrium is unstable",
@@ -61,7 +67,7 @@ class Reason:
     value : float
         The number that the sentence holds; 0 where it holds none.
     detail : str
-        Words of the linear solver, for a singular tangent.
+        Words of the linear solver for a singular tangent; why iterations were given up, after a colon.
 
     Examples
     --------

@@ -18,7 +18,7 @@ from turgor.given import one
 from turgor.meshing.mesh import Mesh
 from turgor.model.model import Model
 from turgor.solvers.checkpoints.record import Question, RunRecord
-from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
+from turgor.solvers.checks.contact import deep_penetrations, elastic_slips, meeting_walls
 from turgor.solvers.checks.early import early_findings
 from turgor.solvers.checks.explanations import explained
 from turgor.solvers.checks.materials import laws_beyond_their_tests
@@ -262,6 +262,7 @@ def _solved(
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
         *compressed_membranes(model, problem.states),
+        *elastic_slips(system, problem.states),
         *limit_point_findings(problem.limits, method.limit_points),
         *unwatched_stability(tangent.iterative, system.size),
         *method.findings(problem.states),

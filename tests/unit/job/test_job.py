@@ -146,7 +146,7 @@ def test_a_law_is_spelled_in_a_job_as_on_the_command_line(tmp_path: Path, name: 
 def test_a_sheet_is_stated_by_youngs_modulus_and_poissons_ratio(tmp_path: Path) -> None:
     job = read(tmp_path, SMALL.replace('library = "paper", record = "hooke-polygerinos-2020"', HOOKE))
     sheet = job.materials["strain_limiting_layer"]
-    assert isinstance(sheet, tg.Shell) and sheet.material.law == Hooke(E=6.5e9, nu=0.2)
+    assert isinstance(sheet, Shell) and sheet.material.law == Hooke(E=6.5e9, nu=0.2)
 
 
 def test_a_pressure_acts_on_a_face_that_is_no_cavity(tmp_path: Path) -> None:

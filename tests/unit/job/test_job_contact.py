@@ -96,6 +96,7 @@ center = [0, 0, "-9 mm"]
 size = ["10 mm", "20 mm", "6 mm"]
 rounding = "1 mm"
 stiffness = "3e6 Pa/m"
+elastic_slip = "0.005 mm"
 """
 
 
@@ -137,6 +138,7 @@ def test_nothing_stated_is_the_default(tmp_path):
         ("self_contact = 'automatic'\ntolerance = 0.05", Contact(tolerance=0.05)),
         ("friction = 0.4", Contact(self_contact=SelfContact(friction=0.4))),
         ("stiffness = '2 MPa/mm'", Contact(self_contact=SelfContact(stiffness=2e9))),
+        ("elastic_slip = '2 um'", Contact(self_contact=SelfContact(elastic_slip=2e-6))),
     ],
 )
 def test_self_contact(tmp_path, stated, meant):
@@ -161,7 +163,7 @@ def test_every_key_reaches_the_job_and_comes_back_from_the_lock_file(tmp_path):
     assert bar == Obstacle(name="bar", shape=around, spring=50, face="tip")
     assert rail.shape == Cylinder(center=(0, 0, 0), axis=(0.3, -0.5, 0.7), radius=7 * mm)
     assert box.shape == Box(center=(0, 0, -9 * mm), size=(10 * mm, 20 * mm, 6 * mm), rounding=1 * mm)
-    assert box.stiffness == 3e6
+    assert (box.stiffness, box.elastic_slip) == (3e6, 5e-6)
     assert again(tmp_path, job) == job
     stated = tomllib.loads(lock_text(job, {}))["obstacles"]
     assert stated["ball"]["path"][1] == [0.4, ["0 mm", "0 mm", "3.3 mm"]]
@@ -227,7 +229,7 @@ MISTAKES = [
     ("[contact]", "[contcat]", "19: contcat: unknown key 'contcat'; did you mean 'contact'? Known keys: name"),
     ("[obstacles.plate]", "[obstacle.plate]", "22: obstacle: unknown key 'obstacle'; did you mean 'obstacles'?"),
     ("friction = 0.3", "frction = 0.3", "20: contact.frction: unknown key 'frction'; did you mean 'friction'? Known "
-     "keys: self_contact, friction, tolerance, stiffness."),
+     "keys: self_contact, friction, tolerance, stiffness, elastic_slip."),
     ("friction = 0.3", "friction = 3", "20: contact.friction: 3; Coulomb's coefficient lies between 0 and 2."),
     ("friction = 0.3", "friction = true", "20: contact.friction: true is not a number without a unit."),
     ("friction = 0.3", "self_contact = 'yes'", "20: contact.self_contact: 'yes' is not allowed; write true, false"),
@@ -236,6 +238,7 @@ MISTAKES = [
     ("friction = 0.3", "tolerance = 0.5", "20: contact.tolerance: 0.5; allowed is 0.0001 to 0.1 of the wall."),
     ("friction = 0.3", "stiffness = '5 MPa'", "20: contact.stiffness: '5 MPa' is a pressure, but a contact stiffness "
      "is needed. Known contact stiffness units: Pa/m, kPa/mm, MPa/mm."),
+    ("friction = 0.3", "elastic_slip = '0 mm'", "20: contact.elastic_slip: 0 mm; allowed is more than 0."),
     ("friction = 0.3", "stiffness = '-5 MPa/mm'", "20: contact.stiffness: -5e+09; allowed is more than 0."),
     ("[obstacles.plate]", "[obstacles]", "23: obstacles.shape: an obstacle needs a name of its own; write"),
     ("[obstacles.plate]", "[obstacles.self]", "22: obstacles.self: the name 'self' is that of the results of"),
@@ -243,7 +246,7 @@ MISTAKES = [
     ('shape = "plane"', "", "22: obstacles.plate.shape: 'shape' is missing; allowed: plane, sphere, cylinder, box, st"),
     ('"plane"', '"plain"', "23: obstacles.plate.shape: unknown shape 'plain'; did you mean 'plane'?"),
     ('"plane"', '"sphere"', "25: obstacles.plate.normal: unknown key 'normal'. Known keys: shape, friction, path, "
-     "spring, face, stiffness, center, radius."),
+     "spring, face, stiffness, elastic_slip, center, radius."),
     ('"plane"', '"sphere"', "22: obstacles.plate.radius: 'radius' is missing, and it has no default."),
     ("point =", "pint =", "24: obstacles.plate.pint: unknown key 'pint'; did you mean 'point'?"),
     ('"-2 mm"', "-2", "24: obstacles.plate.point: -2 needs a unit, for example '1.5 mm'."),
@@ -254,6 +257,9 @@ MISTAKES = [
     ('"+z"', "[0, 1]", "25: obstacles.plate.normal: [0, 1] is not a direction; write '+z', or three numbers such as "),
     ('"+z"', "[0, 0, '1 mm']", "25: obstacles.plate.normal: [0, 0, '1 mm'] is not a direction; write"),
     ('"+z"', "[0, 0, 0]", "25: obstacles.plate.normal: a zero vector; give a direction such as (0, 0, 1)."),
+    ('"+z"', "[1e300, 1e300, 0]", "25: obstacles.plate.normal: (1e+300, 1e+300, 0.0), whose length cannot be computed; "
+     "give a direction such as (0, 0, 1)."),
+    ('"+z"', "[nan, 0, 1]", "25: obstacles.plate.normal: (nan, 0.0, 1.0); three finite numbers are needed."),
     ("friction = 0.2", "friction = -1", "26: obstacles.plate.friction: -1; Coulomb's coefficient lies between"),
     ("friction = 0.2", 'face = "tipp"', "26: obstacles.plate.face: unknown face 'tipp'; did you mean 'tip'?"),
     ("friction = 0.2", 'spring = "50 mm"', "26: obstacles.plate.spring: '50 mm' is a length, but a spring stiffness"),

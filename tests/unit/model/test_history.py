@@ -107,7 +107,8 @@ def test_paths_of_obstacles_have_kinks() -> None:
 
 
 @pytest.mark.parametrize(
-    "points", [[1], [[0, 0], [1]], [[0, 0], "ab"], 5, None, [["a", "b"]], [[0, 0], [np.nan, 1]], []]
+    "points",
+    [[1], [[0, 0], [1]], [[0, 0], "ab"], 5, None, [["a", "b"]], [[0, 0], [np.nan, 1]], [], [[0, 0], [1, False]]],
 )
 def test_malformed_points_are_told(points: Any) -> None:
     with pytest.raises(TurgorError, match="points \\(time in seconds, share\\) are needed, such as"):

@@ -6,7 +6,7 @@ import pytest
 import turgor as tg
 from turgor.model.contact import Contact
 from turgor.model.obstacles import Box, Obstacle, Plane, RigidSurface, Sphere
-from turgor.solvers.checks.obstacles import overlapping_obstacles
+from turgor.solvers.checks.obstacles import enclosed_obstacles, overlapping_obstacles
 from turgor.units import mm
 
 CORNERS = np.array([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])
@@ -27,6 +27,29 @@ def found(mesh, shape, **given):
     contact = Contact(obstacles=[Obstacle(name="stone", shape=shape, **given)])
     model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], [], contact=contact)
     return overlapping_obstacles(model)
+
+
+def in_void(mesh, **given):
+    """Findings about a ball in the cavity, in the middle of its box, which touches nothing."""
+    low, high = (pick(mesh.points[mesh.face_nodes("cavity")], axis=0) for pick in (np.min, np.max))
+    ball = Sphere(center=tuple((low + high) / 2 * (1, 0, 1)), radius=0.2 * mm)
+    rubber = tg.Material(name="rubber", law=tg.laws.NeoHooke(C10=1e5))
+    contact = Contact(obstacles=[Obstacle(name="ball", shape=ball, **given)])
+    return enclosed_obstacles(
+        tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], [], contact=contact)
+    )
+
+
+def test_an_obstacle_in_the_cavity_never_acts(mesh):
+    (finding,) = in_void(mesh)
+    assert finding.code == "B29"
+    assert (
+        finding.message == "The obstacle 'ball' lies in 'cavity', and no wall of a cavity may touch it: it never acts."
+    )
+    (finding,) = in_void(mesh, face="tip")
+    assert "and only 'tip' may touch it" in finding.message
+    assert in_void(mesh, face="cavity") == ()
+    assert in_void(mesh, path=[(0, (0, 0, 0)), (1, (0, 0, -0.1))]) == ()  # it leaves the cavity
 
 
 def test_place_and_depth(mesh):

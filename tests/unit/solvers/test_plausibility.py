@@ -171,6 +171,32 @@ def test_everything_held_is_an_error():
     assert not [each for each in early_findings(model(), Static()) if each.code == "B09"]
 
 
+def early(code, **given):
+    """Early findings of a code."""
+    return [each for each in early_findings(model(**given), Static()) if each.code == code]
+
+
+def test_pressure_on_a_cavity_that_is_held_moves_nothing():
+    (told,) = early("B27", supports=[Fixed("fixed"), Fixed("cavity")])
+    assert told.message == "The supports hold the whole surface of 'cavity': pressure in it moves nothing."
+    assert not early("B27", supports=[Fixed("fixed"), Fixed("cavity", "z")])
+
+
+def test_the_tip_held_instead_of_the_base():
+    (told,) = early("B28", supports=[Fixed("tip")])
+    assert "its displacement is 0 throughout" in told.message
+    assert told.advice.startswith("Clamp fixed instead")
+    assert not early("B28")
+    assert not early("B28", supports=[Fixed("fixed"), Fixed("tip")])  # a blocked tip
+    assert not early("B28", supports=[Fixed("tip"), Fixed("fixed", "z")])
+
+
+def test_two_pressures_on_one_cavity_add_up():
+    (told,) = early("L10", loads=[Pressure("cavity", 3e3), Pressure("cavity", 5e3)])
+    assert told.message == "2 pressures act on 'cavity' (3 kPa, 5 kPa): they add up."
+    assert not early("L10", loads=[Pressure("cavity", 3e3), Pressure("outside", 5e3)])
+
+
 def test_early_findings_come_by_weight_and_once():
     bad = model(
         rubber(Yeoh(C10=1e5, C20=-2e4), density=1.0), [Pressure("cavity", -500 * kPa)],

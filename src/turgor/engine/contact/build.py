@@ -112,6 +112,9 @@ def build_parts(
     cavities = of_face(mesh, surface, *mesh.cavities)
     outside = surface.chosen(~mirrors & ~cavities & ~_pinhole(mesh, surface))
     parts = _with_itself(model, surface, outside, (points, length / stress), like)
+    own = model.contact.self_contact
+    for part in parts:
+        part.elastic_slip = _over(None if own is None else own.elastic_slip, length)
     for obstacle in model.contact.obstacles:
         chosen = outside if obstacle.face is None else surface.chosen(of_face(mesh, surface, obstacle.face))
         if obstacle.stiffness is not None:
@@ -122,7 +125,13 @@ def build_parts(
             parts.append(_triangles(obstacle, shape, chosen, points, unknown))
         else:
             parts.append(ShapePart(obstacle.name, chosen, shape, obstacle, unknown))
+        parts[-1].elastic_slip = _over(obstacle.elastic_slip, length)
     return parts
+
+
+def _over(stated: float | None, length: float) -> float | None:
+    """A stated length over the unit of length."""
+    return None if stated is None else stated / length
 
 
 def _pinhole(mesh: Mesh, surface: Surface) -> NDArray[np.bool_]:

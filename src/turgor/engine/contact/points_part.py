@@ -59,11 +59,14 @@ class PointsPart(ABC):
     ----------
     penalty_scale : (s,) array
         Factor on the penalty of each side; it grows where the penetration exceeds the tolerance.
+    elastic_slip : float or None
+        Scaled slip at which points that stick begin to slide, where it is stated.
     """
 
     def __init__(self, name: str, surface: Surface, coefficient: float, share: float) -> None:
         self.name, self.surface, self.coefficient, self.share = name, surface, coefficient, share
         self.penalty_scale = np.ones(len(surface.sides))
+        self.elastic_slip: float | None = None
 
     @abstractmethod
     def tied_unknowns(self, keys: Ints) -> Ints:
@@ -216,7 +219,7 @@ class PointsPart(ABC):
             before = np.zeros((*found.gap.shape, 3))
             before[a.points[:, 0], a.points[:, 1]], _ = friction.tractions(a, self._apart(position, found, a))
             traction = friction.turned(before[i, q], normal)
-        slip, none = friction.elastic_slip(self.surface, points), np.zeros((len(points), 3))
+        slip, none = friction.elastic_slip(self.surface, points, self.elastic_slip), np.zeros((len(points), 3))
         limit = self._limits(found, points)
         out = FrictionHistory(points, found.partner[i, q], found.at[i, q], none, normal, traction, limit, slip)
         return replace(out, apart=self._apart(position, found, out))

@@ -13,6 +13,7 @@ from turgor.finding import Finding
 from turgor.geometry import occ
 from turgor.geometry.cad.stl import stl_bodies
 from turgor.geometry.cad.surface.shape import SurfaceShape
+from turgor.geometry.cad_unit import unit_in_doubt
 from turgor.geometry.child import Work
 from turgor.geometry.quiet import captured_output
 from turgor.units import UNITS, mm
@@ -89,6 +90,8 @@ def load_file(path: str | Path, unit: str | None = None) -> FileContents:
     if factor != 1.0:
         bodies = [_scaled(body, factor) for body in bodies]
     _check_size(path, bodies, stated if unit is None else None, unit)
+    if unit is None and stated is None:
+        findings = (*findings, *unit_in_doubt(path.name, max(_sides(bodies))))
     how = f"{unit}, as given" if unit else f"{_unit_name(stated)}, from the file" if stated else "mm, assumed"
     return FileContents(kind=kind, bodies=bodies, names=names, unit=how, findings=findings)
 
@@ -201,11 +204,16 @@ def _unit_name(unit: float | None) -> str:
     return known.get(unit or mm, f"{unit} m")
 
 
-def _check_size(path: Path, bodies: list[Any], stated: float | None, unit: str | None) -> None:
-    """Raise an error for a part of impossible size, with a unit that would make it possible."""
+def _sides(bodies: list[Any]) -> list[float]:
+    """Sides of the box around all bodies [m]."""
     lows, highs = zip(*(body.bounding_box for body in bodies), strict=True)
     low, high = ([pick(box[i] for box in boxes) for i in range(3)] for pick, boxes in ((min, lows), (max, highs)))
-    sides = [(b - a) * mm for a, b in zip(low, high, strict=True)]
+    return [(b - a) * mm for a, b in zip(low, high, strict=True)]
+
+
+def _check_size(path: Path, bodies: list[Any], stated: float | None, unit: str | None) -> None:
+    """Raise an error for a part of impossible size, with a unit that would make it possible."""
+    sides = _sides(bodies)
     longest = max(sides)
     if prod(sides) > 0 and SMALLEST <= longest <= LARGEST:
         return

@@ -2,14 +2,15 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import isfinite, sqrt
+from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry.cad.colors import hexadecimal, parse_color, same_color
-from turgor.geometry.directions import AXES, DIRECTIONS, Vector
+from turgor.geometry.directions import AXES, DIRECTIONS, Vector, normalized
+from turgor.units import plain_number
 
 Array = NDArray[np.float64]
 
@@ -57,7 +58,7 @@ def vector(what: str, value: object) -> Vector:
     turgor.errors.TurgorError: point of NearestTo is (0, 1); three finite numbers are needed.
     """
     try:
-        numbers = tuple(float(number) for number in value)  # type: ignore[attr-defined]
+        numbers = tuple(plain_number(number) for number in value)  # type: ignore[attr-defined]
     except (TypeError, ValueError):
         numbers = ()
     if len(numbers) != 3 or not all(isfinite(number) for number in numbers):
@@ -77,11 +78,10 @@ def direction(what: str, value: object) -> Vector:
         if value not in NAMED:
             raise TurgorError(f"{what} is '{value}'; allowed is '+x', '-x', '+y', '-y', '+z', '-z' or three numbers.")
         return NAMED[value]
-    x, y, z = vector(what, value)
-    length = sqrt(x * x + y * y + z * z)
-    if not length > 0:
+    unit = normalized(vector(what, value))
+    if unit is None:
         raise TurgorError(f"{what} is {value!r}, which has no direction; give '+x' or three numbers.")
-    return x / length, y / length, z / length
+    return unit
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from turgor.errors import TurgorError
 from turgor.geometry import Geometry
 from turgor.job.tables.obstacles import ContactStiffness, read_obstacles
 from turgor.job.text.problems import Problems
-from turgor.job.text.quantities import Says, Table, read_table, shown
+from turgor.job.text.quantities import Length, Says, Table, read_table, shown
 from turgor.model.contact import Contact
 from turgor.model.obstacles import SelfContact
 from turgor.model.rigid import RigidFile
@@ -39,12 +39,15 @@ class ContactTable(Table):
         Coulomb's coefficient of self-contact; 0 by default.
     stiffness : float [Pa/m]
         Pressure per depth of penetration of self-contact; chosen from the material by default.
+    elastic_slip : float [m]
+        How far points that stick slip elastically in self-contact; half a percent of the side of a cell by default.
     """
 
     self_contact: Annotated[Any, BeforeValidator(_switch), Says(f'true, false or "{_AUTOMATIC}"', "true")] = None
     friction: float | None = None
     tolerance: float = Contact().tolerance
     stiffness: ContactStiffness | None = None
+    elastic_slip: Length | None = None
 
 
 def read_contact(
@@ -80,14 +83,19 @@ def read_contact(
 
 def _self_contact(table: ContactTable, problems: Problems) -> SelfContact | bool | None:
     """Value of self-contact; a friction or a stiffness for it switches it on."""
-    stated = [name for name in ("friction", "stiffness") if getattr(table, name) is not None]
+    stated = [name for name in ("friction", "stiffness", "elastic_slip") if getattr(table, name) is not None]
     if not stated:
         switch: bool | None = table.self_contact
         return switch
     if table.self_contact is False:
         problems.add(("contact", stated[0]), "that of self-contact, which self_contact = false switches off.")
         return False
-    make = partial(SelfContact, friction=table.friction or 0.0, stiffness=table.stiffness)
+    make = partial(
+        SelfContact,
+        friction=table.friction or 0.0,
+        stiffness=table.stiffness,
+        elastic_slip=table.elastic_slip,
+    )
     return problems.attempt(("contact",), make, fields=stated)
 
 
@@ -109,4 +117,6 @@ def contact_table(contact: Contact) -> dict[str, Any]:
         values["friction"] = own.friction
         if own.stiffness is not None:
             values["stiffness"] = format_quantity(own.stiffness, "MPa/mm")
+        if own.elastic_slip is not None:
+            values["elastic_slip"] = format_quantity(own.elastic_slip, "mm")
     return values

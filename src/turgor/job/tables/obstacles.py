@@ -86,6 +86,7 @@ class ObstacleTable(Table):
     spring: SpringStiffness | None = None
     face: str | None = None
     stiffness: ContactStiffness | None = None
+    elastic_slip: Length | None = None
 
 
 class StlTable(ObstacleTable):
@@ -244,6 +245,8 @@ def _written(obstacle: Obstacle, file: RigidFile | None) -> dict[str, Any]:
         values["face"] = obstacle.face
     if obstacle.stiffness is not None:
         values["stiffness"] = format_quantity(obstacle.stiffness, "MPa/mm")
+    if obstacle.elastic_slip is not None:
+        values["elastic_slip"] = format_quantity(obstacle.elastic_slip, "mm")
     return values
 
 

@@ -13,7 +13,7 @@ from turgor.meshing.exchange.formats.raw import KINDS, Block, RawMesh
 from turgor.meshing.exchange.formats.stl import Triangles, read_stl
 from turgor.meshing.exchange.frame import Frame
 from turgor.meshing.exchange.names import Wishes
-from turgor.meshing.exchange.read import named_mesh
+from turgor.meshing.exchange.read import DEFAULT_UNIT, named_mesh, with_unit_checked
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.exchange.solids import place_of
 from turgor.meshing.foreign import meshing
@@ -26,7 +26,7 @@ _CROSSING = re.compile(r"Intersecting elements (\d+) and (\d+)")
 def mesh_surfaces(
     path: str | Path,
     *,
-    unit: str = "mm",
+    unit: str | None = None,
     regions: Mapping[str, Choice] | None = None,
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
@@ -40,8 +40,8 @@ def mesh_surfaces(
     ----------
     path : str or Path
         STL file of the outer surface; it may hold the cavities as further shells.
-    unit : str
-        Unit of length of all files.
+    unit : str, optional
+        Unit of length of all files; ``"mm"`` by default.
     regions, faces : mappings, optional
         As for `read_mesh`, by selectors.
     cavities : mapping of str to str or Path, optional
@@ -68,9 +68,10 @@ def mesh_surfaces(
     if not outer:
         raise TurgorError(f"'{file}' has no surface: all of its triangles are flat; export it again.")
     shells = [_wound(shell, outward=i == 0) for i, shell in enumerate((*outer, *inner))]
-    frame = Frame(unit=unit, axes=axes)
+    frame = Frame(unit=unit or DEFAULT_UNIT, axes=axes)
     wishes = Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame)
-    return named_mesh(in_child(meshing(str(file)), _filled, file, shells, frame), wishes)
+    mesh = named_mesh(in_child(meshing(str(file)), _filled, file, shells, frame), wishes)
+    return with_unit_checked(mesh, file, stated=unit is not None)
 
 
 def _same(a: Triangles, b: Triangles) -> bool:

@@ -90,13 +90,13 @@ class MeshFile:
     def read(self) -> Mesh:
         """Read the mesh."""
         from turgor.meshing.exchange.fill import mesh_surfaces  # here: readers load much, and every job loads this file
-        from turgor.meshing.exchange.read import DEFAULT_UNIT, read_mesh
+        from turgor.meshing.exchange.read import read_mesh
 
         surface = Path(self.file).suffix.lower() == ".stl"
         reader: Callable[..., Mesh] = mesh_surfaces if surface else read_mesh
         return reader(
             self.file,
-            unit=self.unit or (DEFAULT_UNIT if surface else None),
+            unit=self.unit,
             regions=self.regions,
             faces=self.faces,
             cavities=self.cavities,

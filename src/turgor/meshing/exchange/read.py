@@ -8,6 +8,7 @@ import numpy as np
 
 from turgor.errors import TurgorError, near_file, near_match
 from turgor.finding import Finding, Severity
+from turgor.geometry.cad_unit import unit_in_doubt
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.exchange.boundary import Sides, sides_of
 from turgor.meshing.exchange.formats.abaqus import read_abaqus
@@ -91,7 +92,14 @@ def read_mesh(
         Frame(unit=unit, axes=axes)  # what is wrong with these is told before the file is read
     raw = _read(file)
     frame = Frame(unit=unit or raw.unit or DEFAULT_UNIT, axes=axes)
-    return named_mesh(raw, Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame))
+    mesh = named_mesh(raw, Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame))
+    return with_unit_checked(mesh, file, stated=bool(unit or raw.unit))
+
+
+def with_unit_checked(mesh: Mesh, file: Path, stated: bool) -> Mesh:
+    """The mesh with a finding where its file states no unit and it is tiny in the usual one (P09)."""
+    doubt = () if stated else unit_in_doubt(file.name, float(np.ptp(mesh.points, axis=0).max()))
+    return replace(mesh, findings=(*mesh.findings, *doubt)) if doubt else mesh
 
 
 def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:

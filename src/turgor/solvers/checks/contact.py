@@ -5,6 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from turgor.engine.contact.friction import mean_elastic_slip
+from turgor.engine.system import System
 from turgor.finding import Finding, Severity
 from turgor.meshing.quality.mirror_gap import find_mirror_walls, mirror_gap
 from turgor.meshing.quality.overlaps import overlap_at_rest
@@ -13,7 +15,7 @@ from turgor.meshing.wedge import sectors
 from turgor.model.contact import SELF
 from turgor.model.drive import common_pressure, drive_text, pressed_together, rises
 from turgor.model.model import Model
-from turgor.solvers.checks.thresholds import PENETRATION_ROUND_OFF
+from turgor.solvers.checks.thresholds import ELASTIC_SHARE, PENETRATION_ROUND_OFF
 from turgor.solvers.solution import State
 from turgor.units import mm, um
 
@@ -72,6 +74,41 @@ def deep_penetrations(states: Sequence[State]) -> tuple[Finding, ...]:
                     f"{touch.share:.3g} times as deep as the tolerance allows.",
                     advice=f"Round sharp edges that press, refine the mesh there, or raise the stiffness of "
                     f"{'self_contact' if name == SELF else 'the obstacle'}; forces are still in balance.",
+                )
+            )
+    return tuple(found)
+
+
+def elastic_slips(system: System, states: Sequence[State]) -> tuple[Finding, ...]:
+    """Say where points that stick have slipped elastically by a large part of how far the actuator moves (B26).
+
+    Parameters
+    ----------
+    system : System
+        Whose contact the states have.
+    states : sequence of State
+        The path.
+
+    Returns
+    -------
+    tuple of Finding
+        One for each such contact.
+    """
+    if not states or states[-1].memory is None:
+        return ()
+    found, moved = [], float(np.linalg.norm(states[-1].displacement, axis=1).max())
+    for part, history in zip(system.contact.parts, states[-1].memory.friction, strict=False):
+        slip = 0.0 if history is None else mean_elastic_slip(history) * system.length
+        if slip > ELASTIC_SHARE * moved:
+            who = "The actuator slips on itself" if part.name == SELF else f"The actuator slips on '{part.name}'"
+            found.append(
+                Finding(
+                    code="B26",
+                    severity=Severity.WARNING,
+                    message=f"{who} elastically by {slip / um:.3g} µm on average where friction lets it stick, and it "
+                    f"moves by {moved / um:.4g} µm at most.",
+                    advice="State a smaller elastic_slip for "
+                    f"{'self-contact' if part.name == SELF else 'the obstacle'}, such as a tenth of what is found.",
                 )
             )
     return tuple(found)

@@ -5,10 +5,10 @@ from turgor.model.model import Model
 from turgor.solvers.checks.contact import check_contact
 from turgor.solvers.checks.fibers import check_fibers
 from turgor.solvers.checks.materials import constants_in_doubt
-from turgor.solvers.checks.obstacles import overlapping_obstacles
+from turgor.solvers.checks.obstacles import enclosed_obstacles, overlapping_obstacles
 from turgor.solvers.checks.plausibility.check import implausible
 from turgor.solvers.checks.plausibility.question import Question
-from turgor.solvers.checks.supports import everything_held, unloaded_cavities
+from turgor.solvers.checks.supports import added_pressures, everything_held, held_cavities, tip_held, unloaded_cavities
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Procedure
 from turgor.solvers.stage_sequence import questions
@@ -26,8 +26,8 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
     -------
     tuple of Finding
         Doubtful constants, unstable laws (M04 to M07), magnitudes outside the range of the field (P01 to P06, L08),
-        supports that hold everything (B09), cavities without a pressure (B03), windings (B04, B05), walls and
-        obstacles that overlap (B07, B08).
+        supports that hold everything, a cavity or the tip (B09, B27, B28), cavities without a pressure or with several
+        (B03, L10), windings (B04, B05), walls and obstacles that overlap (B07, B08), obstacles in a cavity (B29).
 
     Raises
     ------
@@ -40,10 +40,14 @@ def early_findings(model: Model, procedure: Procedure) -> tuple[Finding, ...]:
             *constants_in_doubt(model),
             *(found for question in asked for found in implausible(question)),
             *everything_held(model),
+            *held_cavities(model),
+            *tip_held(model),
+            *added_pressures(model),
             *(() if isinstance(procedure, Stages) else unloaded_cavities(model)),
             *check_fibers(model),
             *check_contact(model),
             *overlapping_obstacles(model),
+            *enclosed_obstacles(model),
         )
     )
 

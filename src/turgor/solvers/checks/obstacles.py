@@ -1,7 +1,8 @@
-"""Checks of obstacles: those that overlap the actuator before anything moves."""
+"""Checks of obstacles: those that overlap the actuator before anything moves, and those that never act."""
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from turgor.engine.contact.shapes import signed_distance
 from turgor.finding import Finding, Severity
@@ -30,6 +31,57 @@ def overlapping_obstacles(model: Model) -> tuple[Finding, ...]:
         One for each such obstacle.
     """
     return tuple(found for each in model.contact.obstacles if (found := _overlap(model.mesh, each)) is not None)
+
+
+def enclosed_obstacles(model: Model) -> tuple[Finding, ...]:
+    """Say which obstacles lie in a cavity, whose walls may not touch them (B29).
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    tuple of Finding
+        One for each such obstacle.
+    """
+    found = ((each, _cavity_around(model.mesh, each)) for each in model.contact.obstacles)
+    return tuple(
+        Finding(
+            code="B29",
+            severity=Severity.WARNING,
+            message=f"The obstacle '{each.name}' lies in '{cavity}', and {_allowed(each)} may touch it: it never acts.",
+            advice=f"Name the face that it touches: face = {cavity}.",
+        )
+        for each, cavity in found
+        if cavity is not None
+    )
+
+
+def _allowed(obstacle: Obstacle) -> str:
+    return "no wall of a cavity" if obstacle.face is None else f"only '{obstacle.face}'"
+
+
+def _cavity_around(mesh: Mesh, obstacle: Obstacle) -> str | None:
+    """The cavity whose wall is nearest to an obstacle all along its path, if that may not touch it."""
+    may = _outside(mesh) if obstacle.face is None else mesh.face_nodes(obstacle.face)
+    nodes = np.unique(outer_triangles(mesh))
+    nearest = {
+        int(nodes[_nearest(obstacle, mesh.points[nodes], factor)]) for factor, _ in obstacle.path or ((0.0, None),)
+    }
+    for name in mesh.cavities:
+        if nearest <= set(np.setdiff1d(mesh.face_nodes(name), may).tolist()):
+            return name
+    return None
+
+
+def _nearest(obstacle: Obstacle, points: Array, load_factor: float) -> int:
+    """Which of some points is nearest to an obstacle at a load factor."""
+    here, shape = points - obstacle.displacement(load_factor), obstacle.shape
+    if not isinstance(shape, RigidSurface):
+        return int(signed_distance(shape, here)[0].argmin())
+    corners = shape.points[shape.triangles].mean(axis=1)
+    return int(cKDTree(corners).query(here)[0].argmin())
 
 
 def _overlap(mesh: Mesh, obstacle: Obstacle) -> Finding | None:

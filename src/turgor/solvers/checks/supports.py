@@ -15,6 +15,10 @@ from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
 from turgor.model.model import Model
 from turgor.model.supports import Fixed
+from turgor.units import kPa
+
+#: Face at which motion is measured.
+TIP = "tip"
 
 
 def check_supports(model: Model, inertia: bool = False) -> None:
@@ -140,6 +144,55 @@ def everything_held(model: Model) -> tuple[Finding, ...]:
             message=f"The supports hold the whole surface ({', '.join(sorted(fixed))}): the actuator cannot move.",
             advice="Hold the face at which the actuator is clamped, for example fixed, and leave the others free.",
         ),
+    )
+
+
+def held_cavities(model: Model) -> tuple[Finding, ...]:
+    """Say which cavities are held all over, so that the pressure in them moves nothing (B27)."""
+    mask = held_components(model).mask
+    return tuple(
+        Finding(
+            code="B27",
+            severity=Severity.WARNING,
+            message=f"The supports hold the whole surface of '{name}': pressure in it moves nothing.",
+            advice="Hold the face at which the actuator is clamped, for example fixed, and leave the cavity free.",
+        )
+        for name in model.mesh.cavities
+        if mask[model.mesh.face_nodes(name)].all()
+    )
+
+
+def tip_held(model: Model) -> tuple[Finding, ...]:
+    """Say that the tip is what holds the actuator, so that its own measures are zero throughout (B28)."""
+    held = {getattr(each, "face", "") for each in model.supports} - {*model.mesh.cut_faces}
+    if held != {TIP} or Fixed(TIP, "xyz") not in model.supports:
+        return ()
+    others = [name for name in model.mesh.faces if name not in (TIP, *model.mesh.cavities, *model.mesh.cut_faces)]
+    base = "fixed" if "fixed" in others else "the other end"
+    return (
+        Finding(
+            code="B28",
+            severity=Severity.WARNING,
+            message="Only 'tip' is held, the face at which motion is measured: its displacement is 0 throughout.",
+            advice=f"Clamp {base} instead; or read the measures of a face that moves.",
+        ),
+    )
+
+
+def added_pressures(model: Model) -> tuple[Finding, ...]:
+    """Say on which faces several pressures act, which add up (L10)."""
+    given: dict[str, list[str]] = {}
+    for load in model.pressures:
+        given.setdefault(load.face, []).append(f"{load.pressure / kPa:g} kPa")
+    return tuple(
+        Finding(
+            code="L10",
+            severity=Severity.WARNING,
+            message=f"{len(values)} pressures act on '{face}' ({', '.join(values)}): they add up.",
+            advice="State one pressure for each cavity, with a history where it changes on the way.",
+        )
+        for face, values in given.items()
+        if len(values) > 1
     )
 
 

@@ -33,6 +33,9 @@ BENDING_COUNTS = 0.02
 #: A tolerance that is just met is met.
 PENETRATION_ROUND_OFF = 1e-6
 
+#: Share of the largest displacement from which elastic slip of points that stick is reported.
+ELASTIC_SHARE = 0.1
+
 # --- distortion
 
 #: Rubber keeps its volume, a mesh keeps it on average. Where a point of a cell has less than this share of its volume

@@ -26,9 +26,10 @@ from turgor.solvers.continuation.path_points import (
 )
 from turgor.solvers.continuation.predictor import BY_LOAD, gentle_share, knows_touch, predicted
 from turgor.solvers.continuation.step_acceptance import turns_aside, why_rejected
-from turgor.solvers.continuation.step_control import StepControl
+from turgor.solvers.continuation.step_control import StepControl, in_vain
 from turgor.solvers.continuation.tangent_response import others_move, rate_at, response_in_step
 from turgor.solvers.continuation.thresholds import (
+    FOLD_SHARE,
     LONG_FIRST_STEP,
     RELAXATION_REACH,
     RELAXATIONS,
@@ -40,6 +41,7 @@ from turgor.solvers.newton.pseudo_transient import pseudo_transient
 from turgor.solvers.outcomes import Outcome, converged, stuck
 from turgor.solvers.problem import Problem
 from turgor.solvers.procedures.static import Static
+from turgor.solvers.reasons import Cause, Reason
 from turgor.solvers.restart import unknowns_of
 from turgor.solvers.solution import State, Status
 
@@ -236,8 +238,13 @@ class LoadStrategy:
 
     def rescue(self, run: Run) -> Outcome | None:
         """Try pseudo-transient continuation where no step succeeds; say how the run ends if that fails too."""
-        ending = stuck(run.task.system.model, run.states, run.steps, self.lost_stability)
-        if not self.patient or self.relaxations >= RELAXATIONS or ending.status is not Status.STEP_TOO_SMALL:
+        model = run.task.system.model
+        ending = stuck(model, run.states, run.steps, self.lost_stability)
+        if in_vain(run.steps) or self.relaxations >= RELAXATIONS:
+            return ending
+        if not self.patient and len(run.states) > 1:  # at rest a film is slack
+            return ending
+        if ending.status is not Status.STEP_TOO_SMALL and not model.sheets_wrinkle:  # films snap from fold to fold
             return ending
         if distortion_text(run.states[-1]):  # a cell has collapsed, and nothing beyond it is of the body
             return ending
@@ -247,7 +254,7 @@ class LoadStrategy:
             if found is not None:
                 self.rate = inf
                 return accept(run, *found)
-        return ending
+        return stuck(model, run.states, run.steps, self.lost_stability) if in_vain(run.steps) else ending
 
     def accepted(self, run: Run, now: Point) -> None:
         """Take long steps again after steps that were cut only to locate the loss of stability."""
@@ -269,11 +276,26 @@ def _pseudo_transient(run: Run, load: float) -> tuple[Point, NewtonResult] | Non
     report = task.problem.listeners.reporter(len(run.steps) + 1, load)
     result = pseudo_transient(run.constraint, task.tangent, last.unknowns, load, task.settings, report)
     why = why_rejected(system, run.states, run.history, result) if result.converged else None
-    found = result.converged and why is None
-    noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, result.reason or why))
+    folds = why is not None and system.model.sheets_wrinkle and _folds(run, result, why)
+    found = result.converged and (why is None or folds)
+    snapped = folds and len(run.states) > 1
+    how = Reason(Cause.FOLD_SNAPPED if snapped else Cause.PSEUDO_TRANSIENT) if found else result.reason or why
+    noted(run, result, (load, perf_counter() - began), Judgment(last if found else None, how))
     if not found or result.evaluation is None:
         return None
     return plain_point(run, result.evaluation, (load, result.scalars), result.unstable_modes), result
+
+
+def _folds(run: Run, result: NewtonResult, why: Reason) -> bool:
+    """Whether a film snapped to the next fold, or started from rest with folds that are unstable."""
+    assert result.evaluation is not None
+    if why.cause is Cause.STABILITY_LOST:
+        return len(run.states) == 1
+    if why.cause is not Cause.LONG_MOVE:
+        return False
+    last, moving = run.history[-1].unknowns, run.task.system.moving
+    moved = float(np.linalg.norm((result.evaluation.unknowns - last)[moving]))
+    return moved <= FOLD_SHARE * float(np.linalg.norm(last[moving]))
 
 
 def _reach(run: Run, share: float) -> float:

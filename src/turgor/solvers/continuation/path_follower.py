@@ -13,6 +13,7 @@ from turgor.solvers.checkpoints.loop import Loop
 from turgor.solvers.continuation.limit_points import insert_limit_points
 from turgor.solvers.continuation.path_points import Judgment, Point, Run, solve_at
 from turgor.solvers.continuation.scalar_control.arc_scaling import next_conditions
+from turgor.solvers.continuation.step_control import in_vain
 from turgor.solvers.continuation.thresholds import HISTORY
 from turgor.solvers.newton.newton import NewtonResult
 from turgor.solvers.outcomes import Outcome, interrupted, stopped_by, too_many_steps
@@ -79,7 +80,7 @@ def _advance(run: Run) -> Outcome | None:
     judgment = task.strategy.judge(run, result, parameter)
     noted(run, result, (parameter, perf_counter() - began), judgment)
     if judgment.point is None:
-        if shorter is None:
+        if shorter is None or in_vain(run.steps):
             return task.strategy.rescue(run)
         run.stepping = shorter
         return None

@@ -223,7 +223,8 @@ def _for_short(run: Run, length: float) -> NewtonSettings:
     """
     settings = run.task.settings
     smaller = settings.tolerance * length / run.task.procedure.first_step
-    return replace(settings, tolerance=min(settings.tolerance, max(SMALLEST_TOLERANCE, smaller)))
+    shrunk = min(settings.tolerance, max(SMALLEST_TOLERANCE, smaller))
+    return replace(settings, tolerance=shrunk, enough=settings.tolerance)
 
 
 def begin(run: Run, parameter: float, unknowns: Array, scalars: Array) -> None:

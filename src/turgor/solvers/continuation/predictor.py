@@ -5,7 +5,8 @@ stretches its walls a little, and the residual of that is large although the nex
 first steps of a path, the last state is taken only where walls touch, where sheets wrinkle, or where stresses are not
 linearized.
 Where walls touch, the state moves on along the tangent of the path instead: the tangent knows which points resist. A
-polynomial through states with other points in contact presses walls far into each other or lifts them off.
+polynomial through states with other points in contact presses walls far into each other or lifts them off. Where things
+slide with friction on a curved body, the tangent lifts them off; then the parabola of the last two tangents is taken.
 
 Where sheets wrinkle, the order is at most that of a parabola, and stress and strain of the sheets follow a line: each
 point of a sheet has a kink in its path where it goes slack, and the residual, to which a stiff sheet adds much for
@@ -19,10 +20,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turgor.engine.algebra.tangent import Tangent
+from turgor.engine.contact.terms import Contacts
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.continuation.path_points import Point, between, unknowns_between
-from turgor.solvers.continuation.thresholds import FAR, GOOD_PREDICTION, HISTORY, SHORTENINGS, WRINKLING_HISTORY
+from turgor.solvers.continuation.thresholds import (
+    FAR,
+    GOOD_PREDICTION,
+    HISTORY,
+    SHORTENINGS,
+    STAYS_ON,
+    WRINKLING_HISTORY,
+)
 from turgor.solvers.newton.convergence import relative_residual
 from turgor.solvers.newton.line_search import evaluate
 from turgor.solvers.newton.newton import Start
@@ -187,7 +196,31 @@ def _along_tangent(
     at = evaluate(constraint, tangent, (ahead, last.scalars), parameter)
     if here is None or at is None:
         return None
+    if at.contacts.rubs and _touching(at.contacts) < STAYS_ON * _touching(
+        system.contacts(last.unknowns, last.parameter)
+    ):
+        bent = _bent(history, parameter)
+        along = None if bent is None else evaluate(constraint, tangent, (bent, last.scalars), parameter)
+        if bent is not None and along is not None and _touching(along.contacts) > _touching(at.contacts):
+            ahead, at = bent, along
     return Start(ahead, system.stresses(here, ahead - last.unknowns), last.scalars, evaluation=at)
+
+
+def _touching(contacts: Contacts) -> int:
+    """How many points touch."""
+    return sum(int(found.inside.sum()) for found in contacts.found)
+
+
+def _bent(history: Sequence[Point], parameter: float) -> Array | None:
+    """Unknowns (size,) on the parabola of the last two tangents; None where one is not known.
+
+    What slides around a drum lifts off along its tangent, by more than it is pressed in.
+    """
+    before, last = history[-2:]
+    if before.change is None or last.change is None:
+        return None
+    turned = (last.change - before.change) / (last.parameter - before.parameter)
+    return _ahead(last, parameter) + 0.5 * (parameter - last.parameter) ** 2 * turned
 
 
 def _between(system: System, points: Sequence[Point], parameter: float) -> Start:

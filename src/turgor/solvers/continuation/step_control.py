@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 
 from turgor.solvers.continuation.thresholds import (
     COMFORTABLE_ITERATIONS,
+    CREEPING_ADVANCE,
+    CREEPING_ATTEMPTS,
     LOAD_DIGITS,
     ROUND_OFF,
     STEP_CUT,
@@ -15,6 +17,8 @@ from turgor.solvers.continuation.thresholds import (
     WRINKLING_ITERATIONS,
 )
 from turgor.solvers.procedures.step_options import StepOptions
+from turgor.solvers.reasons import Cause
+from turgor.solvers.solution import Step
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -128,3 +132,12 @@ class StepControl:
         """Cut the step; None when it would fall below the smallest."""
         shorter = increment * STEP_CUT
         return None if shorter < self.min_step else replace(self, length=shorter, patience=0)
+
+
+def in_vain(steps: Sequence[Step]) -> bool:
+    """Whether shorter steps do not help: the last one ended at round-off, or the last many hardly advanced."""
+    if steps[-1].cause is Cause.ROUND_OFF:
+        return True
+    last = steps[-CREEPING_ATTEMPTS:]
+    taken = [step.increment for step in last if step.accepted]
+    return len(last) == CREEPING_ATTEMPTS and 2 * len(taken) <= len(last) and sum(taken) < CREEPING_ADVANCE

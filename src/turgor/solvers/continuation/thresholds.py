@@ -64,6 +64,9 @@ LIMIT_POINT_SOLVES = 8
 #: load, and if that fails over a smaller one.
 RELAXATIONS, RELAXATION_REACH, SHORTER_RELAXATION_REACH = 20, 0.05, 0.1
 
+#: Where a film wrinkles, such a state may be this share of the displacement away: the film snaps from fold to fold.
+FOLD_SHARE = 0.1
+
 #: If the first step is at least this share of the load, the response to a small load is computed first.
 LONG_FIRST_STEP = 0.2
 
@@ -94,6 +97,10 @@ WRINKLING_HISTORY = 3
 #: An extrapolation that leaves a smaller relative residual is taken without trying a lower order.
 GOOD_PREDICTION = 0.05
 
+#: Where a smaller share of the points that touch would still touch along the tangent, it leads off a curved body. Of
+#: 63 points of a belt that slides on a drum, the tangent kept 12.
+STAYS_ON = 0.8
+
 #: An extrapolation is shortened this often at most where it presses walls into each other.
 SHORTENINGS = 3
 
@@ -123,6 +130,10 @@ TOUCHING_SHARE = 0.5
 
 #: A failed step is tried again with this share of its length.
 STEP_CUT = 0.35
+
+#: A run ends where half of so many attempts failed and the others advanced by less than this share of the load. With
+#: the usual smallest step they advance farther; a run that may take steps of 1e-8 made 945 attempts.
+CREEPING_ATTEMPTS, CREEPING_ADVANCE = 60, 1e-3
 
 #: The last stretch to a target is taken whole if it is no longer than this many steps.
 STRETCH = 1.25

@@ -51,6 +51,8 @@ def newton_with_contact(
         hardest = max(hardest, result.iterations)
     if result.converged:
         result = replace(result, converged=False, reason=Reason(Cause.CONTACT_UNSETTLED, CONTACT_PASSES))
+    if result.reason is not None and result.reason.cause is Cause.TOO_MANY_ITERATIONS:
+        result = replace(result, reason=replace(result.reason, value=iterations))  # those of all passes
     return replace(result, iterations=iterations)
 
 

@@ -20,7 +20,7 @@ from turgor.engine.algebra.tangent import Tangent
 from turgor.engine.system import Evaluation, Stresses
 from turgor.solvers.constraints.constraint import Conditions, Constraint
 from turgor.solvers.newton.border import Border
-from turgor.solvers.newton.convergence import partners_settle, whole_residual
+from turgor.solvers.newton.convergence import partners_settle, stagnates, too_slow, whole_residual
 from turgor.solvers.newton.forcing import forcing
 from turgor.solvers.newton.line_search import evaluate, line_search
 from turgor.solvers.newton.thresholds import (
@@ -51,12 +51,15 @@ class NewtonSettings:
         Whether stresses may be linearized where the tangent is set to that.
     count_anew : bool
         Whether unstable modes are counted by new factors where the last ones are stale.
+    enough : float [-]
+        Relative residual that is accepted where round-off keeps it above the tolerance.
     """
 
     tolerance: float = 1e-6
     max_iterations: int = 15
     mixed_points: bool = True
     count_anew: bool = False
+    enough: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -190,9 +193,15 @@ def newton(
             now.at = last
             return _failure(now, iteration, Reason(Cause.DEEP_PENETRATION), tangent)
         if iteration >= VAIN_UPDATES and _in_vain(now):
-            return _failure(now, iteration, Reason(Cause.TOO_MANY_ITERATIONS, iteration), tangent)
+            vain = f": walls touch, and {iteration} updates did not halve the residual"
+            return _failure(now, iteration, Reason(Cause.TOO_MANY_ITERATIONS, iteration, vain), tangent)
+        if stagnates(constraint.sought.system, now.at, now.residuals):
+            if now.residuals[-1] <= settings.enough and not now.jump.any():
+                return _success(run, now, iteration)
+            return _failure(now, iteration, Reason(Cause.ROUND_OFF, min(now.residuals)), tangent)
         _choose_factors(run, now, last, update)
-    return _failure(now, iteration, Reason(Cause.TOO_MANY_ITERATIONS, settings.max_iterations), tangent)
+    reason = Reason(Cause.TOO_MANY_ITERATIONS, iteration, too_slow(now.residuals))
+    return _failure(now, iteration, reason, tangent)
 
 
 def _begin(run: _Newton, start: Start) -> _Iterate | None:

@@ -1,8 +1,9 @@
 """Pseudo-transient continuation: reach an equilibrium that Newton's method does not find, against viscous forces.
 
-The residual drives a motion against viscous forces in proportion to the mass. The steps are implicit and get longer
-while the motion fades (Kelley and Keyes 1998, doi 10.1137/S0036142996304796). At rest there are no viscous forces: the
-state is an equilibrium of the model, and it is stable.
+The residual drives a motion against viscous forces that resist changes of the displacement's gradient. The steps are
+implicit and get longer while the motion fades (Kelley and Keyes 1998, doi 10.1137/S0036142996304796). At rest there are
+no viscous forces: the state is an equilibrium of the model. It is stable, but where a motion along a line of symmetry
+ends at an unstable one; the caller decides about that.
 """
 
 from dataclasses import dataclass, replace
@@ -12,17 +13,20 @@ from numpy.typing import NDArray
 
 from turgor.engine.algebra.additions import Linear
 from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.mass import mass_data
+from turgor.engine.damping import gradient_stiffness
 from turgor.engine.system import Evaluation, System
 from turgor.solvers.constraints.constraint import Constraint
 from turgor.solvers.newton.contact_newton import newton_with_contact
 from turgor.solvers.newton.newton import NewtonResult, NewtonSettings, Report, Start, newton
 from turgor.solvers.newton.thresholds import (
+    ALMOST_RIGID,
     FADED_VISCOSITY,
+    GONE_VISCOSITY,
     PSEUDO_TRANSIENT_FAILURES,
     PSEUDO_TRANSIENT_ITERATIONS,
     QUICK_ITERATIONS,
     ROUGH_RESIDUAL,
+    SMALLEST_VISCOSITY,
     VISCOSITY_AFTER_FAILURE,
     VISCOSITY_AFTER_QUICK,
     VISCOSITY_AFTER_STEP,
@@ -69,12 +73,12 @@ def pseudo_transient(
     at = constraint.evaluate(unknowns, load_factor, np.empty(0))
     if at is None:
         return _restless(0)
-    mass = mass_data(system, np.full(len(system.cells), system.stress_scale / system.length**2))
-    motion = _Motion(at, _first_viscosity(system, at, mass))
+    resistance = gradient_stiffness(system)
+    motion = _Motion(at, _first_viscosity(system, tangent, at, resistance))
     smallest, failures = FADED_VISCOSITY * motion.viscosity, 0
     rough = replace(settings, tolerance=max(ROUGH_RESIDUAL, settings.tolerance), mixed_points=False)
     while motion.iterations < PSEUDO_TRANSIENT_ITERATIONS and failures <= PSEUDO_TRANSIENT_FAILURES:
-        dragged = replace(constraint, addition=_drag(system, mass, motion))
+        dragged = replace(constraint, addition=_drag(system, resistance, motion))
         start = Start(motion.at.unknowns, system.stresses(motion.at))
         result = newton(dragged, tangent, start, load_factor, rough, report)
         motion.iterations += result.iterations
@@ -87,7 +91,9 @@ def pseudo_transient(
         if motion.viscosity > smallest:
             continue
         last = _without(constraint, tangent, motion, settings, report)
-        if last.converged and not last.unstable_modes:
+        at_round_off = last.reason is not None and last.reason.cause is Cause.ROUND_OFF
+        gone = motion.viscosity <= GONE_VISCOSITY * smallest  # at rest where it is unstable
+        if at_round_off or (last.converged and (gone or not last.unstable_modes)):
             return replace(last, iterations=motion.iterations)
     return _restless(motion.iterations)
 
@@ -107,14 +113,17 @@ def _restless(iterations: int) -> NewtonResult:
     return NewtonResult(evaluation=None, iterations=iterations, residual=np.inf, converged=False, reason=reason)
 
 
-def _first_viscosity(system: System, at: Evaluation, mass: Array) -> float:
-    """The viscosity with which the fastest node moves by the allowed distance in the first step."""
-    lumped = system.layout.base.product(mass, np.ones(system.size))[system.moving]
-    force = np.where(system.held, 0.0, at.residual)[system.moving]
-    fastest = float(np.abs(force / np.maximum(np.abs(lumped), 1e-3 * np.abs(lumped).max())).max())
-    return max(fastest / VISCOUS_FIRST_MOVE, 1e-9)
+def _first_viscosity(system: System, tangent: Tangent, at: Evaluation, resistance: Array) -> float:
+    """The viscosity with which no node moves by more than the allowed distance in the first step."""
+    largest = ALMOST_RIGID * float(np.abs(system.tangent_data(at)).max()) / float(np.abs(resistance).max())
+    drag = Linear(system.layout.base, largest * resistance, np.zeros(system.size))
+    tangent.factor(replace(at, addition=drag))
+    moved = tangent.solve(np.where(system.held, 0.0, -at.residual))[: 3 * system.node_count]
+    return max(
+        largest * float(np.abs(moved[system.moving[: len(moved)]]).max()) / VISCOUS_FIRST_MOVE, SMALLEST_VISCOSITY
+    )
 
 
-def _drag(system: System, mass: Array, motion: _Motion) -> Linear:
-    drag = motion.viscosity * mass
+def _drag(system: System, resistance: Array, motion: _Motion) -> Linear:
+    drag = motion.viscosity * resistance
     return Linear(system.layout.base, drag, -system.layout.base.product(drag, motion.at.unknowns))

@@ -27,6 +27,10 @@ KEEP_PARTNERS_AFTER = 8
 #: They are kept earlier where the residual is this small and falls no more.
 STAGNATING_BELOW = 0.05
 
+#: So many updates in a row that leave a residual below the second number, and do not halve it, may be at round-off. Its
+#: estimate was ten times what stiff films left.
+STAGNATING_UPDATES, ROUND_OFF_BELOW = 3, 1e-5
+
 # --- inertia correction
 
 #: Updates before it gives up, and how far a node may move from the start, in mean edge lengths: a larger motion is not
@@ -84,7 +88,10 @@ VAIN_UPDATES, VAIN_SHARE = 6, 0.5
 # --- pseudo transient
 
 #: The first viscous step moves no node by more than about this many edge lengths.
-VISCOUS_FIRST_MOVE = 0.1
+VISCOUS_FIRST_MOVE = 0.5
+
+#: Viscosity over the stiffness of the body with which that move is foreseen, and the smallest first viscosity.
+ALMOST_RIGID, SMALLEST_VISCOSITY = 100.0, 1e-9
 
 #: After a step of few iterations the viscosity falls by the first factor, after others by the second; where a step
 #: fails it rises by the third.
@@ -95,6 +102,9 @@ PSEUDO_TRANSIENT_ITERATIONS, PSEUDO_TRANSIENT_FAILURES = 150, 6
 
 #: Without viscosity it is tried once the viscosity has fallen to this share of the first one.
 FADED_VISCOSITY = 1e-3
+
+#: Once it has fallen to this share of that, an unstable state will not be left any more.
+GONE_VISCOSITY = 1e-3
 
 #: Relative residual of a viscous step: it is on the way only.
 ROUGH_RESIDUAL = 1e-3

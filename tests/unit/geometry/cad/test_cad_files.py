@@ -176,6 +176,12 @@ def test_a_closed_stl_becomes_a_body_with_plane_walls(text, tmp_path):
     assert read_cad(turned).cavity_volume == pytest.approx(part.cavity_volume, rel=1e-6)
 
 
+def test_a_tiny_stl_has_its_unit_in_doubt(tmp_path):
+    path = cases.write_stl(tmp_path / "part.stl", triangles_of(hollow_box()) / 5, False)
+    codes = [[each.code for each in load_file(path, unit).findings] for unit in (None, "mm")]
+    assert codes == [["P09"], []]
+
+
 def test_an_open_stl_is_closed_and_tells_where(tmp_path):
     triangles = triangles_of(hollow_box())
     part = read_cad(cases.write_stl(tmp_path / "part.stl", triangles[1:]))

@@ -139,6 +139,18 @@ def test_axes_are_turned(cube):
     assert [f for f in turned.findings if "mirrored" in f.message] == []
 
 
+def test_a_tiny_part_in_a_file_without_a_unit_is_told(cube, tmp_path):
+    """A mesh in centimeters or inches, read in millimeters."""
+    points, cells, _ = cases.hollow_cube()
+    file = tmp_path / "tiny.vtk"
+    file.write_bytes(cases.vtk_legacy(points / 10, [(12, cells)]))
+    (told,) = [each for each in read_mesh(file).findings if each.code == "P09"]
+    assert told.message == "'tiny.vtk' states no unit; read in mm, the part is only 3 mm long."
+    assert told.advice.startswith("State its unit; in cm the part is 30 mm long, in inches 76.2 mm.")
+    for sure in (read_mesh(file, unit="mm"), read_mesh(file, unit="cm"), read_mesh(cube)):
+        assert not [each for each in sure.findings if each.code == "P09"]
+
+
 @pytest.mark.parametrize(
     ("given", "sentence"),
     [
