@@ -20,6 +20,7 @@ from turgor.solvers.checkpoints.record import Question, RunRecord
 from turgor.solvers.checks.contact import deep_penetrations, meeting_walls
 from turgor.solvers.checks.early import early_findings
 from turgor.solvers.checks.materials import laws_beyond_their_tests
+from turgor.solvers.checks.plate import plate_findings
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
 from turgor.solvers.coarse_path import COARSE, check_coarse, iterations_only, led_by, on_coarse_mesh
@@ -230,6 +231,7 @@ def _solved(
     findings = (
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
+        *plate_findings(model, problem.states),
         *limit_point_findings(problem.limits, method.limit_points),
         *unwatched_stability(tangent.iterative, system.size),
         *method.findings(problem.states),
