@@ -83,7 +83,10 @@ def _other_than_tip(model: Model, plate: Plate, state: State) -> Finding | None:
         return None
     gap = _gap(model, plate, state, plate.tip)
     share = touch.force @ _push(plate)
-    x, y, z = share @ mesh.points / share.sum() / mm
+    place = share @ mesh.points / share.sum()
+    for axis, plane in mesh.mirror_planes:
+        place[axis] = plane
+    x, y, z = place / mm + 0.0
     hovers = f", while the tip is {gap / mm:.3g} mm away from the plate" if gap > 0 else ""
     return Finding(
         code="B25",
