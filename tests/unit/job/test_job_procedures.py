@@ -188,7 +188,8 @@ def test_the_guide_says_what_is_so(tmp_path: Path) -> None:
     blocks = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
     start = FINGER[: FINGER.index("[obstacles.bar]")]
     asked = [read(tmp_path, start + block).setup for block in blocks]
-    assert asked == [BlockedForce(distance=1 * mm), Grasp(object="bar", pull_distance=3 * mm)]
+    tab = BlockedForce(hold="yz", rotational_spring=0.68)
+    assert asked == [BlockedForce(distance=1 * mm), tab, Grasp(object="bar", pull_distance=3 * mm)]
     keys = [set(re.findall(r"(?m)^\| `(\w+)` \|", table)) for table in text.split("## How firmly")]
     assert keys[0] == {item.name for item in fields(BlockedForce)}
     assert keys[1] == {item.name for item in fields(Grasp)} | {"max_step"}
