@@ -79,7 +79,7 @@ class BlockedForce:
         if self.distance is not None:
             raise TurgorError(f"{said}, and distance is {self.distance / mm:g} mm; one of them says where it stands.")
         if self.direction == FREE:
-            raise TurgorError(f"{said}, but direction is 'free'; state it, such as '-z': the place is along its axis.")
+            raise TurgorError(f"{said}, but direction is 'free'; a position needs a stated one, such as '-z'.")
 
     def _check_held(self) -> None:
         if self.rotational_spring is not None and not 0 <= self.rotational_spring < inf:
