@@ -128,7 +128,7 @@ def _spring_facts(page: Page) -> dict[str, float]:
         "stiff7": _at(page.of(held("7 chambers", "Yeoh", STIFF))),
         "doubled": 100 * changes["spring × 2"],
         "law_off": 100 * changes["law: Yeoh, both tests"],
-        "mesh_off": 100 * changes["mesh: cells of 2.5 mm"],
+        "mesh_off": 100 * changes["mesh: cells of 3.5 mm"],
         "film_off": 100 * changes["film: stiffness / 100"],
         "plate_film_off": 100 * changes["film: a plate of 0.1 mm"],
         "clamp_off": 100 * changes["clamp: end face only"],
