@@ -1,5 +1,6 @@
 """blocked_force: a model whose tip is stopped, by a plate before it or a gauge that holds it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -104,13 +105,15 @@ def blocked_force(
     return blocked(model, setup)
 
 
-def blocked(model: Model, setup: BlockedForce) -> Model:
+def blocked(model: Model, setup: BlockedForce, notify: Callable[[str], None] | None = None) -> Model:
     """Return a model whose tip is stopped as a setup says; see `blocked_force`.
 
     Parameters
     ----------
     model : Model
     setup : BlockedForce
+    notify : callable, optional
+        Where notices of the engine go while a direction is found.
 
     Returns
     -------
@@ -120,7 +123,7 @@ def blocked(model: Model, setup: BlockedForce) -> Model:
     normal = outward(mesh, setup.face)
     direction = setup.direction
     if direction == FREE:
-        direction = first_direction(model, setup.face, "xyz" if setup.hold == PLATE else setup.hold)
+        direction = first_direction(model, setup.face, "xyz" if setup.hold == PLATE else setup.hold, notify)
     check_unmirrored(mesh, "blocked_force: direction", direction)
     if setup.hold != PLATE:
         return replace(model, supports=(*model.supports, *_held(setup, direction)))

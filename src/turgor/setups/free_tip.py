@@ -3,6 +3,8 @@
 A linear solve at rest would not do: a sheet or thread that bears tension only has hardly any stiffness there.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -34,7 +36,7 @@ TOLERANCE = 1e-3
 Array = NDArray[np.float64]
 
 
-def first_direction(model: Model, face: str, axes: str) -> str:
+def first_direction(model: Model, face: str, axes: str, notify: Callable[[str], None] | None = None) -> str:
     """Find the direction along one of some axes in which a face sets out under a small share of the load.
 
     Parameters
@@ -45,6 +47,8 @@ def first_direction(model: Model, face: str, axes: str) -> str:
         The face that moves.
     axes : str
         Axes that count, any of x, y, z.
+    notify : callable, optional
+        Where notices of the engine go.
 
     Returns
     -------
@@ -63,7 +67,7 @@ def first_direction(model: Model, face: str, axes: str) -> str:
         far = state.load_factor >= FIRST_SHARE * (1 - 1e-9)
         return "the tip has set out" if far and _largest(motion(mesh, face, state)[0][picked]) > least else None
 
-    question = Question(model=model, procedure=Static(tolerance=TOLERANCE), options=EngineOptions())
+    question = Question(model=model, procedure=Static(tolerance=TOLERANCE), options=EngineOptions(notify=notify))
     path = follow_question(question, Listeners(stop=seen), None, throw=False)
     mean, whole = motion(mesh, face, path.states[-1])
     clear = CLEAR * _largest(mean)

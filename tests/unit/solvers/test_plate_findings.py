@@ -67,7 +67,11 @@ def test_a_keel_on_the_plate(question, sinks, hovers):
     """At 5 and 10 mm behind the tip; 5 % of the actuator are 2 mm."""
     (found,) = plate_findings(question, path(question, sinks=sinks, bears=(30, 35)))
     assert (found.code, found.severity) == ("B25", "warning")
-    assert f"the force acts 7.5 mm behind it, around (32.5, 0, 0) mm at rest{hovers}" in found.message
+    who = "What bears on the plate is not the tip" if "while" in hovers else "Not the tip alone bears on the plate"
+    assert (
+        f"{who}: at the end of the path the force acts 7.5 mm behind it, around (32.5, 0, 0) mm at rest{hovers}"
+        in found.message
+    )
     assert "hold = 'z'" in found.advice
 
 

@@ -17,7 +17,7 @@ from turgor.study.runs import Computed
 from turgor.units import N, kPa, mm
 
 #: Spring that keeps the tip from turning, in effect [N m/rad].
-STIFF = 1e6
+STIFF = 100.0
 #: Pressure at which a spring is fitted [kPa].
 FITTED_AT = 30.0
 #: Springs to begin with [N m/rad], and how near the force has to come [-].

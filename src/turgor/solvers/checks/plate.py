@@ -87,11 +87,12 @@ def _other_than_tip(model: Model, plate: Plate, state: State) -> Finding | None:
     for axis, plane in mesh.mirror_planes:
         place[axis] = plane
     x, y, z = place / mm + 0.0
+    what = "What bears on the plate is not the tip" if gap > 0 else "Not the tip alone bears on the plate"
     hovers = f", while the tip is {gap / mm:.3g} mm away from the plate" if gap > 0 else ""
     return Finding(
         code="B25",
         severity=Severity.WARNING,
-        message=f"What bears on the plate is not the tip: at the end of the path the force acts {away / mm:.3g} mm "
+        message=f"{what}: at the end of the path the force acts {away / mm:.3g} mm "
         f"behind it, around ({x:.3g}, {y:.3g}, {z:.3g}) mm at rest{hovers}.",
         advice="The lever of such a force is shorter than the actuator, and the force larger than that of the tip. "
         f"State a distance at which the tip meets the plate first, or hold the tip: hold = '{_axis(plate)}'.",
