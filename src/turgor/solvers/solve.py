@@ -173,7 +173,8 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
             solution, _ = one(model, procedure, listeners, None)
         early = early_findings(model, procedure)
         beyond = laws_beyond_their_tests(model, solution.states)
-        solution = replace(solution, findings=by_weight((*early, *beyond, *solution.findings)))
+        plates = plate_findings(model, solution.states)
+        solution = replace(solution, findings=by_weight((*early, *beyond, *plates, *solution.findings)))
         solution = solution if led is None else led_by(led, solution)
         if record is not None and solution.status is not Status.INTERRUPTED:
             record.finish(solution)
@@ -231,7 +232,6 @@ def _solved(
     findings = (
         *meeting_walls(model, problem.states),
         *deep_penetrations(problem.states),
-        *plate_findings(model, problem.states),
         *limit_point_findings(problem.limits, method.limit_points),
         *unwatched_stability(tangent.iterative, system.size),
         *method.findings(problem.states),

@@ -48,7 +48,7 @@ def plate_findings(model: Model, states: Sequence[State]) -> tuple[Finding, ...]
     ----------
     model : Model
     states : sequence of State
-        The path.
+        The whole path, of all stages.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def plate_findings(model: Model, states: Sequence[State]) -> tuple[Finding, ...]
         None where no plate stops a tip.
     """
     plates = [each for each in model.contact.obstacles if isinstance(each, Plate) and isinstance(each.shape, Plane)]
-    found = (_never_touched(model, each, states) or _other_than_tip(model, each, states[-1]) for each in plates)
+    found = (_never_touched(model, each, states) or _other_than_tip(model, each, states[-1]) for each in plates if states)
     return tuple(each for each in found if each is not None)
 
 
@@ -65,7 +65,7 @@ def _never_touched(model: Model, plate: Plate, states: Sequence[State]) -> Findi
         return None
     gaps = [_gap(model, plate, state, plate.face or plate.tip) for state in states]
     last = states[-1].load_factor
-    load = drive_text(model, last, 3) or f"load factor {last:.3g}"
+    load = drive_text(states[-1].model, last, 3) or f"load factor {last:.3g}"
     return Finding(
         code="B24",
         severity=Severity.WARNING,
