@@ -55,7 +55,7 @@ HELD: dict[str, tuple[float, dict[str, Any]]] = {
     "spring × 2": (2.0, {}),
     "spring / 2": (0.5, {}),
     "law: Yeoh, both tests": (1.0, {"tests": "both"}),
-    "mesh: cells of 3.5 mm": (1.0, {"size_mm": 3.5}),
+    "mesh: cells of 2.5 mm": (1.0, {"size_mm": 2.5}),
     "film: stiffness / 100": (1.0, {"modulus_MPa": 41.0}),
     "film: a plate of 0.1 mm": (1.0, {"form": "shell", "thickness_mm": 0.1}),
     "clamp: end face only": (1.0, {"clamp_mm": 0.0}),

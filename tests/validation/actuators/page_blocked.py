@@ -111,24 +111,26 @@ def _at(response: tg.Response, column: str = "blocked_force", pressure: float = 
 
 def _spring_facts(page: Page) -> dict[str, float]:
     """Numbers of the springs."""
-    seven, five = (page.of(held(name, MEETS, springs(page)[MEETS])) for name in ("7 chambers", "5 chambers"))
+    five, seven, ten = (page.of(held(name, MEETS, springs(page)[MEETS])) for name in PRESSED)
     changes = {name: _at(page.of(held_varied(name, springs(page)[MEETS]))) / _at(seven) - 1 for name in HELD}
     return {
         "spring": springs(page)[MEETS],
         "spring_blind": springs(page)["Yeoh"],
         "spring_five": _fitted(page, "5 chambers", MEETS),
-        "spring_seven": _fitted(page, "7 chambers", MEETS),
         "turn7": _at(seven, "tab_rotation_y") / deg,
         **{f"seven{each:.0f}": _at(seven, pressure=each) for each in AT},
         **{f"seven{each:.0f}_aim": blocked_at(7, 7.0, each) for each in AT},
         "five_got": _at(five),
         "five_aim": blocked_at(5, 7.0, FITTED_AT),
+        "five35": _at(five, pressure=35.0),
+        "five35_aim": blocked_at(5, 7.0, 35.0),
+        "ten35": _at(ten, pressure=35.0),
+        "ten35_aim": blocked_at(5, 10.0, 35.0),
         "hinge7": _at(page.of(held("7 chambers", "Yeoh", 0.0))),
-        "hinge5": _at(page.of(held("5 chambers", "Yeoh", 0.0))),
         "stiff7": _at(page.of(held("7 chambers", "Yeoh", STIFF))),
         "doubled": 100 * changes["spring × 2"],
         "law_off": 100 * changes["law: Yeoh, both tests"],
-        "mesh_off": 100 * changes["mesh: cells of 3.5 mm"],
+        "mesh_off": 100 * changes["mesh: cells of 2.5 mm"],
         "film_off": 100 * changes["film: stiffness / 100"],
         "plate_film_off": 100 * changes["film: a plate of 0.1 mm"],
         "clamp_off": 100 * changes["clamp: end face only"],
