@@ -179,7 +179,7 @@ def test_bender_is_as_far_off_as_recorded(chambers, name, said):
 @pytest.mark.slow
 def test_blocked_force_is_as_far_off_as_recorded():
     """On the spring that the page states: fitted to walls of 10 mm, it predicts 7 chambers."""
-    run = held("7 chambers", MEETS, 0.68)
+    run = held("7 chambers", MEETS, 0.69)
     found, _ = blocked_distance(forces(run.function(**run.values).response), 7, upto=PRESSED_TO)
     assert found == pytest.approx(recorded("blocked force, 7 chambers", f"on a spring, {MEETS}"), abs=DRIFT)
 
