@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from turgor.results.fields.fibers import FiberResult as FiberResult
     from turgor.results.fields.fibers import fiber_results as fiber_results
     from turgor.results.measures.contact_measures import area_on as area_on
+    from turgor.results.measures.contact_measures import bearing_distance as bearing_distance
     from turgor.results.measures.contact_measures import blocked_force as blocked_force
     from turgor.results.measures.contact_measures import blocked_force_x as blocked_force_x
     from turgor.results.measures.contact_measures import blocked_force_y as blocked_force_y

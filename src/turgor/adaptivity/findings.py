@@ -14,7 +14,7 @@ NOTED, DOUBTED = 0.02, 0.05
 SMALL = 1e-6
 
 #: Measures that do not converge, or whose value may be nearly zero.
-LEFT_OUT = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area")
+LEFT_OUT = ("maximum_", "deepest_penetration", "smallest_gap", "reaction", "contact_area", "bearing_distance")
 
 #: Finding that is kept only where the mesh error is noted.
 ONLY_WITH_ERROR = "G01"

@@ -15,6 +15,7 @@ from turgor.meshing.exchange.mesh_file import MeshFile
 from turgor.meshing.sizing.sizes import size_range, wall_size
 from turgor.results.convergence.study import Convergence
 from turgor.results.measures.measures import Measure, find_measure, measure
+from turgor.setups.added import with_direction
 from turgor.solvers.solution import Solution, SolveError
 from turgor.solvers.solve import Progress, solve
 from turgor.units import mm
@@ -75,6 +76,8 @@ def convergence(
         except SolveError as error:
             error.add_note(f"This was the mesh of size {size / mm:.4g} mm; a study compares complete paths.")
             raise
+        if isinstance(question, Job):  # finer meshes do not choose again
+            question = replace(question, setup=with_direction(question.setup, solution.model))
         mesh = solution.model.mesh
         counts.append((len(mesh.cells), mesh.unknown_count))
         values.append(measure(solution, compared).column(compared.name)[-1])

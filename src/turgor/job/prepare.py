@@ -52,7 +52,7 @@ def prepare(job: Job, notify: Notify | None = None) -> tuple[Model, tuple[Findin
     made = mesh_of(job, geometry)
     say(f"mesh: {len(made.cells)} cells, {made.unknown_count} unknowns")
     model = model_of(job, made)
-    asked = with_setup(model, job.setup)
+    asked = with_setup(model, job.setup, say)
     first = _checked(asked, job.procedure)
     check_measures(first, [find_measure(name) for name in job.output.measures])
     if job.output.markers:

@@ -17,8 +17,10 @@ from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
 from turgor.job.prepare import Notify, coarse_mesh, prepare, silent
+from turgor.model.model import Model
 from turgor.response import Response
 from turgor.results.measures.measures import find_measure
+from turgor.setups.added import with_choices
 from turgor.solvers.checkpoints.record import INDEX, Question, RunRecord
 from turgor.solvers.listeners import Listeners
 from turgor.solvers.progress.watched import Heard, Progress, watched
@@ -118,17 +120,25 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
     """Open the record of a run that goes on, or prepare a job and begin one."""
     folder = files.folder / PATH_FOLDER
     if resume and (folder / INDEX).exists():
+        record = RunRecord.open(folder)
+        files.job = _settled(files.job, record.question.model)
         check_same_job(files.job, files.folder / LOCK)
         files.say("going on with the path that the folder holds")
-        return RunRecord.open(folder)
+        return record
     compile_for(files.job)
     model, findings = prepare(files.job, files.say)
+    files.job = _settled(files.job, model)
     keep_mesh_of(files.job)
     clear(files.folder)
     files.begin()
     coarse = coarse_mesh(files.job, model)
     question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings, coarse=coarse)
     return RunRecord.create(folder, question)
+
+
+def _settled(job: Job, model: Model) -> Job:
+    """A job whose setup states what was chosen in its model, as its lock file must."""
+    return replace(job, setup=with_choices(job.setup, model))
 
 
 def _solved(

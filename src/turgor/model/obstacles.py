@@ -225,6 +225,19 @@ class Obstacle:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Plate(Obstacle):
+    """The plate that stops a tip: its force is the blocked force.
+
+    Parameters
+    ----------
+    tip : str
+        The face that is meant to bear on it.
+    """
+
+    tip: str = "tip"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SelfContact:
     """Contact of the actuator with itself: chamber walls, folds, several bodies in one mesh.
 

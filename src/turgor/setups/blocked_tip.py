@@ -1,41 +1,39 @@
 """blocked_force: a model whose tip is stopped, by a plate before it or a gauge that holds it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.engine.algebra.tangent import Tangent
-from turgor.engine.faces import surfaces
-from turgor.engine.runtime import EngineOptions
-from turgor.engine.system import System
 from turgor.errors import TurgorError
 from turgor.geometry.directions import DIRECTIONS
 from turgor.given import one
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import outer_triangles
 from turgor.model.model import Model
-from turgor.model.obstacles import Obstacle, Plane, Vector
-from turgor.model.supports import Fixed
-from turgor.setups.directions import check_unmirrored, unmirrored
+from turgor.model.obstacles import Plane, Plate, Vector
+from turgor.model.points import ReferencePoint
+from turgor.model.supports import Fixed, Support
+from turgor.setups.directions import check_unmirrored
+from turgor.setups.free_tip import first_direction, outward
 from turgor.setups.values import FREE, PLATE, BlockedForce
-from turgor.solvers.checks.supports import check_supports
 
 #: Face of the amended mesh that may touch the plate.
 NEAR_TIP = "near_tip"
 
+#: Reference point of a stiff tab that is glued to the tip.
+TAB = "tab"
+
 #: It reaches back from the tip over this share of the actuator's length.
 REACH = 0.25
-
-#: Load factor of the linear response that tells where the tip sets out; any small one does.
-FIRST_LOAD = 1e-3
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
 class HeldTip(Fixed):
-    """The tip held by a gauge that measures its force.
+    """The tip, or the tab that is glued to it, held by a gauge that measures its force.
 
     Parameters
     ----------
@@ -46,19 +44,16 @@ class HeldTip(Fixed):
     push: Vector = (0.0, 0.0, -1.0)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Plate(Obstacle):
-    """The plate that stops a tip, and by which measures know that its force is the blocked force."""
-
-
 def blocked_force(
     model: Model,
     *,
     hold: str = PLATE,
-    distance: float = 0.0,
+    distance: float | None = None,
+    position: float | None = None,
     direction: str = FREE,
     face: str = "tip",
     friction: float = 0.0,
+    rotational_spring: float | None = None,
 ) -> Model:
     """Return a model whose tip is stopped: by a rigid plate, as on a load cell, or held by a gauge.
 
@@ -74,16 +69,23 @@ def blocked_force(
         The actuator, free at its tip.
     hold : str
         What stops the tip: ``"plate"``, or the directions in which its face is held, ``"x"``, ``"z"``, ``"xz"`` …
-        ``"xyz"``.
-    distance : float [m]
-        How far the tip can move before it meets the plate, 0 or more.
+        ``"xyz"``. A tip that is free along x is as good as a root on a slider with rollers.
+    distance : float [m], optional
+        How far the tip can move before it meets the plate, 0 or more; 0 where no position is given either.
+    position : float [m], optional
+        Where the plate stands instead: its coordinate along the axis of the direction, which must be stated. Lock files
+        give it.
     direction : str
         Where the tip pushes, and on which side of it the plate stands: ``"-z"``, ``"+x"`` and the like. ``"free"`` is
-        the direction along an axis in which the free tip would set out: -z of benders, +x of what extends.
+        the direction along an axis in which the free tip sets out under the first 5 % of the load: -z of benders, +x
+        of what extends.
     face : str
         The face that is the tip.
     friction : float [-]
         Coulomb's coefficient on the plate, 0 to 2.
+    rotational_spring : float [N m/rad], optional
+        A held tip is glued to a stiff tab that may turn about the middle of the face against a spring: its moment per
+        angle, 0 for a hinge. Left out, every point of the face is held.
 
     Returns
     -------
@@ -98,95 +100,124 @@ def blocked_force(
         back into the actuator or across a mirror plane, or the model has a ``plate`` already.
     """
     one(model, Model, "model", "a Model is needed")
-    return blocked(model, BlockedForce(hold=hold, distance=distance, direction=direction, face=face, friction=friction))
+    setup = BlockedForce(
+        hold=hold, distance=distance, position=position, direction=direction, face=face, friction=friction,
+        rotational_spring=rotational_spring,
+    )  # fmt: skip
+    return blocked(model, setup)
 
 
-def blocked(model: Model, setup: BlockedForce) -> Model:
+def blocked(model: Model, setup: BlockedForce, notify: Callable[[str], None] | None = None) -> Model:
     """Return a model whose tip is stopped as a setup says; see `blocked_force`.
 
     Parameters
     ----------
     model : Model
     setup : BlockedForce
+    notify : callable, optional
+        Where notices of the engine go while a direction is found.
 
     Returns
     -------
     Model
     """
     mesh = model.mesh
-    outward = _outward(mesh, setup.face)
+    normal = outward(mesh, setup.face)
     direction = setup.direction
     if direction == FREE:
-        direction = first_direction(model, setup.face, "xyz" if setup.hold == PLATE else setup.hold)
+        direction = first_direction(model, setup.face, "xyz" if setup.hold == PLATE else setup.hold, notify)
     check_unmirrored(mesh, "blocked_force: direction", direction)
     if setup.hold != PLATE:
-        held = HeldTip(setup.face, setup.hold, DIRECTIONS[direction])
-        return replace(model, supports=(*model.supports, held))
+        return replace(model, supports=(*model.supports, *_held(setup, direction)))
     push = np.array(DIRECTIONS[direction])
-    if outward @ push < -0.5:
+    if normal @ push < -0.5:
         raise TurgorError(
             f"blocked_force: direction is '{direction}', so the plate would stand behind the tip, in the actuator; "
             f"hold the tip instead (hold = '{direction[1]}'), or choose a direction away from it."
         )
     if any(obstacle.name == PLATE for obstacle in model.contact.obstacles):
         raise TurgorError(f"blocked_force adds an obstacle '{PLATE}', but the model has one; rename that one.")
-    sides = _near(mesh, setup.face, outward)
-    reached = float((mesh.points[np.unique(sides)] @ push).max()) + setup.distance
-    plane = Plane(point=_vector(reached * push), normal=_vector(-push))
-    plate = Plate(name=PLATE, shape=plane, friction=setup.friction, face=NEAR_TIP)
+    sides = _near(mesh, setup.face, normal)
+    plane = Plane(point=_vector(plate_position(mesh, setup, direction) * np.abs(push)), normal=_vector(-push))
+    plate = Plate(name=PLATE, shape=plane, friction=setup.friction, face=NEAR_TIP, tip=setup.face)
     contact = model.contact.with_obstacles((*model.contact.obstacles, plate))
     return replace(model, mesh=replace(mesh, faces={**mesh.faces, NEAR_TIP: sides}), contact=contact)
 
 
-def first_direction(model: Model, face: str, axes: str) -> str:
-    """Find the direction along one of some axes in which a face sets out under a small load.
+def directed(setup: BlockedForce, model: Model) -> BlockedForce:
+    """Return a setup that states the direction in which the tip of its model is blocked.
 
     Parameters
     ----------
+    setup : BlockedForce
     model : Model
-        The free actuator.
-    face : str
-        The face that moves.
-    axes : str
-        Axes that count, any of x, y, z.
+        Of `blocked`.
 
     Returns
     -------
-    str
-        Such as ``"-z"``.
-
-    Raises
-    ------
-    TurgorError
-        If the face does not move, or the supports leave a rigid motion free.
+    BlockedForce
     """
-    check_supports(model)
-    system = System(model)
-    rest = system.evaluate(np.zeros(system.size), FIRST_LOAD)
-    assert rest is not None  # the undeformed actuator
-    tangent = Tangent(system, EngineOptions().linear_solver, 1)
-    tangent.factor(rest)
-    right = np.where(system.held, 0.0, -rest.residual)
-    displacement, _ = system.physical(tangent.solve(right))
-    weights = surfaces.nodal_weights(model.mesh.points, model.mesh.face(face))
-    moved = unmirrored(model.mesh, weights @ displacement / weights.sum())
-    moved[["xyz".index(axis) for axis in "xyz" if axis not in axes]] = 0.0
-    axis = int(np.abs(moved).argmax())
-    if not abs(moved[axis]) > 1e-9 * FIRST_LOAD * np.ptp(model.mesh.points):
-        raise TurgorError(
-            f"blocked_force: direction is 'free', but the face '{face}' does not set out along "
-            f"{' or '.join(axes)} under the first of the load; state the direction, such as '-z'."
-        )
-    return f"{'+' if moved[axis] > 0 else '-'}{'xyz'[axis]}"
+    return replace(setup, direction=_chosen(model)) if setup.direction == FREE else setup
 
 
-def _outward(mesh: Mesh, face: str) -> Array:
-    """Unit vector out of the tip of the whole actuator, (3,)."""
-    area = unmirrored(mesh, surfaces.vector_area(mesh.points, mesh.face(face)))
-    size = float(np.linalg.norm(area))
-    if not size > 1e-6 * surfaces.area(mesh.points, mesh.face(face)):
-        raise TurgorError(f"the face '{face}' looks nowhere, for its normals cancel; a tip needs an end face.")
-    return area / size
+def settled(setup: BlockedForce, model: Model) -> BlockedForce:
+    """Return a setup that states what was chosen in its model: the direction, and the place of the plate.
+
+    Parameters
+    ----------
+    setup : BlockedForce
+    model : Model
+        Of `blocked`.
+
+    Returns
+    -------
+    BlockedForce
+        It makes the same model from the same actuator.
+    """
+    stated = directed(setup, model)
+    if stated.direction == FREE or stated.hold != PLATE:
+        return stated
+    return replace(stated, distance=None, position=plate_position(model.mesh, stated, stated.direction))
+
+
+def plate_position(mesh: Mesh, setup: BlockedForce, direction: str) -> float:
+    """Return the coordinate of the plate along the axis of its direction [m].
+
+    Parameters
+    ----------
+    mesh : Mesh
+    setup : BlockedForce
+    direction : str
+        As stated, or found where it is free.
+
+    Returns
+    -------
+    float
+    """
+    if setup.position is not None:
+        return setup.position
+    push = np.array(DIRECTIONS[direction])
+    nodes = np.unique(_near(mesh, setup.face, outward(mesh, setup.face)))
+    reached = float((mesh.points[nodes] @ push).max()) + (setup.distance or 0.0)
+    return reached * float(push.sum()) + 0.0
+
+
+def _held(setup: BlockedForce, direction: str) -> tuple[Support, ...]:
+    """What holds a tip: its face, or the point of a stiff tab that is glued to it."""
+    push = DIRECTIONS[direction]
+    if setup.rotational_spring is None:
+        return (HeldTip(setup.face, setup.hold, push),)
+    tab = ReferencePoint(TAB, setup.face, rotational_spring=setup.rotational_spring)
+    return tab, HeldTip(TAB, setup.hold, push)
+
+
+def _chosen(model: Model) -> str:
+    """The direction in which the tip of a model is blocked; free where nothing blocks it."""
+    pushes = [each.push for each in model.supports if isinstance(each, HeldTip)]
+    for plate in model.contact.obstacles:
+        if isinstance(plate, Plate) and isinstance(plate.shape, Plane):
+            pushes.append(_vector(-np.array(plate.shape.normal)))
+    return next((name for name, vector in DIRECTIONS.items() if pushes and np.dot(pushes[0], vector) > 0.5), FREE)
 
 
 def _near(mesh: Mesh, face: str, outward: Array) -> NDArray[np.int64]:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from itertools import combinations
+from math import inf
 from typing import ClassVar
 
 from turgor.errors import TurgorError, unknown
@@ -41,10 +42,12 @@ class BlockedForce:
     """
 
     hold: str = PLATE
-    distance: float = field(default=0.0, metadata={"dimension": "length"})
+    distance: float | None = field(default=None, metadata={"dimension": "length"})
+    position: float | None = field(default=None, metadata={"dimension": "length"})
     direction: str = FREE
     face: str = "tip"
     friction: float = 0.0
+    rotational_spring: float | None = field(default=None, metadata={"dimension": "rotational stiffness"})
     #: What it is for; a run writes it whatever else is measured.
     measures: ClassVar[tuple[str, ...]] = ("blocked_force",)
 
@@ -54,16 +57,39 @@ class BlockedForce:
             raise unknown("hold", self.hold, HOLDS)
         if self.direction not in (FREE, *DIRECTIONS):
             raise unknown("direction", self.direction, (FREE, *DIRECTIONS))
-        if not 0 <= self.distance < float("inf"):
+        if self.distance is not None and not 0 <= self.distance < inf:
             raise TurgorError(
-                f"blocked_force: distance is {self.distance * 1e3:g} mm; the plate stands 0 mm or more before the tip."
+                f"blocked_force: distance is {self.distance / mm:g} mm; the plate stands 0 mm or more before the tip."
             )
         check_friction("blocked_force", self.friction)
-        if self.hold != PLATE:
+        if self.hold == PLATE:
+            if self.distance is None and self.position is None:
+                object.__setattr__(self, "distance", 0.0)
+            self._check_plate()
+        else:
             self._check_held()
 
+    def _check_plate(self) -> None:
+        if self.rotational_spring is not None:
+            raise TurgorError(
+                "blocked_force: rotational_spring belongs to a tip that is held, such as hold = 'yz'; hold is 'plate'."
+            )
+        if self.position is None:
+            return
+        said = f"blocked_force: position is {self.position / mm:g} mm"
+        if not abs(self.position) < inf:
+            raise TurgorError(f"{said}; the plate stands at a finite place.")
+        if self.distance is not None:
+            raise TurgorError(f"{said}, and distance is {self.distance / mm:g} mm; one of them says where it stands.")
+        if self.direction == FREE:
+            raise TurgorError(f"{said}, but direction is 'free'; a position needs a stated one, such as '-z'.")
+
     def _check_held(self) -> None:
-        for name in ("distance", "friction"):
+        if self.rotational_spring is not None and not 0 <= self.rotational_spring < inf:
+            raise TurgorError(
+                f"blocked_force: rotational_spring is {self.rotational_spring:g} N m/rad; allowed is 0 or more."
+            )
+        for name in ("distance", "position", "friction"):
             if getattr(self, name):
                 raise TurgorError(
                     f"blocked_force: {name} belongs to the plate; hold is '{self.hold}', leave {name} out."

@@ -23,6 +23,7 @@ from turgor.solvers.checks.early import early_findings
 from turgor.solvers.checks.explanations import explained
 from turgor.solvers.checks.materials import laws_beyond_their_tests
 from turgor.solvers.checks.membranes import compressed_membranes
+from turgor.solvers.checks.plate import plate_findings
 from turgor.solvers.checks.supports import check_supports
 from turgor.solvers.checks.time_steps import too_long_steps
 from turgor.solvers.coarse_path import COARSE, check_coarse, iterations_only, led_by, on_coarse_mesh
@@ -201,8 +202,9 @@ def follow_question(question: Question, listeners: Listeners, record: RunRecord 
         else:
             solution, _ = one(model, procedure, listeners, None)
         beyond = laws_beyond_their_tests(model, solution.states)
-        listeners.tell(each for each in by_weight((*beyond, *solution.findings)) if each not in early)
-        solution = replace(solution, findings=by_weight((*early, *beyond, *solution.findings)))
+        plates = plate_findings(model, solution.states)
+        listeners.tell(each for each in by_weight((*beyond, *plates, *solution.findings)) if each not in early)
+        solution = replace(solution, findings=by_weight((*early, *beyond, *plates, *solution.findings)))
         solution = explained(solution)
         solution = solution if led is None else led_by(led, solution)
         if record is not None and solution.status is not Status.INTERRUPTED:

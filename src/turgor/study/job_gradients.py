@@ -20,7 +20,7 @@ from turgor.job.read import read_job
 from turgor.model.model import Model
 from turgor.response import COLUMN_UNITS
 from turgor.results.measures.reading import Measure
-from turgor.setups.added import with_setup
+from turgor.setups.added import with_direction, with_setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
 from turgor.solvers.solution import Solution
 from turgor.solvers.solve import solve
@@ -167,7 +167,7 @@ class NearbyJobs:
         job, made = self._job(changed), self.solution.states[0].model.mesh
         if any(key.split(".")[0] == _SHAPE for keys in shaped for key in keys.split(",")):
             made = new_mesh_of(replace(job, mesh=self.job.mesh_settings), job.geometry())
-        model = with_setup(model_of(job, made), job.setup)
+        model = with_setup(model_of(job, made), with_direction(job.setup, self.solution.model))
         return questions(model, job.procedure)[stage] if isinstance(job.procedure, Stages) else model
 
     def _procedure(self, values: Mapping[str, float], stage: int) -> OneProcedure:

@@ -40,6 +40,16 @@ def test_the_tip_presses_on_the_plate(capsys):
     assert (np.diff(force) >= 0).all()
 
 
+@pytest.mark.parametrize("name", ["film", "stiff_film"])
+def test_the_plate_is_below_what_wrinkles(name, tmp_path):
+    """A film that bears tension only has hardly any stiffness at rest: there the tip would be pushed out along +x."""
+    job = tmp_path / "job.toml"
+    text = (EXAMPLES / f"{name}.toml").read_text("utf-8")
+    job.write_text(f'{text}\n[procedure]\ntype = "blocked_force"\n', encoding="utf-8")
+    model, _ = prepare(tg.jobs.read_job(job))
+    assert model.contact.obstacles[-1].shape.normal == (0, 0, 1)
+
+
 def test_the_fingers_hold_the_bar(capsys):
     made = run("grasp")
     assert "Each finger grips with 0.09 N; together they hold 0.1" in capsys.readouterr().out

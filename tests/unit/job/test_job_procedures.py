@@ -4,6 +4,7 @@ import re
 from dataclasses import fields
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from turgor.errors import TurgorError
@@ -12,6 +13,7 @@ from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
+from turgor.job.run import run_job
 from turgor.job.text.problems import JobError
 from turgor.setups.values import BlockedForce, Grasp
 from turgor.solvers.procedures.static import Static
@@ -87,6 +89,12 @@ def test_a_grasp_is_read(tmp_path: Path) -> None:
     assert job.procedure == Static(at=(0.3,), max_step=0.1)
 
 
+def test_a_tab_that_turns_is_read(tmp_path: Path) -> None:
+    job = read(tmp_path, f'{FINGER}type = "blocked_force"\nhold = "zy"\nrotational_spring = "680 N mm/rad"\n')
+    assert job.setup == BlockedForce(hold="yz", rotational_spring=0.68)
+    assert read(tmp_path, lock_text(job, {})).setup == job.setup
+
+
 @pytest.mark.parametrize(
     "text", [BLOCKED, BLOCKED.replace('distance = "1.5 mm"', "").replace("friction = 0.2", ""), GRASP]
 )
@@ -102,6 +110,19 @@ def test_the_lock_file_repeats_them(tmp_path: Path, text: str) -> None:
     [
         (BLOCKED, '"1.5 mm"', "1.5", "job.toml:28: procedure.distance: 1.5 needs a unit"),
         (BLOCKED, '"1.5 mm"', '"-1 mm"', "procedure.distance: -1 mm; the plate stands 0 mm or more before the tip"),
+        (BLOCKED, 'direction = "-z"', 'position = "-1 mm"', "position: -1 mm, and distance is 1.5 mm; one of them"),
+        (
+            BLOCKED,
+            'distance = "1.5 mm"\ndirection = "-z"',
+            'position = "-1 mm"',
+            "position: -1 mm, but direction is 'free'",
+        ),
+        (
+            BLOCKED,
+            "friction = 0.2",
+            'rotational_spring = "1 N m/rad"',
+            "rotational_spring belongs to a tip that is held",
+        ),
         (BLOCKED, "distance", "distanc", "unknown key 'distanc'; did you mean 'distance'?"),
         (BLOCKED, '"-z"', '"down"', "unknown direction 'down'"),
         (BLOCKED, '"blocked_force"', '"blocked"', "unknown procedure 'blocked'; did you mean 'blocked_force'?"),
@@ -115,13 +136,60 @@ def test_every_mistake_has_its_sentence(tmp_path: Path, text: str, old: str, new
     assert message in problems(tmp_path, text.replace(old, new))
 
 
+TUBE = """\
+[actuator]
+type = "extending_cylinder"
+length = "20 mm"
+
+[mesh]
+size = "6 mm"
+cells = "hexahedra"
+
+[materials]
+body = { name = "rubber", law = "neo_hooke", C10 = "0.1 MPa" }
+
+[loads]
+pressure = "10 kPa"
+
+[output]
+fields = false
+pictures = false
+report = false
+mesh_error = false
+
+[procedure]
+type = "blocked_force"
+distance = "0.02 mm"
+"""
+
+
+def test_the_lock_file_of_a_run_states_what_was_chosen(tmp_path: Path) -> None:
+    job = read(tmp_path, TUBE)
+    outcome = run_job(job, tmp_path / "run")
+    assert outcome.job.setup == BlockedForce(direction="+x", position=20.02 * mm)
+    lock = tmp_path / "run" / "job.lock.toml"
+    assert 'direction = "+x"\n' in lock.read_text("utf-8")
+    assert 'position = "20.02 mm"\n' in lock.read_text("utf-8")
+    again = run_job(read_job(lock), tmp_path / "again")
+    assert again.solution.model.contact == outcome.solution.model.contact
+    for name in outcome.response.names:
+        assert np.array_equal(again.response.column(name), outcome.response.column(name), equal_nan=True), name
+    assert outcome.response.column("blocked_force")[-1] > 0
+    assert np.isnan(outcome.response.column("bearing_distance")[0])
+    assert outcome.response.column("bearing_distance")[-1] == 0
+    assert run_job(job, tmp_path / "run", resume=True).solution.converged
+    with pytest.raises(TurgorError, match=r"procedure\.position is 20\.04 mm here, 20\.02 mm there"):
+        run_job(read(tmp_path, TUBE.replace("0.02 mm", "0.04 mm")), tmp_path / "run", resume=True)
+
+
 def test_the_guide_says_what_is_so(tmp_path: Path) -> None:
     """Its jobs are read, and its tables list the keys that each procedure has beyond those of all."""
     text = GUIDE.read_text(encoding="utf-8")
     blocks = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
     start = FINGER[: FINGER.index("[obstacles.bar]")]
     asked = [read(tmp_path, start + block).setup for block in blocks]
-    assert asked == [BlockedForce(distance=1 * mm), Grasp(object="bar", pull_distance=3 * mm)]
+    tab = BlockedForce(hold="yz", rotational_spring=0.68)
+    assert asked == [BlockedForce(distance=1 * mm), tab, Grasp(object="bar", pull_distance=3 * mm)]
     keys = [set(re.findall(r"(?m)^\| `(\w+)` \|", table)) for table in text.split("## How firmly")]
     assert keys[0] == {item.name for item in fields(BlockedForce)}
     assert keys[1] == {item.name for item in fields(Grasp)} | {"max_step"}

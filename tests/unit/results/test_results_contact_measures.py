@@ -8,7 +8,7 @@ import results_cases as cases
 
 from turgor.errors import TurgorError
 from turgor.model.contact import Contact
-from turgor.model.loads import Pressure, Traction
+from turgor.model.loads import Moment, Pressure, Traction
 from turgor.model.model import Model
 from turgor.model.obstacles import Cylinder, Obstacle, Plane
 from turgor.model.supports import Fixed
@@ -35,7 +35,7 @@ def question(setup: Setup | None, *obstacles: Obstacle, half: bool = False) -> M
     return with_setup(model, setup)
 
 
-def replace_loads(model: Model, *loads: Traction) -> Model:
+def replace_loads(model: Model, *loads: Traction | Moment) -> Model:
     return Model(model.mesh, model.materials, model.supports, loads)
 
 
@@ -68,6 +68,25 @@ def test_force_on_the_plate(half):
     assert of.blocked_force_z(state) == pytest.approx(-3.0 * whole)
     sideways = 0.0 if half else 5.0
     assert of.force_on("plate")(state) == pytest.approx(whole * np.hypot(np.hypot(0.4, 3.0), sideways))
+
+
+def test_where_the_plate_is_touched():
+    """Half of the force on an edge of the tip, half of it 10 mm behind."""
+    model = question(BlockedForce(direction="-z"))
+    tip, behind = (at_rest(model, x * mm) for x in (40, 30))
+    both = touch(model, (0, 0, 1.0), tip)
+    assert of.bearing_distance(touching(model, plate=both)) == 0
+    both.force[behind] = (0.3, 0, 1.0)
+    assert of.bearing_distance(touching(model, plate=both)) == pytest.approx(5 * mm)
+    assert np.isnan(of.bearing_distance(touching(model, plate=touch(model, (0, 0, 0)))))
+    assert np.isnan(of.bearing_distance(cases.state(model)))
+    with pytest.raises(TurgorError, match="measure 'bearing_distance': no plate stops the tip"):
+        of.bearing_distance(cases.state(question(None)))
+
+
+def at_rest(model: Model, x: float) -> int:
+    """The node on the lower edge in the middle, at x."""
+    return int(np.flatnonzero(np.linalg.norm(model.mesh.points - [x, 0, 0], axis=1) < 1e-9)[0])
 
 
 def test_nothing_pushes_before_it_touches():
@@ -111,6 +130,28 @@ def test_a_held_tip_takes_the_whole_of_a_load_on_it(half):
     again = solve(path.model, path.procedure)  # as on a refined mesh: nothing is added twice
     assert again.model is path.model
     assert measure(again).column("blocked_force")[-1] == pytest.approx(force)
+
+
+@pytest.mark.parametrize("half", [False, True])
+def test_a_tip_on_a_tab_that_turns(half):
+    """A beam with a moment on its tip, which is held in z: 3 M / 2 L on a hinge, less 3 E I / (5/6 G A L²) of it for
+    shear (Timoshenko). A spring takes k times its angle of the moment, and of the force its share."""
+    moment, slender = 1e-4, cases.HEIGHT / cases.LENGTH
+    force, turned = {}, {}
+    for spring in (0.0, 0.4):
+        model = blocked_force(question(None, half=half), hold="z", direction="-z", rotational_spring=spring)
+        path = solve(replace_loads(model, Moment("tab", (0, moment, 0))))
+        response = measure(path)
+        force[spring], turned[spring] = (response.column(each)[-1] for each in ("blocked_force", "tab_rotation_y"))
+        if spring:
+            assert response.column("tab_reaction_moment_y")[-1] == pytest.approx(-spring * turned[spring], rel=1e-6)
+        assert response.column("tab_displacement_z")[-1] == pytest.approx(0, abs=1e-12)
+        assert response.column("tab_displacement_x")[-1] != 0, "it slides"
+    assert force[0.0] == pytest.approx(1.5 * moment / cases.LENGTH / (1 + 0.9 * slender**2), rel=0.02)
+    left = 1 - 0.4 * turned[0.4] / moment
+    assert 0.3 < left < 0.7, "the spring counts"
+    assert force[0.4] == pytest.approx(left * force[0.0], rel=1e-3)
+    assert turned[0.4] == pytest.approx(left * turned[0.0], rel=1e-3)
 
 
 def test_blocked_force_needs_something_that_blocks():
@@ -176,7 +217,7 @@ CONTACT = ("contact_area", "maximum_contact_pressure", "deepest_penetration")
     [
         (None, (), ()),
         (None, (WALL,), ("wall_force", *CONTACT)),
-        (BlockedForce(direction="-z"), (), ("blocked_force", *CONTACT)),
+        (BlockedForce(direction="-z"), (), ("blocked_force", "bearing_distance", *CONTACT)),
         (BlockedForce(hold="z", direction="-z"), (), ("blocked_force",)),
         (BlockedForce(hold="xz", direction="-z"), (), ("blocked_force", "blocked_force_x", "blocked_force_z")),
         (

@@ -27,7 +27,7 @@ READ = (10.0, 15.0, 20.0, 25.0, 30.0, 32.0, 34.0, 35.0, 36.0, 37.0, 38.0, 39.0, 
 STATED: Mapping[str, Any] = {
     "law": "yeoh", "upto": WHOLE, "zero": "authors", "tests": "both", "factor": 1.0,
     "modulus_MPa": 4100.0, "thickness_mm": 0.5, "form": "wrinkles",
-    "wall_mm": 7.0, "floor_mm": 0.5, "clamp_mm": 0.0, "friction": 0.0, "gravity": "none",
+    "wall_mm": 7.0, "floor_mm": 0.5, "clamp_mm": 0.0, "gravity": "none",
     "plate_mm": 0.0, "table": "none", "touches_itself": None, "size_mm": 7.0, "picture": False,
 }  # fmt: skip
 
@@ -88,7 +88,7 @@ def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Co
     model = model_of(chambers, given)
     air, at = tg.Pressure("cavity", top_kPa * kPa), tuple(each / top_kPa for each in READ if each < top_kPa)
     procedure = tg.Auto(past=past, at=at) if given["gravity"] == "none" else tg.Static(at=at)
-    solution = _solved(model, air, procedure, given["gravity"])
+    solution = solved(model, air, procedure, given["gravity"])
     length, height = float(model.mesh.points[:, 0].max()), float(model.mesh.points[:, 2].max())
     points = {"base_bottom": (0.0, 0.0, 0.0), "base_top": (0.0, 0.0, height), "tip_bottom": (length, 0.0, 0.0),
               "tip_middle": (length, 0.0, height / 2), "tip_top": (length, 0.0, height)}  # fmt: skip
@@ -100,7 +100,7 @@ def bends(chambers: int, top_kPa: float, past: float, how: dict[str, Any]) -> Co
     return Computed(response=response, picture=_drawn(solution, given))
 
 
-def _solved(model: tg.Model, air: tg.Pressure, procedure: Any, gravity: Any) -> tg.Solution:
+def solved(model: tg.Model, air: tg.Pressure, procedure: Any, gravity: Any) -> tg.Solution:
     """The path of the pressure, after the weight where there is one."""
     if gravity == "none":
         return tg.solve(replace(model, loads=[air]), procedure, throw=False)
@@ -111,18 +111,6 @@ def _solved(model: tg.Model, air: tg.Pressure, procedure: Any, gravity: Any) -> 
 def _drawn(solution: tg.Solution, given: Mapping[str, Any]) -> bytes:
     """Picture of the last state, where one is wanted."""
     return tg.picture(solution, width=900).png if given["picture"] else b""
-
-
-def pushes(chambers: int, top_kPa: float, how: dict[str, Any]) -> Computed:
-    """Blocked force: the tip on a plate level with the film or below it, the clamped end held all around."""
-    given = {**STATED, "clamp_mm": 5.0, **how}
-    plate = {"friction": given["friction"], "distance": given["plate_mm"] * mm}
-    blocked = tg.setups.blocked_force(model_of(chambers, given), direction="-z", **plate)
-    at = tuple(each / top_kPa for each in READ if each < top_kPa)
-    solution = _solved(blocked, tg.Pressure("cavity", top_kPa * kPa), tg.Static(at=at), given["gravity"])
-    found = tg.measure(solution, mesh_error=False)
-    columns = tuple(map(found.find, ("pressure", "blocked_force")))
-    return Computed(response=tg.Response(columns=columns, source=SOURCE, message=solution.message))
 
 
 def angles(response: tg.Response, line: str) -> tuple[np.ndarray, np.ndarray]:

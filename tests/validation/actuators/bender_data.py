@@ -1,7 +1,5 @@
 """The measured bending actuators of Moseley et al. 2016, and what is read off measured and computed curves alike."""
 
-import re
-
 import numpy as np
 from bender import LINE, angles
 from ecoflex import FOLDER
@@ -28,9 +26,9 @@ def repeated_free() -> dict[str, np.ndarray]:
     return {"pressure": rows["pressure_kPa"], "angle": rows["bending_angle_deg"]}
 
 
-def measured_blocked(chambers: int) -> dict[str, np.ndarray]:
+def measured_blocked(chambers: int, wall_mm: float = 7.0) -> dict[str, np.ndarray]:
     """Pressure [kPa], force less the force of the rest before it, and its standard deviation [N], by pressure."""
-    rows = numbers(FOLDER / f"actuator_c{chambers}-w7_blocked_force_steps.csv")
+    rows = numbers(FOLDER / f"actuator_c{chambers}-w{wall_mm:.0f}_blocked_force_steps.csv")
     force = rows["force_mean_N"] - rows["preceding_rest_force_N"]
     steps = np.unique(rows["pressure_kPa"])
     means = np.array([force[rows["pressure_kPa"] == each].mean() for each in steps])
@@ -71,33 +69,22 @@ def soft_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> float:
 
 
 def forces(response: tg.Response) -> tuple[np.ndarray, np.ndarray]:
-    """Pressure [kPa] and blocked force less that of the weight alone [N]."""
-    pressure, force = response.column("pressure") / kPa, response.column("blocked_force") / N
-    rest = int(np.flatnonzero(pressure <= 0)[-1])
-    return pressure[rest:], force[rest:] - force[rest]
+    """Pressure [kPa] and blocked force [N]."""
+    return response.column("pressure") / kPa, response.column("blocked_force") / N
 
 
-def rest_force(response: tg.Response) -> float:
-    """Blocked force of the weight alone [N]."""
-    pressure = response.column("pressure")
-    return float(response.column("blocked_force")[pressure <= 0][-1] / N)
-
-
-def slip(response: tg.Response) -> float:
-    """Pressure [kPa] at which a path slips or snaps to another equilibrium first; inf if nowhere."""
-    found = re.search(r"On the way to ([0-9.e+]+) kPa", response.message)
-    return float(found[1]) if found else float("inf")
-
-
-def measured_rest_force(chambers: int) -> float:
+def measured_rest_force(chambers: int, wall_mm: float = 7.0) -> float:
     """What the cell shows before the first step [N]."""
-    return float(numbers(FOLDER / f"actuator_c{chambers}-w7_blocked_force_steps.csv")["preceding_rest_force_N"][0])
+    rows = numbers(FOLDER / f"actuator_c{chambers}-w{wall_mm:.0f}_blocked_force_steps.csv")
+    return float(rows["preceding_rest_force_N"][0])
 
 
-def blocked_distance(curve: tuple[np.ndarray, np.ndarray], chambers: int) -> tuple[float, float]:
-    """RMS difference of a curve of `forces`, as far as it goes, over the whole measured range [-]; how far [kPa]."""
-    data = measured_blocked(chambers)
+def blocked_distance(
+    curve: tuple[np.ndarray, np.ndarray], chambers: int, wall_mm: float = 7.0, upto: float = np.inf
+) -> tuple[float, float]:
+    """RMS difference of a curve of `forces`, as far as it goes, over the range measured there [-]; how far [kPa]."""
+    data = measured_blocked(chambers, wall_mm)
     pressure, force = curve
-    used = data["pressure"] <= pressure.max() + 1e-6
+    used = data["pressure"] <= min(pressure.max() + 1e-6, upto)
     off = np.interp(data["pressure"][used], pressure, force) - data["force"][used]
-    return float(np.sqrt(np.mean(off**2)) / np.ptp(data["force"])), float(pressure.max())
+    return float(np.sqrt(np.mean(off**2)) / np.ptp(data["force"][used])), float(data["pressure"][used].max())

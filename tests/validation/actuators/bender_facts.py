@@ -1,40 +1,24 @@
 """Numbers in the text on the bending actuators."""
 
 import numpy as np
-from bender import STATED, actuator
 from bender_data import (
     TURN,
     angle_at,
-    forces,
     from_zero,
-    measured_blocked,
     measured_free,
-    measured_rest_force,
     pressure_at,
     repeated_free,
-    rest_force,
-    slip,
 )
-from ecoflex import DENSITY, dumbbell
+from ecoflex import dumbbell
 from fit_data import ecoflex_planar
-from measured_runs import ALONE, HEAVY, VARIATIONS, blocked, free
+from measured_runs import ALONE, VARIATIONS, free
 from page_parts import Page
 
 from turgor.units import kPa
 
-#: Acceleration that `tg.Gravity` has unless stated [m/s²].
-GRAVITY = 9.80665
 Curve = tuple[np.ndarray, np.ndarray]
 #: Where the tests of the rubber are compared, within the planar ones [-].
 COMPARED = 1.5
-#: Variations of the blocked force that the text states in percent.
-BLOCKED_NAMES = {
-    "mesh": "mesh: cells of 2.5 mm",
-    "film": "film: stiffness / 100",
-    "law": ALONE,
-    "friction": "contact: friction of 0.3 on the plate",
-    "clamp": "clamp: end face only",
-}
 #: Laws that are fitted to the same points as the Yeoh law of the first row.
 SAME_TESTS = ("neo-Hooke", "Gent", "Ogden, two terms")
 
@@ -136,54 +120,3 @@ def contact_facts(page: Page) -> dict[str, float]:
         "table_up": _change(page, "contact: lying on a table, film up"),
         "touching": max(abs(_change(page, "contact: walls may touch each other", each)) for each in (20.0, 30.0, 34.0)),
     }
-
-
-def blocked_facts(page: Page) -> dict[str, float | str]:
-    """Numbers of the blocked force."""
-
-    def at(name: str, pressure: float = 30.0) -> float:
-        return float(np.interp(pressure, *forces(page.of(blocked(5, name)))))
-
-    turns = []
-    for chambers in (5, 7):
-        data = measured_blocked(chambers)
-        low = data["pressure"] <= 42.0
-        pressure, force = data["pressure"][low], data["force"][low]
-        steepest = int(np.argmax(np.diff(force) / np.diff(pressure)))
-        turns.append(f"{pressure[steepest]:.0f} to {pressure[steepest + 1]:.0f}")
-    aim = measured_blocked(5)
-    return {
-        "blocked_got": at("as stated"),
-        "blocked_aim": float(np.interp(30.0, aim["pressure"], aim["force"])),
-        "blocked_gap": at("contact: plate 5 mm below"),
-        "blocked_gap_alone": at("contact: plate 5 mm below, law: dumb-bell alone"),
-        "blocked_slip": slip(page.of(blocked(5, ALONE))),
-        "blocked_gap_38": at("contact: plate 5 mm below", 38.0),
-        "blocked_aim_38": float(np.interp(38.0, aim["pressure"], aim["force"])),
-        **{f"blocked_{name}_off": 100 * (at(varied) / at("as stated") - 1) for name, varied in BLOCKED_NAMES.items()},
-        "blocked_turn": " and ".join(turns),
-        **rest_facts(page),
-    }
-
-
-def rest_facts(page: Page) -> dict[str, float]:
-    """Numbers of the force at rest, under the weight alone."""
-    found = {}
-    for chambers in (5, 7):
-        found[f"rest{chambers}"] = measured_rest_force(chambers)
-        found[f"rest{chambers}_got"] = rest_force(page.of(blocked(chambers, HEAVY)))
-        found[f"tip_rest{chambers}"] = _rest_on_tip(chambers)
-    for gap in (2, 5):
-        response = page.of(blocked(5, f"{HEAVY}, {gap} mm below"))
-        found[f"rest_gap{gap}"] = rest_force(response)
-        found[f"heavy_gap{gap}"] = float(np.interp(30.0, *forces(response)))
-    seven, aim = page.of(blocked(7, f"{HEAVY}, 10 mm below")), measured_blocked(7)
-    found |= {"seven_rest_gap": rest_force(seven), "seven_heavy_gap": float(np.interp(30.0, *forces(seven)))}
-    return found | {"blocked_aim7": float(np.interp(30.0, aim["pressure"], aim["force"]))}
-
-
-def _rest_on_tip(chambers: int) -> float:
-    """Force at rest of an actuator that touches the plate at its tip alone [N]: 3/8 of its weight, as a beam."""
-    part = actuator(chambers, STATED)
-    volume = part.length * part.width * part.height - 2 * part.cavity_volumes["cavity"]
-    return 3 / 8 * DENSITY * GRAVITY * volume

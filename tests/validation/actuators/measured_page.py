@@ -21,7 +21,9 @@ from bender_data import TURN, from_zero, measured_free, pressure_at  # noqa: E40
 from measured_runs import (  # noqa: E402
     FACTOR,
     bender_runs,
+    blocked_runs,
     calibrated_membranes,
+    fitted_runs,
     free,
     membrane_runs,
 )
@@ -32,11 +34,11 @@ from turgor.studies import Ended, Run, run_all  # noqa: E402
 
 def main(folder: Path) -> None:
     """Run and write."""
-    ended = _run([*cantilever.runs(), *bender_runs(), *membrane_runs()], folder)
+    ended = _run([*cantilever.runs(), *bender_runs(), *blocked_runs(), *membrane_runs()], folder)
     page = Page(ended=ended)
     page = Page(ended=ended, factor=bender_factor(page))
     scale = float(page.of(FACTOR).column("factor")[0])
-    ended |= _run(calibrated_membranes(scale), folder)
+    ended |= _run([*calibrated_membranes(scale), *fitted_runs(page_blocked.springs(page))], folder)
     write(page)
 
 
@@ -63,8 +65,8 @@ def bender_factor(page: Page) -> float:
 def write(page: Page) -> None:
     """Write the page and the recorded distances."""
     parts = [page_cantilever.part(page), page_membranes.part(page)]
-    numbers = page_benders.part(page) | page_blocked.part(page)
-    parts.append(text("benders").format(factor=page.factor, **numbers))
+    parts.append(text("benders").format(factor=page.factor, **page_benders.part(page)))
+    parts.append(text("blocked").format(**page_blocked.part(page)))
     seconds = sum(each.found.seconds for each in page.ended.values() if each.found)
     summary = lines_of(
         ["what", "model", "distance (RMS, of the range)"], [[a, b, percent(c)] for a, b, c in page.distances]

@@ -3,7 +3,8 @@
 from typing import Any
 
 import inflated
-from bender import bends, pushes
+from bender import bends
+from bender_rig import STIFF, fitted_spring, holds, rests
 
 from turgor.study.runs import Run
 
@@ -38,25 +39,27 @@ VARIATIONS: dict[str, tuple[str, dict[str, Any]]] = {
     "contact: walls may touch each other": ("contact", {"touches_itself": True}),
     "walls: 6.7 mm": ("walls", {"wall_mm": 6.7}),
 }
-#: Of the blocked force.
-BLOCKED: dict[str, dict[str, Any]] = {
-    "as stated": {},
-    "mesh: cells of 2.5 mm": {"size_mm": 2.5},
-    "film: stiffness / 100": {"modulus_MPa": 41.0},
-    "law: Yeoh, dumb-bell alone": {"tests": "dumb-bell"},
-    "clamp: end face only": {"clamp_mm": 0.0},
-    "contact: friction of 0.3 on the plate": {"friction": 0.3},
-    "contact: plate 5 mm below": {"plate_mm": 5.0},
-    "contact: plate 5 mm below, law: dumb-bell alone": {"plate_mm": 5.0, "tests": "dumb-bell"},
-    "weight: towards the plate": {"gravity": DOWN},
-    "weight: towards the plate, 2 mm below": {"gravity": DOWN, "plate_mm": 2.0},
-    "weight: towards the plate, 5 mm below": {"gravity": DOWN, "plate_mm": 5.0},
-    "weight: towards the plate, 10 mm below": {"gravity": DOWN, "plate_mm": 10.0},
+#: Actuators whose blocked force was measured: chambers and wall [mm]; the first two are those of the free bending.
+PRESSED = {"5 chambers": (5, 7.0), "7 chambers": (7, 7.0), "5 chambers, walls of 10 mm": (5, 10.0)}
+#: Laws of the blocked force: the blind one, and the one that meets the free bending.
+PRESSED_BY: dict[str, dict[str, Any]] = {"Yeoh": {}, "dumb-bell alone": {"tests": "dumb-bell"}}
+#: The second of them, and the actuator whose force at one pressure is fitted.
+MEETS, FITTED = "dumb-bell alone", "5 chambers, walls of 10 mm"
+#: Highest pressure of a blocked force [kPa]: beyond it chambers balloon.
+PRESSED_TO = 36.0
+#: Plates below the tip, of the actuators of the free bending.
+PLATES: dict[str, dict[str, Any]] = {"level with the film": {}, "5 mm below": {"plate_mm": 5.0}}
+#: Variations of 7 chambers by the law that meets the free bending: how many times the fitted spring, and the rest.
+HELD: dict[str, tuple[float, dict[str, Any]]] = {
+    "as stated": (1.0, {}),
+    "spring × 2": (2.0, {}),
+    "spring / 2": (0.5, {}),
+    "law: Yeoh, both tests": (1.0, {"tests": "both"}),
+    "mesh: cells of 2.5 mm": (1.0, {"size_mm": 2.5}),
+    "film: stiffness / 100": (1.0, {"modulus_MPa": 41.0}),
+    "film: a plate of 0.1 mm": (1.0, {"form": "shell", "thickness_mm": 0.1}),
+    "clamp: end face only": (1.0, {"clamp_mm": 0.0}),
 }
-#: Tells what the cell would show at rest.
-HEAVY = "weight: towards the plate"
-#: Variations of the blocked force, by the number of chambers.
-BLOCKED_OF = {5: tuple(BLOCKED), 7: ("as stated", HEAVY, f"{HEAVY}, 5 mm below", f"{HEAVY}, 10 mm below")}
 #: Blind laws that are drawn for each actuator.
 ALONE = "law: Yeoh, dumb-bell alone"
 BLIND_BENDERS = {5: ("as stated", "law: Gent", "law: Ogden, two terms", ALONE), 7: ("as stated", ALONE)}
@@ -80,14 +83,48 @@ def whole() -> Run:
 def bender_runs() -> list[Run]:
     """All runs of the bending actuators."""
     found = [free(5, name) for name in VARIATIONS] + [free(7, name) for name in BLIND_BENDERS[7]]
-    return [*found, *(blocked(chambers, name) for chambers in CHAMBERS for name in BLOCKED_OF[chambers]), whole()]
+    return [*found, whole()]
 
 
-def blocked(chambers: int, name: str) -> Run:
-    """Blocked force with one thing varied."""
-    top = 50.0 if name == "as stated" else 38.0
-    values = {"chambers": chambers, "top_kPa": top, "how": BLOCKED[name]}
-    return Run(name=f"blocked c{chambers}, {name}", function=pushes, values=values)
+def blocked_runs() -> list[Run]:
+    """All runs of the blocked force but those on fitted springs."""
+    plates = [plate(chambers, name) for chambers in CHAMBERS for name in PLATES]
+    blind = [held(name, "Yeoh", spring) for name in PRESSED for spring in (0.0, STIFF)]
+    return [*plates, *blind, *(spring(name, law) for name in PRESSED for law in PRESSED_BY)]
+
+
+def fitted_runs(springs: dict[str, float]) -> list[Run]:
+    """All runs on the springs that were fitted with each law to the actuator with walls of 10 mm."""
+    found = [held(name, law, springs[law]) for name in PRESSED for law in PRESSED_BY]
+    return [*found, *(held_varied(name, springs[MEETS]) for name in HELD)]
+
+
+def plate(chambers: int, name: str) -> Run:
+    """The tip before a plate."""
+    values = {"chambers": chambers, "top_kPa": PRESSED_TO, "how": PLATES[name]}
+    return Run(name=f"plate c{chambers}, {name}", function=rests, values=values)
+
+
+def held(name: str, law: str, spring: float) -> Run:
+    """The tip of an actuator on a spring [N m/rad]."""
+    chambers, wall = PRESSED[name]
+    how = {"wall_mm": wall, **PRESSED_BY[law]}
+    values = {"chambers": chambers, "top_kPa": PRESSED_TO, "spring": spring, "how": how}
+    return Run(name=f"held {name}, {law}, {spring:g} N m/rad", function=holds, values=values)
+
+
+def held_varied(name: str, spring: float) -> Run:
+    """The tip of 7 chambers on the fitted spring with one thing varied."""
+    times, how = HELD[name]
+    values = {"chambers": 7, "top_kPa": PRESSED_TO, "spring": times * spring, "how": {**PRESSED_BY[MEETS], **how}}
+    return Run(name=f"held 7 chambers, {name}", function=holds, values=values)
+
+
+def spring(name: str, law: str) -> Run:
+    """The spring with which an actuator makes its measured force at one pressure."""
+    chambers, wall = PRESSED[name]
+    values = {"chambers": chambers, "wall_mm": wall, "how": PRESSED_BY[law]}
+    return Run(name=f"spring of {name}, {law}", function=fitted_spring, values=values)
 
 
 #: Of the plain membrane at the middle weight, by the law of the authors of the data.

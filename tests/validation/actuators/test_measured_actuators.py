@@ -16,23 +16,22 @@ from bender_data import (
     measured_free,
     measured_rest_force,
     pressure_at,
-    rest_force,
-    slip,
     soft_distance,
 )
+from bender_rig import blocked_at
 from cantilever import RECORDS, lifted, measured, sinks
 from cantilever import runs as cantilever_runs
 from ecoflex import fitted, scaled
 from inflated import WEIGHTS, bands, pressures_at
 from inflated import measured as measured_membrane
-from measured_runs import ALONE, blocked, free
+from measured_runs import ALONE, MEETS, PRESSED, PRESSED_TO, free, held
 from measured_runs import lifted as membrane_run
 from measured_tables import distance, table
 from page_parts import DOCS, RECORDED, percent
 
 import turgor as tg
 from turgor.response import Column
-from turgor.units import N, deg, kPa, mm
+from turgor.units import deg, kPa, mm
 
 DRIFT = 0.02
 
@@ -93,21 +92,26 @@ def test_angle_of_a_line_and_where_it_is_reached():
     assert np.isnan(angle_at(pressure, angle, 25.0))
 
 
-def test_force_less_that_of_the_weight():
-    pressure, force = np.array([0.0, 0.0, 0.0, 10.0, 20.0]) * kPa, np.array([0.0, 0.03, 0.06, 0.09, 0.16]) * N
-    columns = (Column("pressure", "kPa", pressure), Column("blocked_force", "N", force))
-    response = tg.Response(columns=columns, source=tg.laws.Source(text="made up"))
-    assert rest_force(response) == pytest.approx(0.06)
-    np.testing.assert_allclose(forces(response), [[0, 10, 20], [0, 0.03, 0.10]], atol=1e-12)
-    assert [measured_rest_force(each) for each in (5, 7)] == pytest.approx([0.0599, 0.0196], abs=1e-4)
+def test_forces_at_rest_are_not_the_weight():
+    """The heavier the actuator, the less the cell shows: 22, 30 and 37 g."""
+    assert [measured_rest_force(*PRESSED[name]) for name in PRESSED] == pytest.approx(
+        [0.0599, 0.0196, 0.0165], abs=1e-4
+    )
 
 
-def test_where_a_path_slips():
-    said = "Reached 38 kPa. On the way to 37.59 kPa (load factor 0.9891) it slipped or snapped to another equilibrium."
-    source = tg.laws.Source(text="made up")
-    columns = (Column("pressure", "kPa", np.array([0.0])),)
-    assert slip(tg.Response(columns=columns, source=source, message=said)) == 37.59
-    assert slip(tg.Response(columns=columns, source=source, message="Reached 38 kPa.")) == np.inf
+def test_the_third_actuator():
+    found = measured_blocked(5, 10.0)
+    assert found["pressure"][[0, -1]] == pytest.approx([10, 65])
+    assert blocked_at(5, 10.0, 30.0) == pytest.approx(0.07631 - 0.04097, abs=1e-5)
+
+
+def test_distance_of_a_force():
+    data = measured_blocked(7)
+    assert blocked_distance((data["pressure"], data["force"]), 7) == (0.0, data["pressure"].max())
+    low = data["pressure"] <= 36.0
+    added = 0.1 * np.ptp(data["force"][low])
+    off, upto = blocked_distance((data["pressure"], data["force"] + added), 7, upto=36.0)
+    assert (off, upto) == (pytest.approx(0.1), 36.0)
 
 
 def test_tables_touch_the_actuator_at_rest():
@@ -174,9 +178,10 @@ def test_bender_is_as_far_off_as_recorded(chambers, name, said):
 
 @pytest.mark.slow
 def test_blocked_force_is_as_far_off_as_recorded():
-    run = blocked(5, "as stated")
-    found, _ = blocked_distance(forces(run.function(**run.values).response), 5)
-    assert found == pytest.approx(recorded("blocked force, 5 chambers", "blind, Yeoh"), abs=DRIFT)
+    """On the spring that the page states: fitted to walls of 10 mm, it predicts 7 chambers."""
+    run = held("7 chambers", MEETS, 0.69)
+    found, _ = blocked_distance(forces(run.function(**run.values).response), 7, upto=PRESSED_TO)
+    assert found == pytest.approx(recorded("blocked force, 7 chambers", f"on a spring, {MEETS}"), abs=DRIFT)
 
 
 @pytest.mark.slow

@@ -33,7 +33,14 @@ PROCEDURES: Registry[type[Any]] = Registry(
 )
 
 #: Units in which lock files state the fields of a procedure.
-_UNITS = {"volume": "mL", "pressure": "kPa", "length": "mm", "time": "s", "rate": "1/s"}
+_UNITS = {
+    "volume": "mL",
+    "pressure": "kPa",
+    "length": "mm",
+    "time": "s",
+    "rate": "1/s",
+    "rotational stiffness": "N m/rad",
+}
 
 
 def read_procedure(

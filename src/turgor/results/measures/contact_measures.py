@@ -8,12 +8,13 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError, near_match, unknown
 from turgor.model.contact import SELF
 from turgor.model.model import Model
-from turgor.model.obstacles import Obstacle, Plane
+from turgor.model.obstacles import Obstacle, Plane, Plate
 from turgor.results.fields.state_fields import StateFields
 from turgor.results.measures.reading import Measure
-from turgor.setups.blocked_tip import HeldTip, Plate
+from turgor.setups.blocked_tip import HeldTip
 from turgor.setups.grasped_object import BETWEEN, Grasped
 from turgor.setups.values import PLATE
+from turgor.solvers.checks.plate import bearing_distance as distance_from_tip
 from turgor.solvers.solution import Solution
 
 Array = NDArray[np.float64]
@@ -65,6 +66,8 @@ def contact_measures_of(solution: Solution) -> tuple[Measure, ...]:
     obstacles, held = model.contact.obstacles, _held_tip(model)
     if held is not None or any(isinstance(each, Plate) for each in obstacles):
         chosen.append(blocked_force)
+    if any(isinstance(each, Plate) for each in obstacles):
+        chosen.append(bearing_distance)
     if held is not None and len(held.directions) > 1:
         chosen += [_component(axis) for axis in held.directions]
     if any(isinstance(each, Grasped) for each in obstacles):
@@ -115,8 +118,8 @@ def _push(at: StateFields) -> tuple[Array, Array]:
     if held is not None:
         force = np.zeros(3)
         axes = ["xyz".index(letter) for letter in held.directions]
-        force[axes] = -at.state.nodal_force[at.mesh.face_nodes(held.face)].sum(axis=0)[axes]
-        return at.facts.of_whole(at.mesh.symmetry_factor * force), np.array(held.push)
+        force[axes] = _force_on_gauge(at, held.face)[axes]
+        return at.facts.of_whole(force), np.array(held.push)
     plates = [each for each in at.model.contact.obstacles if each.name == PLATE and isinstance(each.shape, Plane)]
     if not plates:
         raise TurgorError(
@@ -127,9 +130,25 @@ def _push(at: StateFields) -> tuple[Array, Array]:
     return _force_on(at, PLATE), -np.array(plates[0].shape.normal)
 
 
+def _force_on_gauge(at: StateFields, face: str) -> Array:
+    """Force of a held face, or of the tab that is glued to it, of the whole actuator, (3,) [N]."""
+    tab = at.state.points.get(face)
+    if tab is not None:
+        return -tab.force
+    return -at.mesh.symmetry_factor * at.state.nodal_force[at.mesh.face_nodes(face)].sum(axis=0)
+
+
 def _blocked_force(at: StateFields) -> float:
     force, direction = _push(at)
     return float(force @ direction)
+
+
+def _bearing_distance(at: StateFields) -> float:
+    plate = next((each for each in at.model.contact.obstacles if isinstance(each, Plate)), None)
+    if plate is None:
+        raise TurgorError("no plate stops the tip; make the model with setups.blocked_force.")
+    touch = at.state.touches.get(plate.name)
+    return float("nan") if touch is None else distance_from_tip(at.mesh, plate, touch)
 
 
 def _component(axis: str) -> Measure:
@@ -167,6 +186,11 @@ blocked_force = Measure(
     "positive where it pushes that way, negative where it pulls back, whole actuator",
 )  # fmt: skip
 blocked_force_x, blocked_force_y, blocked_force_z = map(_component, "xyz")
+bearing_distance = Measure(
+    name="bearing_distance", unit="mm", function=_bearing_distance,
+    definition="how far from the tip the plate is touched, a mean over the force on the actuator at rest: 0 where the "
+    "tip alone bears; no number where nothing touches",
+)  # fmt: skip
 contact_area = Measure(
     name="contact_area", unit="mm2",
     function=lambda at: at.mesh.symmetry_factor * sum(touch.area for touch in at.state.touches.values()),

@@ -30,13 +30,13 @@ from turgor.model.loads import (
     Traction,
 )
 from turgor.model.model import Model
-from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Shape, Sphere, Vector
+from turgor.model.obstacles import Box, Cylinder, Obstacle, Plane, Plate, Shape, Sphere, Vector
 from turgor.model.points import Hinge, ReferencePoint, Rotation
 from turgor.model.sheets import Sheet, Shell
 from turgor.model.supports import Displacement, Fixed, PlaneSection, Radial
 from turgor.results.report.describe_points import point_text, rig_text
 from turgor.results.report.references import law_source
-from turgor.setups.blocked_tip import HeldTip, Plate
+from turgor.setups.blocked_tip import HeldTip
 from turgor.units import GPa, MPa, deg, kPa, mm, mN
 
 Rows = list[tuple[str, str]]

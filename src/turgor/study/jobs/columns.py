@@ -20,8 +20,8 @@ PARTS = {"cavity_volume": "_volume", **{each.name: each.name for each in BY_REGI
 
 #: Measures of contact and of setups that the standard measures bring along, and the ends of those that bear a name.
 OF_CONTACT = (
-    "blocked_force", "pull_distance", "grip_force", "holding_force", "contact_area", "maximum_contact_pressure",
-    "deepest_penetration",
+    "blocked_force", "bearing_distance", "pull_distance", "grip_force", "holding_force", "contact_area",
+    "maximum_contact_pressure", "deepest_penetration",
 )  # fmt: skip
 
 
