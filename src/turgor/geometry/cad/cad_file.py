@@ -24,7 +24,7 @@ class CadFile:
     ----------
     file : Path
         STEP, BREP or STL.
-    unit : str, optional
+    unit : str or float, optional
         Unit of the numbers in the file; it overrides that of the file.
     faces : mapping of str to Selector
         Names for faces.
@@ -50,7 +50,7 @@ class CadFile:
     """
 
     file: Path
-    unit: str | None = None
+    unit: str | float | None = None
     faces: Mapping[str, Selector] = field(default_factory=dict)
     regions: Mapping[str, Selector] = field(default_factory=dict)
     split: SplitPlane | None = None
@@ -87,7 +87,7 @@ class CadFile:
 def _built(
     file: Path,
     sha256: str,
-    unit: str | None,
+    unit: str | float | None,
     faces: tuple[tuple[str, Selector], ...],
     regions: tuple[tuple[str, Selector], ...],
     split: SplitPlane | None,

@@ -71,7 +71,7 @@ class Part:
 
 def load_part(
     path: str | Path,
-    unit: str | None = None,
+    unit: str | float | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
 ) -> Part:

@@ -25,7 +25,7 @@ from turgor.units import mm
 def read_cad(
     path: str | Path,
     *,
-    unit: str | None = None,
+    unit: str | float | None = None,
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
@@ -41,8 +41,9 @@ def read_cad(
     ----------
     path : str or Path
         The file.
-    unit : str, optional
-        Unit of its numbers, such as ``"mm"``; by default what a STEP file states, and millimeters for the others.
+    unit : str or float, optional
+        Unit of its numbers, such as ``"mm"``, or its length in meters; by default what a STEP file states, and
+        millimeters for the others.
     faces : mapping of str to Selector, optional
         Names for faces, each face once. If one of them is a cavity, no others are found.
     regions : mapping of str to Selector, optional
@@ -88,7 +89,7 @@ def read_cad(
 
 def read_here(
     path: Path,
-    unit: str | None = None,
+    unit: str | float | None = None,
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,

@@ -48,9 +48,14 @@ class SelectorTable(Table):
         self.made()  # so that an error is reported at the key
         return self
 
+    @property
+    def given(self) -> list[str]:
+        """The keys that are there."""
+        return [key for key in type(self).model_fields if getattr(self, key) is not None]
+
     def made(self) -> Selector:
         """Return the selector of the table."""
-        given = [key for key in type(self).model_fields if getattr(self, key) is not None]
+        given = self.given
         if len(given) != 1:
             known = ", ".join(type(self).model_fields)
             raise TurgorError(f"a selector has one of the keys {known}; this one has {', '.join(given) or 'none'}.")
@@ -91,6 +96,8 @@ class CadFileTable(Table):
     ----
     file : str
         STEP, BREP or STL file; its path counts from the folder of the job file.
+    unit : str or float
+        Unit of the numbers in the file, or its length in meters.
     symmetry : str
         ``"automatic"`` models a half or a quarter where the part and its loads are the same on both sides of a plane
         across x, y or z, or a wedge with cyclic faces where that is a smaller share. ``"y"`` or ``"yz"`` names the
@@ -99,7 +106,7 @@ class CadFileTable(Table):
 
     type: str
     file: str = Field(examples=['"finger.step"'])
-    unit: str | None = Field(default=None, examples=['"mm"'])
+    unit: str | float | None = Field(default=None, examples=['"mm"'])
     sha256: str = ""
     faces: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ fixed = { normal = "-x" } }'])
     regions: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ body = { near = [0, 0, "5 mm"] } }'])

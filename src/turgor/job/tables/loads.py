@@ -7,7 +7,6 @@ from typing import Any
 from turgor.errors import near_match
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
-from turgor.geometry.names import cavity_names
 from turgor.job.tables.forces import concentrated, concentrated_tables, history_of, is_force, on_faces
 from turgor.job.text.load_tables import CavityTable, LoadsTable
 from turgor.job.text.problems import Problems
@@ -32,7 +31,7 @@ def read_loads(
 ) -> tuple[Driving, ...]:
     """Read ``[loads]``: a pressure in all cavities, or in one as ``[loads.cavity_1]`` and the like; gravity, forces."""
     key = ("loads",)
-    cavities = ("cavity",) if geometry is None else cavity_names(geometry.faces)
+    cavities = ("cavity",) if geometry is None else geometry.cavities
     plain, own, pulled = values, {}, {}
     if isinstance(values, Mapping):
         pulled = {name: value for name, value in values.items() if is_force(name, value, cavities)}

@@ -26,7 +26,7 @@ _CROSSING = re.compile(r"Intersecting elements (\d+) and (\d+)")
 def mesh_surfaces(
     path: str | Path,
     *,
-    unit: str = "mm",
+    unit: str | float = "mm",
     regions: Mapping[str, Choice] | None = None,
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
@@ -40,8 +40,8 @@ def mesh_surfaces(
     ----------
     path : str or Path
         STL file of the outer surface; it may hold the cavities as further shells.
-    unit : str
-        Unit of length of all files.
+    unit : str or float
+        Unit of length of all files, by name or in meters.
     regions, faces : mappings, optional
         As for `read_mesh`, by selectors.
     cavities : mapping of str to str or Path, optional

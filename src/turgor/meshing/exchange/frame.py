@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from turgor.errors import TurgorError, near_match
+from turgor.errors import TurgorError
 from turgor.meshing.exchange.formats.raw import Array
-from turgor.units import UNITS
+from turgor.units import length_unit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -15,8 +15,8 @@ class Frame:
 
     Parameters
     ----------
-    unit : str
-        Unit of length, a key of the lengths in `turgor.units.UNITS`.
+    unit : str or float
+        Unit of length: a key of the lengths in `turgor.units.UNITS`, or its length in meters.
     axes : (str, str, str)
         Direction in the file of our x (from the fixed end to the tip), y (across) and z (up), such as
         ``("-x", "z", "y")``. They must be right-handed, or the part would be mirrored.
@@ -27,14 +27,11 @@ class Frame:
     [[0.03, 0.01, 0.02]]
     """
 
-    unit: str = "mm"
+    unit: str | float = "mm"
     axes: tuple[str, str, str] = ("x", "y", "z")
 
     def __post_init__(self) -> None:
-        lengths = UNITS["length"]
-        if self.unit not in lengths:
-            hint = near_match(str(self.unit), lengths) or "."
-            raise TurgorError(f"unit is {self.unit!r}{hint} Known: {', '.join(lengths)}.")
+        length_unit(self.unit)  # refuses what is none
         if len(self.axes) != 3 or {str(axis).lstrip("+-") for axis in self.axes} != {"x", "y", "z"}:
             raise TurgorError(f"axes are {self.axes!r}; name x, y and z of the file once each, such as '-x', 'z', 'y'.")
         if np.linalg.det(self._rotation) < 0:
@@ -43,7 +40,7 @@ class Frame:
     @property
     def scale(self) -> float:
         """Length of one unit [m]."""
-        return UNITS["length"][self.unit]
+        return length_unit(self.unit)
 
     @property
     def _rotation(self) -> Array:

@@ -45,7 +45,7 @@ class MeshFile:
     ----------
     file : Path
         The file.
-    unit : str, optional
+    unit : str or float, optional
         Unit of length of the file; as for `read_mesh`.
     axes : (str, str, str)
         Directions in the file of our x, y and z.
@@ -69,7 +69,7 @@ class MeshFile:
     """
 
     file: Path
-    unit: str | None = None
+    unit: str | float | None = None
     axes: tuple[str, str, str] = ("x", "y", "z")
     regions: Mapping[str, Choice] = field(default_factory=dict)
     faces: Mapping[str, Choice] = field(default_factory=dict)

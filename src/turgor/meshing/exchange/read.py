@@ -46,7 +46,7 @@ CURVED_SHARE = 0.05
 def read_mesh(
     path: str | Path,
     *,
-    unit: str | None = None,
+    unit: str | float | None = None,
     regions: Mapping[str, Choice] | None = None,
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
@@ -62,15 +62,16 @@ def read_mesh(
     ----------
     path : str or Path
         The file; its ending says what it is.
-    unit : str, optional
-        Unit of length of the file, ``"mm"``, ``"cm"``, ``"m"``, ``"um"`` or ``"in"``. Only VTU files of turgor state
-        it; others are in mm where it is not given.
+    unit : str or float, optional
+        Unit of length of the file, ``"mm"``, ``"cm"``, ``"m"``, ``"um"`` or ``"in"``, or its length in meters. Only
+        VTU files of turgor state it; others are in mm where it is not given.
     regions : mapping of str to str or selector, optional
         Region names with what they mean: a group of the file, or a box (`InBox`) that holds the centers of its
         cells. Other cells keep their group, or are ``body``.
     faces : mapping of str to str or selector, optional
         Face names with what they mean: a group, surface or set of the file, or selectors (`InBox`, `WithNormal`,
-        `NearestTo`; several in a list must all hold). Names that begin with ``symmetry_`` are mirror planes.
+        `NearestTo`, `ByNodes`, `BySides`; several in a list must all hold). Names that begin with ``symmetry_`` are
+        mirror planes.
     cavities : mapping of str to str or Path, optional
         Cavity names with STL files of their surfaces, in the unit of the mesh.
     axes : (str, str, str)
@@ -120,7 +121,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
         name=raw.path.stem,
     )
     if solids.kind is TETRAHEDRON:
-        refuse_inverted(mesh)
+        refuse_inverted(mesh, f"repair '{raw.path.name}' where it was made, or export cells of first order")
     found = (*_mended(raw.path, solids), *_overlapping(raw.path, solids), *_straight(raw, sides), *notes, *more)
     return replace(mesh, findings=found)
 
