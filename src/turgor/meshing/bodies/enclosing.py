@@ -18,7 +18,7 @@ SHARE = 1e-6
 def encloses_cavity(points: Array, sides: Ints, mirrors: Mapping[int, float], at_mirror: NDArray[np.bool_]) -> bool:
     """Whether sides with normals out of the solid enclose a cavity: closed, or open like a pocket, not like a plane.
 
-    A closed surface may enclose nothing, as a slit does that the pressure opens; only one around the solid is none.
+    A closed surface always does, even where it holds nothing yet, as a slit that the pressure opens.
 
     Parameters
     ----------
@@ -45,7 +45,9 @@ def encloses_cavity(points: Array, sides: Ints, mirrors: Mapping[int, float], at
     ends, count = np.unique(edges, axis=0, return_counts=True)
     rim = ends[count == 1]
     rim = rim[~at_mirror[rim].all(axis=1)]
-    origin = points[rim].mean(axis=(0, 1)) if len(rim) else corners.mean(axis=(0, 1))
+    if not len(rim):
+        return True
+    origin = points[rim].mean(axis=(0, 1))
     for axis, level in mirrors.items():
         origin[axis] = level  # seen from there the missing walls enclose nothing
     p = corners - origin
@@ -54,5 +56,4 @@ def encloses_cavity(points: Array, sides: Ints, mirrors: Mapping[int, float], at
     )
     areas = np.cross(first, second) / 2
     volume = -float(np.einsum("fi,fi->", p.mean(axis=1), areas)) / 3
-    least = SHARE * float(np.linalg.norm(areas, axis=1).sum()) ** 1.5
-    return volume > (least if len(rim) else -least)
+    return volume > SHARE * float(np.linalg.norm(areas, axis=1).sum()) ** 1.5
