@@ -69,7 +69,7 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
     """
     names = [item.name if _standard(item.name) else "" for item in part.items]
     picked = {name: pick(part, name, selector) for name, selector in selected.items()}
-    mirrors, cuts = _mirrors(part, names, picked)
+    mirrors, cuts = mirrors_of(part, names, picked)
     hollows, nested, passages = (_once(found) for found in find_hollows(mirrored(part.facets, mirrors, cuts)))
     for name, selector in selected.items():
         if name.startswith("cavity") and isinstance(selector, NearestTo):
@@ -80,7 +80,7 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
         for i in places:
             names[i] = name
     findings: list[Finding] = []
-    flat = _called(part, names, mirrors)[1]
+    flat = called_cavities(part, names, mirrors)[1]
     if not {name for name in names if name.startswith("cavity")} - set(flat):
         cavities, findings = _found(part, hollows, nested, passages, mirrors)
         for name, hollow in cavities.items():
@@ -88,13 +88,13 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
                 names[i] = names[i] or (f"{name}_inside" if name in flat else name)
     inner = _between(part, interface)
     names = [name or inner.get(i, "outside") for i, name in enumerate(names)]
-    made, flat = _called(part, names, mirrors)
+    made, flat = called_cavities(part, names, mirrors)
     findings = [*findings, *([no_cavity(flat)] if flat else []), *_missing(part, names, bool(made))]
     return Naming(names=tuple(names), cavities=made, findings=tuple(findings))
 
 
-def _called(part: Part, names: Sequence[str], mirrors: Sequence[Mirror]) -> tuple[dict[str, Hollow], list[str]]:
-    """What the faces called cavity enclose, and the names of those that enclose nothing."""
+def called_cavities(part: Part, names: Sequence[str], mirrors: Sequence[Mirror]) -> tuple[dict[str, Hollow], list[str]]:
+    """Return what the faces called cavity enclose, and the names of those that enclose nothing."""
     made, flat = {}, []
     for name in sorted({name for name in names if name.startswith("cavity")}):
         faces = tuple(i for i, n in enumerate(names) if n == name and not part.between[i])
@@ -151,8 +151,8 @@ def _once(hollows: Sequence[Hollow]) -> list[Hollow]:
     return list({hollow.faces: hollow for hollow in hollows}.values())
 
 
-def _mirrors(part: Part, names: Sequence[str], picked: Mapping[str, Sequence[int]]) -> tuple[list[Mirror], list[int]]:
-    """The mirror planes, and the faces on them."""
+def mirrors_of(part: Part, names: Sequence[str], picked: Mapping[str, Sequence[int]]) -> tuple[list[Mirror], list[int]]:
+    """Return the mirror planes, and the faces on them."""
     places = [(name, i) for name, which in picked.items() for i in which]
     places += [(name, i) for i, name in enumerate(names) if name]
     mirrors, cuts = set(), []

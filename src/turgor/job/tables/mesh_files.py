@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from turgor.errors import TurgorError, near_match
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
-from turgor.job.tables.cad import SelectorTable, selector_table
+from turgor.job.tables.cad import SelectorTable, axes_table, file_axes, selector_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table
@@ -73,7 +73,7 @@ class MeshFileTable(Table):
     type: str
     file: str = Field(examples=['"finger.msh"'])
     unit: str | float | None = Field(default=None, examples=['"mm"'])
-    axes: list[str] = Field(default_factory=lambda: ["x", "y", "z"])
+    axes: list[str | list[float]] = Field(default=["x", "y", "z"])
     regions: dict[str, SelectorTable | list[SelectorTable]] = Field(
         default_factory=dict, examples=['{ body = { name = "RUBBER" } }']
     )
@@ -121,7 +121,7 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
         lambda: MeshFile(
             file=(folder / table.file).resolve(),
             unit=table.unit,
-            axes=tuple(table.axes),  # type: ignore[arg-type]
+            axes=file_axes(table.axes) or ("x", "y", "z"),
             regions={name: _made(choice, folder) for name, choice in table.regions.items()},
             faces={name: _made(choice, folder) for name, choice in table.faces.items()},
             cavities={name: (folder / file).resolve() for name, file in table.cavities.items()},
@@ -144,7 +144,7 @@ def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
     values: dict[str, Any] = {
         "file": Path(actuator.file).as_posix(),
         **({"unit": actuator.unit} if actuator.unit else {}),
-        "axes": list(actuator.axes),
+        "axes": axes_table(actuator.axes),
         "sha256": actuator.sha256,
     }
     for key, choices in (("regions", actuator.regions), ("faces", actuator.faces)):

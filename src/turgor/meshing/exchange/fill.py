@@ -8,6 +8,7 @@ import numpy as np
 
 from turgor.errors import TurgorError
 from turgor.geometry.child import in_child
+from turgor.geometry.directions import FileAxes
 from turgor.meshing import netgen
 from turgor.meshing.exchange.formats.raw import KINDS, Block, RawMesh
 from turgor.meshing.exchange.formats.stl import Triangles, read_stl
@@ -30,7 +31,7 @@ def mesh_surfaces(
     regions: Mapping[str, Choice] | None = None,
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
-    axes: tuple[str, str, str] = ("x", "y", "z"),
+    axes: FileAxes = ("x", "y", "z"),
 ) -> Mesh:
     """Fill the space between closed STL surfaces with tetrahedra, keeping their triangles as they are.
 
@@ -46,7 +47,7 @@ def mesh_surfaces(
         As for `read_mesh`, by selectors.
     cavities : mapping of str to str or Path, optional
         Names of cavities with STL files of their surfaces, where these are files of their own.
-    axes : (str, str, str)
+    axes : tuple of three str or (3,) floats
         Directions in the file of our x, y and z, as for `read_mesh`.
 
     Returns

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from turgor.errors import TurgorError
+from turgor.geometry.directions import FileAxes, rotation_to
 from turgor.meshing.exchange.formats.raw import Array
 from turgor.units import length_unit
 
@@ -17,9 +17,10 @@ class Frame:
     ----------
     unit : str or float
         Unit of length: a key of the lengths in `turgor.units.UNITS`, or its length in meters.
-    axes : (str, str, str)
+    axes : tuple of three str or (3,) floats
         Direction in the file of our x (from the fixed end to the tip), y (across) and z (up), such as
-        ``("-x", "z", "y")``. They must be right-handed, or the part would be mirrored.
+        ``("-x", "z", "y")``; three numbers where a direction is none of those. They must be right-handed, or the part
+        would be mirrored.
 
     Examples
     --------
@@ -28,27 +29,17 @@ class Frame:
     """
 
     unit: str | float = "mm"
-    axes: tuple[str, str, str] = ("x", "y", "z")
+    axes: FileAxes = ("x", "y", "z")
 
     def __post_init__(self) -> None:
         length_unit(self.unit)  # refuses what is none
-        if len(self.axes) != 3 or {str(axis).lstrip("+-") for axis in self.axes} != {"x", "y", "z"}:
-            raise TurgorError(f"axes are {self.axes!r}; name x, y and z of the file once each, such as '-x', 'z', 'y'.")
-        if np.linalg.det(self._rotation) < 0:
-            raise TurgorError(f"axes {', '.join(self.axes)} are left-handed and would mirror the part; turn one sign.")
+        rotation_to(self.axes)
 
     @property
     def scale(self) -> float:
         """Length of one unit [m]."""
         return length_unit(self.unit)
 
-    @property
-    def _rotation(self) -> Array:
-        rows = np.zeros((3, 3))
-        for row, axis in zip(rows, self.axes, strict=True):
-            row["xyz".index(axis[-1])] = -1.0 if axis.startswith("-") else 1.0
-        return rows
-
     def meters(self, points: Array) -> Array:
         """Bring points (n, 3) of the file into meters and our axes."""
-        return np.asarray(points @ self._rotation.T * self.scale)
+        return np.asarray(points @ rotation_to(self.axes).T * self.scale)

@@ -10,6 +10,7 @@ import numpy as np
 from turgor.errors import TurgorError
 from turgor.geometry.cad.walls import thinnest_wall
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.directions import FileAxes
 from turgor.geometry.geometry import Geometry
 from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.exchange.formats.raw import Ints
@@ -50,7 +51,7 @@ class MeshFile:
         The file.
     unit : str or float, optional
         Unit of length of the file; as for `read_mesh`.
-    axes : (str, str, str)
+    axes : tuple of three str or (3,) floats
         Directions in the file of our x, y and z.
     regions, faces : mapping of str to Choice
         Names with what they mean.
@@ -73,7 +74,7 @@ class MeshFile:
 
     file: Path
     unit: str | float | None = None
-    axes: tuple[str, str, str] = ("x", "y", "z")
+    axes: FileAxes = ("x", "y", "z")
     regions: Mapping[str, Choice] = field(default_factory=dict)
     faces: Mapping[str, Choice] = field(default_factory=dict)
     cavities: Mapping[str, Path] = field(default_factory=dict)

@@ -8,6 +8,7 @@ import numpy as np
 
 from turgor.errors import TurgorError, near_match
 from turgor.finding import Finding, Severity
+from turgor.geometry.directions import FileAxes
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.exchange.boundary import Sides, sides_of
 from turgor.meshing.exchange.formats.abaqus import read_abaqus
@@ -50,7 +51,7 @@ def read_mesh(
     regions: Mapping[str, Choice] | None = None,
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
-    axes: tuple[str, str, str] = ("x", "y", "z"),
+    axes: FileAxes = ("x", "y", "z"),
 ) -> Mesh:
     """Read a volume mesh: gmsh ``.msh`` (2.2, 4.1), Abaqus or CalculiX ``.inp``, VTK ``.vtk`` or ``.vtu``.
 
@@ -74,7 +75,7 @@ def read_mesh(
         mirror planes.
     cavities : mapping of str to str or Path, optional
         Cavity names with STL files of their surfaces, in the unit of the mesh.
-    axes : (str, str, str)
+    axes : tuple of three str or (3,) floats
         Directions in the file of our x (from the fixed end to the tip), y (across) and z (up), such as
         ``("-x", "z", "y")``; boxes, planes and directions above are in our axes.
 
