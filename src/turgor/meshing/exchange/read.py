@@ -13,7 +13,7 @@ from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.exchange.boundary import Sides, sides_of
 from turgor.meshing.exchange.formats.abaqus import read_abaqus
 from turgor.meshing.exchange.formats.gmsh import read_gmsh
-from turgor.meshing.exchange.formats.raw import Array, RawMesh
+from turgor.meshing.exchange.formats.raw import Array, Ints, RawMesh
 from turgor.meshing.exchange.formats.vtk_legacy import read_vtk
 from turgor.meshing.exchange.formats.vtu import read_vtu
 from turgor.meshing.exchange.frame import Frame
@@ -36,6 +36,9 @@ DEFAULT_UNIT = "mm"
 
 #: Range of the longest side of an actuator; outside it the unit is wrong.
 SMALLEST_EXTENT, LARGEST_EXTENT = 1e-3, 2.0
+
+#: Nodes of a mirror plane lie on it up to the first share of its size; those further off than the second are no slips.
+FLAT, MOST_OFF = 1e-6, 0.02
 
 #: Boundary sides that meet at an angle in this range show a curved surface made of flat pieces.
 CURVED = (2 * deg, 45 * deg)
@@ -114,6 +117,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     sides = sides_of(solids)
     region_cells, notes = name_regions(raw, solids, wishes)
     face_sides, more = name_faces(raw, solids, sides, wishes)
+    more += _put_on_planes(raw.path, solids.points, sides, face_sides)
     mesh = Mesh(
         points=solids.points,
         cells=solids.cells,
@@ -157,6 +161,38 @@ def _check_extent(raw: RawMesh, frame: Frame) -> None:
         f"'{raw.path}' is {extent * frame.scale / mm:.6g} mm long when its unit is {frame.unit}; "
         f"allowed is {SMALLEST_EXTENT / mm:g} mm to {LARGEST_EXTENT / mm:g} mm{hint}"
     )
+
+
+def _put_on_planes(file: Path, points: Array, sides: Sides, faces: Mapping[str, Ints]) -> list[Finding]:
+    """G27: put nodes of mirror planes that lie a little off, such as mid-side nodes, on their planes."""
+    found = []
+    for name, rows in faces.items():
+        if not name.startswith("symmetry_"):
+            continue
+        nodes = np.unique(sides.nodes[rows])
+        extent = np.ptp(points[nodes], axis=0)
+        axis = int(extent.argmin())
+        level = float(np.median(points[nodes, axis]))
+        off = np.abs(points[nodes, axis] - level)
+        if off.max() > MOST_OFF * extent.max():
+            x, y, z = points[nodes[off.argmax()]] / mm
+            raise TurgorError(
+                f"face '{name}' is no plane across x, y or z, as a mirror plane must be: its node at ({x:.4g}, "
+                f"{y:.4g}, {z:.4g}) mm lies {off.max() / mm:.3g} mm off the plane {'xyz'[axis]} = {level / mm:.4g} mm."
+            )
+        points[nodes, axis] = level
+        moved = int((off > FLAT * extent.max()).sum())
+        if moved:
+            found.append(
+                Finding(
+                    code="G27",
+                    severity=Severity.NOTE,
+                    message=f"{moved} nodes of '{name}' of '{file.name}' lay up to {off.max() / mm:.2g} mm off its "
+                    "plane and were put on it.",
+                    advice="Nothing is to be done where this is what the part looks like.",
+                )
+            )
+    return found
 
 
 def _mended(file: Path, solids: Solids) -> tuple[Finding, ...]:

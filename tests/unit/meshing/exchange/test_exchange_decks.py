@@ -4,10 +4,12 @@ import exchange_cases as cases
 import numpy as np
 import pytest
 
+import prints
 import turgor as tg
 from turgor.errors import TurgorError
 from turgor.geometry.cad.selectors import InBox, WithNormal
 from turgor.job.output.lock import lock_text
+from turgor.meshing.exchange.fill import mesh_surfaces
 from turgor.meshing.exchange.formats.stl import stl_bytes
 from turgor.meshing.exchange.read import read_mesh
 from turgor.meshing.quality.checks import check_mesh
@@ -183,3 +185,34 @@ def test_lists_of_nodes_and_sides_name_faces(tmp_path):
 def test_units_that_are_none(tmp_path, unit):
     with pytest.raises(TurgorError, match=r"unit is .* one of m, cm, mm, um, µm, in, or the meters in one unit"):
         read_mesh(deck(tmp_path), unit=unit)
+
+
+def test_stl_that_the_generator_cannot_fill_is_meshed_as_a_part(tmp_path):
+    """It filled 23 % of this finger, without a word and without its cavity; other surfaces end it with SIGABRT."""
+    mesh = mesh_surfaces(prints.finger().write(tmp_path / "finger.stl"))
+    assert mesh.cavities == ("cavity",)
+    inside = mesh.faces["cavity"][:, :3]
+    a, b, c = (mesh.points[inside[:, i]] / mm for i in range(3))
+    assert -np.einsum("fi,fi->", a, np.cross(b, c)) / 6 == pytest.approx(prints.finger().cavities[0], rel=0.02)
+    assert [found.code for found in mesh.findings if found.code == "G27"] == ["G27"]
+
+
+def test_mid_side_node_off_its_mirror_plane_is_put_there(tmp_path):
+    points, cells, _ = cases.hollow_cube(True)
+    file = tmp_path / "half.vtk"
+    file.write_bytes(cases.vtk_legacy(points, [(10, cells)]))
+    plane = {"symmetry_y": WithNormal("-y")}
+    whole = read_mesh(file, faces=plane)
+    off = whole.points.copy() / mm
+    nodes = whole.face_nodes("symmetry_y")
+    off[nodes[nodes >= whole.vertex_count][:2], 1] += 0.05
+    nodes_of_side = {int(node) for node in nodes}
+    file.write_bytes(cases.vtk_legacy(off, [(24, whole.cells)]))
+    mesh = read_mesh(file, faces={"symmetry_y": tg.files.ByNodes(sorted(nodes_of_side))})
+    assert np.ptp(mesh.points[mesh.face_nodes("symmetry_y"), 1]) == 0
+    (found,) = [found for found in mesh.findings if found.code == "G27"]
+    assert "2 nodes of 'symmetry_y'" in found.message
+    off[nodes[0], 1] += 3.0
+    file.write_bytes(cases.vtk_legacy(off, [(24, whole.cells)]))
+    with pytest.raises(TurgorError, match="face 'symmetry_y' is no plane"):
+        read_mesh(file, faces={"symmetry_y": tg.files.ByNodes(sorted(nodes_of_side))})
