@@ -149,14 +149,13 @@ def force_of_a_tube(inner, outer, pressure):
     return (pressure - axial * (share - 1)) * outer
 
 
-@pytest.mark.parametrize("form", ["smeared", "discrete"])
-def test_winding_force_leaves_the_ends_out(form):
+def test_winding_force_leaves_the_ends_out():
     part = FiberReinforcedCylinder(length=60 * mm)
     body = mesh(part.build(), size=6 * mm, cells="hexahedra")
     rubber = tg.Material(name="rubber", law=NeoHooke(C10=120 * kPa))
     thread = tg.Material(name="thread", law=Hooke(E=200e9, nu=0.3))
     winding = Winding(angle_from_axis=90 * deg, spacing=2 * mm)
-    hoops = Fibers(face="outside", material=thread, diameter=0.2 * mm, winding=winding, form=form)
+    hoops = Fibers(face="outside", material=thread, diameter=0.2 * mm, winding=winding)
     loads = [tg.Pressure("cavity", 1 * kPa)]
     model = tg.Model(body, {"body": rubber}, [tg.Fixed("fixed")], loads, reinforcements=[hoops])
     state = tg.solve(model, tg.Static(first_step=1.0)).states[-1]

@@ -56,22 +56,25 @@ def _force_around(at: StateFields, fibers: Fibers) -> float:
     return float((pieces.weights * _weight(at, pieces, fibers, ends) * stretch * force) @ share) / area
 
 
-def _ends(at: StateFields, hoops: Pieces, fibers: Fibers) -> tuple[float, float]:
-    """Where the winding of the whole actuator begins and ends along its axis at rest [m]."""
+def _ends(at: StateFields, hoops: Pieces, fibers: Fibers) -> tuple[float, float] | None:
+    """Where the winding of the whole actuator begins and ends along its axis at rest [m]; None on one long cell."""
     along = _places(at, hoops, fibers)
     low, high = float(along.min()), float(along.max())
     for name in at.mesh.symmetry_faces:
         level = at.mesh.points[at.mesh.face_nodes(name)] @ unit_axis(fibers.winding)
         if np.ptp(level) < 1e-6 * (high - low):  # a plane across the axis: the other half goes on beyond it
             low, high = min(low, 2 * float(level.mean()) - high), max(high, 2 * float(level.mean()) - low)
-    return low, high
+    inside = np.abs(along - (low + high) / 2) < (high - low) / 4
+    return (low, high) if inside.any() else None
 
 
-def _weight(at: StateFields, pieces: Pieces, fibers: Fibers, ends: tuple[float, float]) -> Array:
+def _weight(at: StateFields, pieces: Pieces, fibers: Fibers, ends: tuple[float, float] | None) -> Array:
     """Weight of each piece: 1 in the middle between the ends, falling to 0 a quarter of the length away from it.
 
     It falls in a straight line, so that a hoop more or less in the middle half hardly counts.
     """
+    if ends is None:
+        return np.ones(len(pieces.weights))
     low, high = ends
     away = np.abs(_places(at, pieces, fibers) - (low + high) / 2) / (high - low)
     return np.asarray(np.maximum(1 - 4 * away, 0.0))
