@@ -10,7 +10,7 @@ from turgor.engine.fibers.fiber_kernels import Pieces
 from turgor.engine.fibers.smeared import smeared_pieces, unit_axis
 from turgor.errors import TurgorError
 from turgor.model.fibers import DISCRETE, SMEARED, Fibers, Winding
-from turgor.results.fields.fibers import piece_tension, tangents
+from turgor.results.fields.fibers import piece_tension, smooth_tension, tangents
 from turgor.results.fields.state_fields import StateFields
 from turgor.units import m
 
@@ -44,7 +44,8 @@ def _force_around(at: StateFields, fibers: Fibers) -> float:
     pieces = at.facts.threads(fibers).pieces if fibers.form == DISCRETE else smeared_pieces(at.mesh, fibers)
     tangent = tangents(pieces, at.points)
     stretch = np.linalg.norm(tangent, axis=1)
-    force = piece_tension(fibers, stretch) * pieces.stiffness / fibers.stretching_stiffness  # smeared ones: per width
+    tension = smooth_tension(pieces, piece_tension(fibers, stretch))  # hoops near edges of sides hold half as much
+    force = tension * pieces.stiffness / fibers.stretching_stiffness  # smeared ones: per width
     hoops, straight = (_laid(at, fibers, angle) for angle in (pi / 2, 0.0))
     around, along = tangents(hoops, at.points), tangents(straight, at.points)
     normal = np.cross(around, along)
@@ -52,8 +53,12 @@ def _force_around(at: StateFields, fibers: Fibers) -> float:
     lengthwise = _of_sides(hoops, across / np.linalg.norm(across, axis=1)[:, None], pieces)
     share = 1 - (np.einsum("ki,ki->k", tangent, lengthwise) / stretch) ** 2
     ends = _ends(at, hoops, fibers)
-    area = float((hoops.weights * _weight(at, hoops, fibers, ends)) @ np.linalg.norm(normal, axis=1))
-    return float((pieces.weights * _weight(at, pieces, fibers, ends) * stretch * force) @ share) / area
+    here, there = pieces.weights * _weight(at, pieces, fibers, ends), hoops.weights * _weight(at, hoops, fibers, ends)
+    if not here.sum() > 0:  # hoops so far apart that none lies in the middle
+        here, there = pieces.weights, hoops.weights
+    # the threads are as dense everywhere: of the middle their mean counts, not how many hoops happen to lie there
+    mean, widening = (here * stretch * force) @ share / here.sum(), there @ np.linalg.norm(normal, axis=1) / there.sum()
+    return float(mean * pieces.weights.sum() / hoops.weights.sum() / widening)
 
 
 def _ends(at: StateFields, hoops: Pieces, fibers: Fibers) -> tuple[float, float] | None:
