@@ -9,6 +9,8 @@ if TYPE_CHECKING:
     from turgor.meshing.exchange import mesh_surfaces as mesh_surfaces
     from turgor.meshing.exchange import read_mesh as read_mesh
     from turgor.meshing.exchange.formats.write_stl import write_stl as write_stl
+    from turgor.meshing.exchange.numbered import ByNodes as ByNodes
+    from turgor.meshing.exchange.numbered import BySides as BySides
     from turgor.model.write_inp import compressible as compressible
     from turgor.model.write_inp import write_inp as write_inp
     from turgor.results.files.modes_vtu import write_modes as write_modes

@@ -12,7 +12,7 @@
 import re
 from collections.abc import Mapping
 from difflib import get_close_matches
-from math import isfinite, pi
+from math import isfinite, nan, pi
 from types import MappingProxyType
 
 from turgor.errors import TurgorError
@@ -129,6 +129,48 @@ EXAMPLES: Mapping[str, str] = MappingProxyType(
 #: Signs that look alike or are typed for convenience, and the one that is understood.
 _SAME_SIGN = str.maketrans({"\N{GREEK SMALL LETTER MU}": "µ", "\N{MINUS SIGN}": "-", "\N{NO-BREAK SPACE}": " "})
 _NUMBER_AND_UNIT = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
+
+
+def length_unit(unit: str | float) -> float:
+    """Return the length of one unit of a file, by its name or as a number of meters.
+
+    Parameters
+    ----------
+    unit : str or float
+        A key of the lengths in `UNITS`, or meters for each unit of the file, such as 0.0254 for inches.
+
+    Returns
+    -------
+    float [m]
+
+    Raises
+    ------
+    TurgorError
+        If it is neither.
+
+    Examples
+    --------
+    >>> length_unit("cm"), length_unit(0.0254), length_unit("1e-6")
+    (0.01, 0.0254, 1e-06)
+    >>> length_unit("milli")
+    Traceback (most recent call last):
+    turgor.errors.TurgorError: unit is 'milli'; allowed is one of m, cm, mm, um, µm, in, or the meters in one unit of \
+the file, such as 0.0254.
+    """
+    known = UNITS["length"]
+    if isinstance(unit, str) and unit in known:
+        return known[unit]
+    try:
+        meters = nan if isinstance(unit, bool) else float(unit)
+    except (TypeError, ValueError):
+        meters = nan
+    if not (isfinite(meters) and meters > 0):
+        hint = get_close_matches(unit, known, n=1) if isinstance(unit, str) else []
+        raise TurgorError(
+            f"unit is {unit!r}{f'; did you mean {hint[0]!r}? Allowed' if hint else '; allowed'} is one of "
+            f"{', '.join(known)}, or the meters in one unit of the file, such as 0.0254."
+        )
+    return meters
 
 
 def unit_value(unit: str) -> float:

@@ -54,8 +54,9 @@ def test_pneunet_bends_towards_its_stiff_side():
 def test_pneunet_is_filled_from_its_surfaces():
     """The cavity is in the file already, as an inner shell; its own file only names it."""
     mesh = mesh_surfaces(PNEUNET / "pneunetCut.stl", axes=AXES, cavities={"air": PNEUNET / "pneunetCavityCut.stl"})
-    assert set(mesh.faces) == {"air", "outside"}
-    assert (len(mesh.faces["air"]), len(mesh.faces["outside"])) == (912, 2056)
+    assert set(mesh.faces) == {"air", "cavity", "outside"}
+    assert mesh.cavities == ("cavity",)
+    assert (len(mesh.faces["air"]), len(mesh.faces["cavity"]), len(mesh.faces["outside"])) == (912, 912, 2056)
 
 
 @pytest.mark.parametrize(

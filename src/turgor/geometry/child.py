@@ -152,4 +152,5 @@ def _cause(code: int, place: Path) -> str:
     else:
         how = f"exit code {code}"
     said = (place / _SAID).read_text(encoding="utf-8", errors="replace").strip().splitlines()
+    said = [line for line in said if not line.startswith("Extension modules:")]  # what Python adds to a crash
     return f"{how}: {said[-1].strip()[:200]}" if said else how

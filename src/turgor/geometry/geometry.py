@@ -7,6 +7,7 @@ from typing import Any
 from turgor.errors import TurgorError
 from turgor.finding import Finding
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.names import cavity_names
 from turgor.geometry.packing import PackedShape, packed
 from turgor.geometry.shapes.late import LateShape
 from turgor.geometry.sweep import Sweep
@@ -83,6 +84,11 @@ regions: body, base, faces: cavity, fixed, outside, strain_limiting_layer, symme
             f"Geometry('{self.name}', {size} mm, thinnest wall {self.smallest_wall / mm:.4g} mm{cavities}, "
             f"regions: {listed(self.regions)}, faces: {listed(self.faces)})"
         )
+
+    @property
+    def cavities(self) -> tuple[str, ...]:
+        """Names of the faces that enclose a cavity, in the order of their numbers."""
+        return cavity_names(self.cavity_volumes)
 
     @property
     def cavity_volume(self) -> float:

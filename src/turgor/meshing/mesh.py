@@ -9,6 +9,7 @@ from turgor.errors import TurgorError, unknown
 from turgor.finding import Finding
 from turgor.geometry.names import cavity_names
 from turgor.geometry.wedge import HIGH, LOW, Wedge
+from turgor.meshing.bodies.enclosing import encloses_cavity
 from turgor.meshing.cells import TETRAHEDRON, TRIANGLE, CellType, cell_type
 from turgor.shown import Shown, listed
 
@@ -69,6 +70,8 @@ class Mesh(Shown):
     revolved: str = ""
     wedge: Wedge | None = None
     vertex_count: int = field(init=False)
+    cavities: tuple[str, ...] = field(init=False)
+    """Names of the faces that enclose a cavity: those that begin with ``cavity`` and are no open surface."""
 
     def __post_init__(self) -> None:
         if self.cells.ndim != 2 or self.cells.shape[1] not in (10, 20, 27) or len(self.cells) == 0:
@@ -96,6 +99,7 @@ class Mesh(Shown):
                 f"mesh '{self.name}': {int((owner != 1).sum())} cells do not belong to exactly one region."
             )
         object.__setattr__(self, "vertex_count", len(vertices))
+        object.__setattr__(self, "cavities", self._enclosing(cavity_names(self.faces)))
         if self.wedge is not None and (self.leaders[: len(vertices)] >= len(vertices)).any():
             raise TurgorError(f"mesh '{self.name}': a vertex of '{HIGH}' lies on a mid-side node of '{LOW}'.")
 
@@ -175,10 +179,15 @@ class Mesh(Shown):
         radii = self.radii
         return np.asarray(radii <= 2 * PINHOLE * radii.max())
 
-    @property
-    def cavities(self) -> tuple[str, ...]:
-        """Names of the faces that enclose a cavity: those that begin with ``cavity``."""
-        return cavity_names(self.faces)
+    def _enclosing(self, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Names of those faces that enclose a cavity; all in a wedge or a body of revolution, whose cuts close them."""
+        if not names or self.wedge is not None or self.revolved:
+            return names
+        at_mirror = np.zeros(len(self.points), dtype=bool)
+        for name in self.symmetry_faces:
+            at_mirror[self.faces[name]] = True
+        mirrors = dict(self.mirror_planes)
+        return tuple(name for name in names if encloses_cavity(self.points, self.faces[name], mirrors, at_mirror))
 
     @property
     def symmetry_factor(self) -> int:

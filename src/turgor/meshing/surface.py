@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
+from turgor.geometry.names import cavity_names, no_cavity
 from turgor.meshing.cells import cell_type, side_type
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.openings import check_openings
@@ -101,7 +102,8 @@ def check_surface(mesh: Mesh) -> tuple[Finding, ...]:
     """Check the named faces against the surface of the mesh.
 
     Found are: a cavity that is open elsewhere than at a mirror plane (D01 where at an inlet, else G02), surface
-    without a name (G03), a face whose triangles are no cell sides or point into the solid (G04).
+    without a name (G03), a face whose triangles are no cell sides or point into the solid (G04), a face that is called
+    a cavity and encloses nothing (G26).
 
     Parameters
     ----------
@@ -113,7 +115,13 @@ def check_surface(mesh: Mesh) -> tuple[Finding, ...]:
     """
     surface = outer_triangles(mesh)
     rims = {name: rim_edges(mesh.face(name)) for name in mesh.cavities}
-    return (*check_openings(mesh, surface, rims), *_unnamed(mesh, surface), *_misplaced(mesh, surface))
+    flat = [name for name in cavity_names(mesh.faces) if name not in mesh.cavities]
+    return (
+        *check_openings(mesh, surface, rims),
+        *([no_cavity(flat)] if flat else []),
+        *_unnamed(mesh, surface),
+        *_misplaced(mesh, surface),
+    )
 
 
 def _unnamed(mesh: Mesh, surface: Triangles) -> list[Finding]:

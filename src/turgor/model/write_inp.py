@@ -11,7 +11,7 @@ from turgor.errors import TurgorError, unknown
 from turgor.materials.laws.laws import Hooke
 from turgor.materials.material import Material
 from turgor.meshing.cells import TETRAHEDRON
-from turgor.meshing.exchange.formats.abaqus import SIDES
+from turgor.meshing.exchange.formats.abaqus_sets import SIDES
 from turgor.meshing.mesh import Mesh
 from turgor.model.history import RAMP, points_of
 from turgor.model.inp.materials import material_lines

@@ -15,6 +15,7 @@ from turgor.geometry.cad.read import read_cad, read_here
 from turgor.geometry.cad.surface.shape import SurfaceShape, surface_shape
 from turgor.meshing.enveloped.background import background
 from turgor.meshing.enveloped.nearest import sharp_edges
+from turgor.meshing.enveloped.snapping import on_mirrors
 from turgor.meshing.exchange.cavities import distances
 from turgor.meshing.exchange.formats.stl import Triangles
 from turgor.meshing.generate import _meshed_by_facets
@@ -104,3 +105,18 @@ def test_a_cad_part_is_meshed_by_its_facets(tmp_path):
     assert set(mesh.faces) == set(part.faces)
     assert cell_volumes(mesh).sum() == pytest.approx(part.solid_volume, rel=0.015), "facets cut off the curves"
     assert not isinstance(part._shape, SurfaceShape)
+
+
+def test_nodes_of_a_mirror_plane_lie_on_it():
+    """Corners that went back for the sake of a cell, and middles between two faces, were off it."""
+    corners = np.array([[0.0, 0, 0], [4, 0, 0], [0, 0, 3], [0, 2, 0]])
+    shape = surface_shape(corners, np.array([[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]]))
+    names = ["outside"] * len(shape.faces)
+    names[int(shape.face[0])] = "symmetry_y"
+    shape = shape.named(tuple(names))
+    sides = shape.triangles
+    off = corners + 0.05
+    out = on_mirrors(off, sides, shape.face, shape)
+    assert np.abs(out[:3, 1]).max() == 0
+    assert out[:, [0, 2]] == pytest.approx(off[:, [0, 2]])
+    assert out[3] == pytest.approx(off[3])

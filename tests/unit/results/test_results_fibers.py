@@ -136,3 +136,29 @@ def test_pictures_show_the_threads(body, form, tmp_path):
     seen = images[1].min(axis=2) < 0.99
     assert 0.01 < darker.sum() / seen.sum() < 0.3
     assert (darker & ~seen).sum() < 0.05 * darker.sum()  # half their width beyond the outline
+
+
+def force_of_a_tube(inner, outer, pressure):
+    """q b of a tube of incompressible rubber in hoops that do not give way, closed ends free; small strain.
+
+    With u = −e r/2 + C/r, u(b) = 0, σᵣ(a) = −p and the axial force π a² p:
+    q = p − μ e (b²/a² − 1), and μ e (b²/a² + 3) = p b²/(b² − a²).
+    """
+    share = (outer / inner) ** 2
+    axial = pressure * share / (share - 1) / (share + 3)
+    return (pressure - axial * (share - 1)) * outer
+
+
+def test_winding_force_leaves_the_ends_out():
+    part = FiberReinforcedCylinder(length=60 * mm)
+    body = mesh(part.build(), size=6 * mm, cells="hexahedra")
+    rubber = tg.Material(name="rubber", law=NeoHooke(C10=120 * kPa))
+    thread = tg.Material(name="thread", law=Hooke(E=200e9, nu=0.3))
+    winding = Winding(angle_from_axis=90 * deg, spacing=2 * mm)
+    hoops = Fibers(face="outside", material=thread, diameter=0.2 * mm, winding=winding)
+    loads = [tg.Pressure("cavity", 1 * kPa)]
+    model = tg.Model(body, {"body": rubber}, [tg.Fixed("fixed")], loads, reinforcements=[hoops])
+    state = tg.solve(model, tg.Static(first_step=1.0)).states[-1]
+    outer = part.inner_radius + part.wall
+    force = find_measure("winding_force_per_length")(state)
+    assert force == pytest.approx(force_of_a_tube(part.inner_radius, outer, 1 * kPa), rel=0.02)

@@ -10,6 +10,7 @@ from turgor.errors import TurgorError
 from turgor.geometry.cad.selectors import Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.symmetry.wanted import NONE, WantedSymmetry
+from turgor.geometry.directions import FileAxes, rotation_to
 from turgor.geometry.geometry import Geometry
 
 #: What breaks the symmetry: pairs of an axis and a reason.
@@ -24,7 +25,7 @@ class CadFile:
     ----------
     file : Path
         STEP, BREP or STL.
-    unit : str, optional
+    unit : str or float, optional
         Unit of the numbers in the file; it overrides that of the file.
     faces : mapping of str to Selector
         Names for faces.
@@ -34,6 +35,8 @@ class CadFile:
         A plane that cuts off the bottom as a region of its own.
     symmetry : str or WantedSymmetry
         Where to cut the part, as for `read_cad`.
+    axes : tuple of three str or (3,) floats, optional
+        Directions in the file of our x, y and z, as for `read_cad`; found where they are not given.
     sha256 : str
         Checksum of the file, as a lock file states it; computed if it is empty.
 
@@ -50,11 +53,12 @@ class CadFile:
     """
 
     file: Path
-    unit: str | None = None
+    unit: str | float | None = None
     faces: Mapping[str, Selector] = field(default_factory=dict)
     regions: Mapping[str, Selector] = field(default_factory=dict)
     split: SplitPlane | None = None
     symmetry: str | WantedSymmetry = NONE
+    axes: FileAxes | None = None
     sha256: str = ""
 
     def __post_init__(self) -> None:
@@ -68,14 +72,16 @@ class CadFile:
             )
         object.__setattr__(self, "sha256", found)
         object.__setattr__(self, "symmetry", self.wanted_symmetry)
+        if self.axes is not None:
+            rotation_to(self.axes)  # refuses what are none
 
     def build(self) -> Geometry:
         """Read the file with `read_cad`, once: a job builds its actuator several times."""
         names = tuple(self.faces.items()), tuple(self.regions.items())
         wanted = self.wanted_symmetry
         broken = tuple(sorted(wanted.broken.items())), tuple(sorted(wanted.broken_turns.items()))
-        symmetry = (wanted.planes, *broken)
-        return _built(self.file, self.sha256, self.unit, *names, self.split, symmetry)
+        placing = (wanted.planes, *broken, self.axes)
+        return _built(self.file, self.sha256, self.unit, *names, self.split, placing)
 
     @property
     def wanted_symmetry(self) -> WantedSymmetry:
@@ -87,14 +93,16 @@ class CadFile:
 def _built(
     file: Path,
     sha256: str,
-    unit: str | None,
+    unit: str | float | None,
     faces: tuple[tuple[str, Selector], ...],
     regions: tuple[tuple[str, Selector], ...],
     split: SplitPlane | None,
-    symmetry: tuple[str, Reasons, Reasons],
+    placing: tuple[str, Reasons, Reasons, FileAxes | None],
 ) -> Geometry:
     """Read a file; the checksum makes another call of it when its content changes."""
     from turgor.geometry.cad.read import read_cad  # here: it loads much, and every job loads this file
 
-    wanted = WantedSymmetry(symmetry[0], dict(symmetry[1]), dict(symmetry[2]))
-    return read_cad(file, unit=unit, faces=dict(faces), regions=dict(regions), split=split, symmetry=wanted)
+    planes, broken, turns, axes = placing
+    wanted = WantedSymmetry(planes, dict(broken), dict(turns))
+    named = {"faces": dict(faces), "regions": dict(regions)}
+    return read_cad(file, unit=unit, **named, split=split, symmetry=wanted, axes=axes)

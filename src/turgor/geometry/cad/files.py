@@ -16,7 +16,7 @@ from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.cad_unit import unit_in_doubt
 from turgor.geometry.child import Work
 from turgor.geometry.quiet import captured_output
-from turgor.units import UNITS, mm
+from turgor.units import UNITS, length_unit, mm
 
 #: Kind of file by its suffix.
 SUFFIXES = {".step": "STEP", ".stp": "STEP", ".brep": "BREP", ".brp": "BREP", ".stl": "STL"}
@@ -61,16 +61,16 @@ class FileContents:
     findings: tuple[Finding, ...] = ()
 
 
-def load_file(path: str | Path, unit: str | None = None) -> FileContents:
+def load_file(path: str | Path, unit: str | float | None = None) -> FileContents:
     """Read the bodies of a CAD file.
 
     Parameters
     ----------
     path : str or Path
         A file that ends in .step, .stp, .brep, .brp or .stl.
-    unit : str, optional
-        Unit of the numbers in the file, such as ``"mm"``, instead of the stated one. The default is the unit that a
-        STEP file states, and millimeters for other files.
+    unit : str or float, optional
+        Unit of the numbers in the file, such as ``"mm"``, or its length in meters, instead of the stated one. The
+        default is the unit that a STEP file states, and millimeters for other files.
 
     Raises
     ------
@@ -86,13 +86,16 @@ def load_file(path: str | Path, unit: str | None = None) -> FileContents:
         bodies, names = _read(path, kind)
         findings = ()
     stated = _stated_unit(path) if kind == "STEP" else None
-    factor = 1.0 if unit is None else UNITS["length"][unit] / (stated or mm)
+    factor = 1.0 if unit is None else length_unit(unit) / (stated or mm)
     if factor != 1.0:
         bodies = [_scaled(body, factor) for body in bodies]
     _check_size(path, bodies, stated if unit is None else None, unit)
     if unit is None and stated is None:
         findings = (*findings, *unit_in_doubt(path.name, max(_sides(bodies))))
-    how = f"{unit}, as given" if unit else f"{_unit_name(stated)}, from the file" if stated else "mm, assumed"
+    if unit is not None:
+        how = f"{_given_name(unit)}, as given"
+    else:
+        how = f"{_unit_name(stated)}, from the file" if stated else "mm, assumed"
     return FileContents(kind=kind, bodies=bodies, names=names, unit=how, findings=findings)
 
 
@@ -110,7 +113,7 @@ def reading(path: str | Path) -> Work:
     )
 
 
-def check_file(path: str | Path, unit: str | None = None) -> str:
+def check_file(path: str | Path, unit: str | float | None = None) -> str:
     """Return the kind of a CAD file, STEP, BREP or STL, after a look at its name, its first bytes and the unit.
 
     Raises
@@ -119,8 +122,8 @@ def check_file(path: str | Path, unit: str | None = None) -> str:
         If it is missing or no such file, or the unit is unknown.
     """
     kind = _kind(Path(path))
-    if unit is not None and unit not in UNITS["length"]:
-        raise TurgorError(f"unit is {unit!r}; allowed is one of {', '.join(UNITS['length'])}.")
+    if unit is not None:
+        length_unit(unit)  # refuses what is none
     return kind
 
 
@@ -204,6 +207,10 @@ def _unit_name(unit: float | None) -> str:
     return known.get(unit or mm, f"{unit} m")
 
 
+def _given_name(unit: str | float) -> str:
+    return str(unit) if unit in UNITS["length"] else f"{length_unit(unit):g} m"
+
+
 def _sides(bodies: list[Any]) -> list[float]:
     """Sides of the box around all bodies [m]."""
     lows, highs = zip(*(body.bounding_box for body in bodies), strict=True)
@@ -211,13 +218,13 @@ def _sides(bodies: list[Any]) -> list[float]:
     return [(b - a) * mm for a, b in zip(low, high, strict=True)]
 
 
-def _check_size(path: Path, bodies: list[Any], stated: float | None, unit: str | None) -> None:
+def _check_size(path: Path, bodies: list[Any], stated: float | None, unit: str | float | None) -> None:
     """Raise an error for a part of impossible size, with a unit that would make it possible."""
     sides = _sides(bodies)
     longest = max(sides)
     if prod(sides) > 0 and SMALLEST <= longest <= LARGEST:
         return
-    used = UNITS["length"][unit] if unit else stated or mm
+    used = length_unit(unit) if unit is not None else stated or mm
     fits = [name for name in ("mm", "m", "in", "um") if SMALLEST <= longest / used * UNITS["length"][name] <= LARGEST]
     shown = " x ".join(f"{side / mm:.4g}" for side in sides)
     advice = (

@@ -102,7 +102,7 @@ class Inspection:
 def inspect_cad(
     path: str | Path,
     *,
-    unit: str | None = None,
+    unit: str | float | None = None,
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
@@ -129,7 +129,7 @@ def inspect_cad(
 
 def inspect_here(
     path: Path,
-    unit: str | None = None,
+    unit: str | float | None = None,
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,

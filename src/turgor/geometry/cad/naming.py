@@ -12,6 +12,7 @@ from turgor.geometry.cad.facets import Mirror, mirrored
 from turgor.geometry.cad.part import Part
 from turgor.geometry.cad.selectors import NearestTo, Selector
 from turgor.geometry.cad.volumes import measured
+from turgor.geometry.names import no_cavity
 from turgor.units import mm
 
 #: Names with a meaning in models and measures. A face with such a name in the file keeps it; others need ``ByName``.
@@ -19,6 +20,9 @@ STANDARD = ("fixed", "tip", "strain_limiting_layer", "symmetry_x", "symmetry_y",
 
 #: A pocket smaller than this share of the largest cavity is a hole for a screw or a mark, and no cavity.
 SMALL = 0.01
+
+#: Faces enclose a cavity if it holds more than this share of their area to the power 3/2; a plane holds nothing.
+SHARE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -65,7 +69,7 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
     """
     names = [item.name if _standard(item.name) else "" for item in part.items]
     picked = {name: pick(part, name, selector) for name, selector in selected.items()}
-    mirrors, cuts = _mirrors(part, names, picked)
+    mirrors, cuts = mirrors_of(part, names, picked)
     hollows, nested, passages = (_once(found) for found in find_hollows(mirrored(part.facets, mirrors, cuts)))
     for name, selector in selected.items():
         if name.startswith("cavity") and isinstance(selector, NearestTo):
@@ -76,21 +80,32 @@ def name_faces(part: Part, selected: Mapping[str, Selector], interface: str | No
         for i in places:
             names[i] = name
     findings: list[Finding] = []
-    if not any(name.startswith("cavity") for name in names):
+    flat = called_cavities(part, names, mirrors)[1]
+    if not {name for name in names if name.startswith("cavity")} - set(flat):
         cavities, findings = _found(part, hollows, nested, passages, mirrors)
         for name, hollow in cavities.items():
             for i in hollow.faces:
-                names[i] = names[i] or name
+                names[i] = names[i] or (f"{name}_inside" if name in flat else name)
     inner = _between(part, interface)
     names = [name or inner.get(i, "outside") for i, name in enumerate(names)]
-    taken = sorted({name for name in names if name.startswith("cavity")})
-    walls = {name: tuple(i for i, n in enumerate(names) if n == name and not part.between[i]) for name in taken}
-    made = {
-        name: measured(Hollow(faces=faces, volume=0.0, openings=()), part.facets, part.faces, mirrors)
-        for name, faces in walls.items()
-        if faces
-    }
-    return Naming(names=tuple(names), cavities=made, findings=(*findings, *_missing(part, names)))
+    made, flat = called_cavities(part, names, mirrors)
+    findings = [*findings, *([no_cavity(flat)] if flat else []), *_missing(part, names, bool(made))]
+    return Naming(names=tuple(names), cavities=made, findings=tuple(findings))
+
+
+def called_cavities(part: Part, names: Sequence[str], mirrors: Sequence[Mirror]) -> tuple[dict[str, Hollow], list[str]]:
+    """Return what the faces called cavity enclose, and the names of those that enclose nothing."""
+    made, flat = {}, []
+    for name in sorted({name for name in names if name.startswith("cavity")}):
+        faces = tuple(i for i, n in enumerate(names) if n == name and not part.between[i])
+        if not faces:
+            continue
+        hollow = measured(Hollow(faces=faces, volume=0.0, openings=()), part.facets, part.faces, mirrors)
+        if hollow.volume > SHARE * sum(float(part.faces[i].mass) for i in faces) ** 1.5:
+            made[name] = hollow
+        else:
+            flat.append(name)
+    return made, flat
 
 
 def _between(part: Part, interface: str | None) -> dict[int, str]:
@@ -136,8 +151,8 @@ def _once(hollows: Sequence[Hollow]) -> list[Hollow]:
     return list({hollow.faces: hollow for hollow in hollows}.values())
 
 
-def _mirrors(part: Part, names: Sequence[str], picked: Mapping[str, Sequence[int]]) -> tuple[list[Mirror], list[int]]:
-    """The mirror planes, and the faces on them."""
+def mirrors_of(part: Part, names: Sequence[str], picked: Mapping[str, Sequence[int]]) -> tuple[list[Mirror], list[int]]:
+    """Return the mirror planes, and the faces on them."""
     places = [(name, i) for name, which in picked.items() for i in which]
     places += [(name, i) for i, name in enumerate(names) if name]
     mirrors, cuts = set(), []
@@ -240,8 +255,7 @@ def _place(center: np.ndarray, area: float) -> str:
     return f"({x:.4g}, {y:.4g}, {z:.4g}) mm with {area:.4g} mm²"
 
 
-def _missing(part: Part, names: Sequence[str]) -> list[Finding]:
-    cavity = any(name.startswith("cavity") for name in names)
+def _missing(part: Part, names: Sequence[str], cavity: bool) -> list[Finding]:
     lacking = [name for name in ("fixed", "tip") if name not in names] + ([] if cavity else ["cavity"])
     if not lacking:
         return []

@@ -14,11 +14,12 @@ from turgor.geometry import occ
 from turgor.geometry.cad.colors import shown_color
 from turgor.geometry.cad.facets import Facets, find_facets
 from turgor.geometry.cad.files import FileContents, load_file
+from turgor.geometry.cad.placing.rotate import turned_shape
 from turgor.geometry.cad.selectors import Item, Selector
 from turgor.geometry.cad.split import SplitPlane, split_bodies
 from turgor.geometry.cad.surface.part import body_item, surface_facets, surface_items
 from turgor.geometry.cad.surface.shape import SurfaceShape
-from turgor.geometry.directions import Vector
+from turgor.geometry.directions import FileAxes, Vector, rotation_to
 from turgor.units import mm
 
 Array = NDArray[np.float64]
@@ -71,9 +72,10 @@ class Part:
 
 def load_part(
     path: str | Path,
-    unit: str | None = None,
+    unit: str | float | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
+    axes: FileAxes | None = None,
 ) -> Part:
     """Read a CAD file, name its bodies, split and glue them.
 
@@ -85,6 +87,8 @@ def load_part(
         Region of the bodies that each selector picks; the others keep their name in the file.
     split : SplitPlane, optional
         A plane that cuts the bodies.
+    axes : tuple of three str or (3,) floats, optional
+        Directions in the file of our x, y and z; those of the file where it is not given.
 
     Raises
     ------
@@ -92,6 +96,9 @@ def load_part(
         If the file cannot be read, or its bodies overlap or do not touch.
     """
     file = load_file(path, unit)
+    if axes is not None:
+        rotation = rotation_to(axes)
+        file = replace(file, bodies=[turned_shape(body, rotation) for body in file.bodies])
     bodies, names = file.bodies, _region_names(file, regions or {})
     if isinstance(bodies[0], SurfaceShape):
         return _surface_part(Path(path), file, names[0], split)

@@ -9,6 +9,8 @@ from turgor.geometry.cad.cavities import Hollow
 from turgor.geometry.cad.files import check_file, reading
 from turgor.geometry.cad.naming import STANDARD, Naming, name_faces
 from turgor.geometry.cad.part import Part, load_part
+from turgor.geometry.cad.placing.lying import found_rotation, placing_finding
+from turgor.geometry.cad.placing.turned import turned_naming, turned_part
 from turgor.geometry.cad.selectors import ByName, Selector
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.surface.shape import SurfaceShape
@@ -17,6 +19,7 @@ from turgor.geometry.cad.symmetry.modeled import Modeled
 from turgor.geometry.cad.symmetry.wanted import NONE, WHOLE, WantedSymmetry
 from turgor.geometry.cad.walls import smallest_wall
 from turgor.geometry.child import in_child
+from turgor.geometry.directions import FileAxes, rotation_to
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.packing import packed
 from turgor.units import mm
@@ -25,11 +28,12 @@ from turgor.units import mm
 def read_cad(
     path: str | Path,
     *,
-    unit: str | None = None,
+    unit: str | float | None = None,
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
     symmetry: str | WantedSymmetry = NONE,
+    axes: FileAxes | None = None,
 ) -> Geometry:
     """Read a STEP, BREP or STL file as a geometry.
 
@@ -41,8 +45,9 @@ def read_cad(
     ----------
     path : str or Path
         The file.
-    unit : str, optional
-        Unit of its numbers, such as ``"mm"``; by default what a STEP file states, and millimeters for the others.
+    unit : str or float, optional
+        Unit of its numbers, such as ``"mm"``, or its length in meters; by default what a STEP file states, and
+        millimeters for the others.
     faces : mapping of str to Selector, optional
         Names for faces, each face once. If one of them is a cavity, no others are found.
     regions : mapping of str to Selector, optional
@@ -53,6 +58,11 @@ def read_cad(
         ``"none"`` for the whole part; ``"automatic"`` to cut it at every mirror plane across x, y or z that it has, or
         to a wedge where that is smaller; the normals of the planes to use, such as ``"y"`` or ``"yz"``, of which the
         side toward positive coordinates is kept; or ``"wedge"`` for one of n equal sectors, ``"wedge 6"`` with n.
+    axes : tuple of three str or (3,) floats, optional
+        Directions in the file of our x (from the fixed end to the tip), y (across) and z (up), such as
+        ``("z", "x", "y")``; all selectors and the split are then in our axes. By default a part whose plane face
+        ``fixed`` and whose ``tip`` show that it does not lie along x is turned until it does, with the strain-limiting
+        layer, the base or the thicker wall below (D08); selectors and the split stay in the axes of the file.
 
     Returns
     -------
@@ -83,24 +93,30 @@ def read_cad(
     _check_names("region", regions or {})
     wanted = symmetry if isinstance(symmetry, WantedSymmetry) else WantedSymmetry(symmetry)
     wanted = replace(wanted, broken=dict(wanted.broken), broken_turns=dict(wanted.broken_turns))
-    return in_child(reading(path), read_here, Path(path), unit, dict(faces or {}), dict(regions or {}), split, wanted)
+    named = dict(faces or {}), dict(regions or {})
+    if axes is not None:
+        rotation_to(axes)  # refuses what are none
+    return in_child(reading(path), read_here, Path(path), unit, *named, split, wanted, axes)
 
 
 def read_here(
     path: Path,
-    unit: str | None = None,
+    unit: str | float | None = None,
     faces: Mapping[str, Selector] | None = None,
     regions: Mapping[str, Selector] | None = None,
     split: SplitPlane | None = None,
     symmetry: WantedSymmetry = WHOLE,
+    axes: FileAxes | None = None,
 ) -> Geometry:
     """Read a CAD file as `read_cad`, but in this process, which the CAD kernel may crash.
 
     What other processes do with the shape is done here first: it is packed, made again and triangulated.
     """
-    part = load_part(path, unit, regions or {}, split)
+    part = load_part(path, unit, regions or {}, split, axes)
     interface = split.interface if split is not None else None
     naming = name_faces(part, faces or {}, interface)
+    if axes is None:
+        part, naming = _along_x(part, naming, faces or {})
     modeled = modeled_part(part, naming.names, symmetry)
     if modeled.wedge is not None:
         naming = _of_wedge(modeled, naming)
@@ -115,6 +131,18 @@ def read_here(
     again.MakeTriangulation()
     assert again.bounding_box and all(face.mass >= 0 for face in again.faces)
     return geometry
+
+
+def _along_x(part: Part, naming: Naming, faces: Mapping[str, Selector]) -> tuple[Part, Naming]:
+    """A part that lies along x, with its names; what was done is a finding."""
+    rotation, clear = found_rotation(part, naming.names)
+    if rotation is not None:
+        found = placing_finding(part, rotation)
+        given = {*faces, *(item.name for item in part.items)}
+        part = turned_part(part, rotation)
+        naming = turned_naming(part, naming, given)
+        return part, replace(naming, findings=(*naming.findings, found))
+    return part, naming if clear else replace(naming, findings=(*naming.findings, placing_finding(part, None)))
 
 
 def _geometry(path: Path, part: Part, naming: Naming, wall: float) -> Geometry:

@@ -38,24 +38,57 @@ def smallest_wall(facets: Facets) -> float:
     float
         At most the extent of the part, if no walls face each other.
     """
-    triangles = facets.corners()[facets.outer]
+    extent = float(np.ptp(facets.points, axis=0).max())
+    return min(thinnest_wall(facets.corners()[facets.outer])[0], extent)
+
+
+def thinnest_wall(
+    triangles: Array, chosen: NDArray[np.bool_] | None = None, most: int = MOST
+) -> tuple[float, Array | None]:
+    """Return the thickness that 99 % of walls exceed, and a place on the surface behind which it is.
+
+    Parameters
+    ----------
+    triangles : (t, 3, 3) array
+        The surface, with normals out of the solid, in any unit of length.
+    chosen : (t,) bool array, optional
+        Triangles whose walls are looked at; all by default.
+    most : int
+        Largest number of rays.
+
+    Returns
+    -------
+    thickness : float
+        In the unit of the triangles; inf if no walls face each other.
+    place : (3,) array or None
+
+    Examples
+    --------
+    >>> corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    >>> slab = np.stack([corners + [0, 0, 0.1], corners[::-1]])
+    >>> round(thinnest_wall(slab)[0], 12)
+    0.1
+    """
     normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     area = np.linalg.norm(normal, axis=1)
     solid = area > 0
-    triangles, normal, area = triangles[solid], normal[solid] / area[solid, None], area[solid]
-    start, of = _starts(triangles, area)
+    seen = area[solid] if chosen is None else np.where(chosen, area, 0.0)[solid]
+    triangles, normal = triangles[solid], normal[solid] / area[solid, None]
+    start, of = _starts(triangles, seen, most)
     thickness = np.concatenate(
         [_through(start[i : i + CHUNK], of[i : i + CHUNK], triangles, normal) for i in range(0, len(start), CHUNK)]
     )
-    extent = float(np.ptp(facets.points, axis=0).max())
     walls = thickness[np.isfinite(thickness)]
-    return min(float(np.quantile(walls, THINNER)), extent) if len(walls) else extent
+    if not len(walls):
+        return np.inf, None
+    thinnest = float(np.quantile(walls, THINNER))
+    return thinnest, start[int(np.abs(thickness - thinnest).argmin())]
 
 
-def _starts(triangles: Array, area: Array) -> tuple[Array, NDArray[np.int64]]:
-    """Points spread evenly over triangles, with a fixed seed."""
+def _starts(triangles: Array, area: Array, most: int) -> tuple[Array, NDArray[np.int64]]:
+    """Points spread evenly over triangles by their areas, with a fixed seed."""
     generator = np.random.default_rng(0)
-    rays = int(np.clip(WORK / len(area), FEWEST, MOST))
+    rays = int(np.clip(WORK / len(area), min(FEWEST, most), most))
     of = np.searchsorted(np.cumsum(area) / area.sum(), (np.arange(rays) + 0.5) / rays)
     of = np.minimum(of, len(area) - 1)
     u, v = generator.random((2, rays))

@@ -12,6 +12,7 @@ from turgor.geometry.cad.cad_file import CadFile
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.geometry.cad.split import SplitPlane
 from turgor.geometry.cad.symmetry.wanted import NONE
+from turgor.geometry.directions import FileAxes
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Coordinate, Length, Table, read_table
 from turgor.units import format_quantity
@@ -48,9 +49,14 @@ class SelectorTable(Table):
         self.made()  # so that an error is reported at the key
         return self
 
+    @property
+    def given(self) -> list[str]:
+        """The keys that are there."""
+        return [key for key in type(self).model_fields if getattr(self, key) is not None]
+
     def made(self) -> Selector:
         """Return the selector of the table."""
-        given = [key for key in type(self).model_fields if getattr(self, key) is not None]
+        given = self.given
         if len(given) != 1:
             known = ", ".join(type(self).model_fields)
             raise TurgorError(f"a selector has one of the keys {known}; this one has {', '.join(given) or 'none'}.")
@@ -91,20 +97,26 @@ class CadFileTable(Table):
     ----
     file : str
         STEP, BREP or STL file; its path counts from the folder of the job file.
+    unit : str or float
+        Unit of the numbers in the file, or its length in meters.
     symmetry : str
         ``"automatic"`` models a half or a quarter where the part and its loads are the same on both sides of a plane
         across x, y or z, or a wedge with cyclic faces where that is a smaller share. ``"y"`` or ``"yz"`` names the
         planes; ``"wedge"`` models one of n equal sectors, ``"wedge 6"`` says how many. ``"none"`` models the whole.
+    axes : list of str or (3,) floats
+        Directions in the file of our x (from the fixed end to the tip), y (across) and z (up); three numbers for one
+        that is askew. By default the part is turned where the faces fixed and tip show that it does not lie along x.
     """
 
     type: str
     file: str = Field(examples=['"finger.step"'])
-    unit: str | None = Field(default=None, examples=['"mm"'])
+    unit: str | float | None = Field(default=None, examples=['"mm"'])
     sha256: str = ""
     faces: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ fixed = { normal = "-x" } }'])
     regions: dict[str, SelectorTable] = Field(default_factory=dict, examples=['{ body = { near = [0, 0, "5 mm"] } }'])
     split: SplitTable | None = Field(default=None, examples=['{ thickness = "1 mm" }'])
     symmetry: str = Field(default=NONE, examples=['"automatic"'])
+    axes: list[str | list[float]] | None = Field(default=None, examples=['["z", "x", "y"]'])
 
 
 def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | None:
@@ -138,10 +150,22 @@ def read_cad_file(values: Mapping[str, Any], problems: Problems) -> CadFile | No
             regions={name: selector.made() for name, selector in table.regions.items()},
             split=split,
             symmetry=table.symmetry,
+            axes=file_axes(table.axes),
             sha256=table.sha256,
         ),
         fields=[item.name for item in fields(CadFile)],
     )
+
+
+def file_axes(axes: list[str | list[float]] | None) -> FileAxes | None:
+    """Return axes of a table as `read_cad` takes them."""
+    found = None if axes is None else tuple(axis if isinstance(axis, str) else tuple(axis) for axis in axes)
+    return found  # type: ignore[return-value]
+
+
+def axes_table(axes: FileAxes) -> list[str | list[float]]:
+    """Write axes as `file_axes` reads them."""
+    return [axis if isinstance(axis, str) else list(axis) for axis in axes]
 
 
 def cad_file_table(actuator: CadFile) -> dict[str, Any]:
@@ -154,6 +178,8 @@ def cad_file_table(actuator: CadFile) -> dict[str, Any]:
             values[key] = {name: selector_table(selector) for name, selector in selectors.items()}
     if actuator.wanted_symmetry.planes != NONE:
         values["symmetry"] = actuator.wanted_symmetry.planes
+    if actuator.axes is not None:
+        values["axes"] = axes_table(actuator.axes)
     split = actuator.split
     if split is not None:
         place = "position" if split.position is not None else "thickness"

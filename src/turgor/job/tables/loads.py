@@ -7,7 +7,6 @@ from typing import Any
 from turgor.errors import near_match, unknown
 from turgor.geometry import Geometry
 from turgor.geometry.directions import DIRECTIONS
-from turgor.geometry.names import cavity_names
 from turgor.job.tables.forces import concentrated, concentrated_tables, history_of, is_force, on_faces
 from turgor.job.text.load_tables import CavityTable, LoadsTable
 from turgor.job.text.problems import Problems
@@ -35,7 +34,7 @@ def read_loads(
     ``[loads.tip]`` with a pressure is one on a face that is no cavity.
     """
     key = ("loads",)
-    cavities = ("cavity",) if geometry is None else cavity_names(geometry.faces)
+    cavities = ("cavity",) if geometry is None else geometry.cavities
     plain, own, pulled = values, {}, {}
     if isinstance(values, Mapping):
         pulled = {name: value for name, value in values.items() if is_force(name, value, cavities)}
@@ -112,7 +111,7 @@ def _in_each(
 
 def _no_face(name: str, geometry: Geometry) -> str:
     """Why no pressure can act on a face of this name; empty where one can."""
-    cavities, faces = cavity_names(geometry.faces), pressed_faces(geometry)
+    cavities, faces = geometry.cavities, pressed_faces(geometry)
     if name in (*cavities, *faces):
         return ""
     if name.startswith("cavity"):

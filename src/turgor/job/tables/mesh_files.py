@@ -1,23 +1,59 @@
 """Mesh files in a job: ``[actuator]`` with ``type = "mesh_file"``, both ways."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from turgor.errors import near_file
+from turgor.errors import TurgorError, near_file
 from turgor.geometry.cad.selectors import ByColor, ByName, InBox, NearestTo, Selector, WithNormal
-from turgor.job.tables.cad import SelectorTable, selector_table
+from turgor.job.tables.cad import SelectorTable, axes_table, file_axes, selector_table
 from turgor.job.text.lines import Key
 from turgor.job.text.problems import Problems
 from turgor.job.text.quantities import Table, read_table
 from turgor.meshing.exchange.mesh_file import MeshFile
+from turgor.meshing.exchange.numbered import ByNodes, BySides
 from turgor.meshing.exchange.selectors import Choice
+
+#: A selector of sides of a mesh.
+SideSelector: TypeAlias = Selector | ByNodes | BySides
 
 #: The type of an actuator that comes from a mesh file.
 MESH_FILE = "mesh_file"
+
+
+class SideTable(SelectorTable):
+    """Selector of sides of a mesh: exactly one of the keys, such as ``{nodes = "fixed.txt"}``.
+
+    Keys
+    ----
+    nodes : list of ints, or str
+        Sides whose corners are all among these nodes, by their numbers in the file; VTK files count from 0. Or a text
+        file of such numbers.
+    sides : list of lists of ints, or str
+        Sides with these corners, a list for each; or a text file with a line for each.
+    """
+
+    nodes: str | list[int] | None = Field(default=None, examples=['"fixed-nodes.txt"'])
+    sides: str | list[list[int]] | None = Field(default=None, examples=['"cavity-triangles.txt"'])
+
+    @model_validator(mode="after")
+    def _one(self) -> "SideTable":
+        if self.nodes is None and self.sides is None:
+            self.made()
+        elif len(self.given) > 1:
+            raise TurgorError(f"a selector has one key; this one has {', '.join(self.given)}.")
+        return self
+
+    def made_in(self, folder: Path) -> SideSelector:
+        """Return the selector of the table; names of files count from a folder."""
+        if self.nodes is not None:
+            return ByNodes(folder / self.nodes if isinstance(self.nodes, str) else self.nodes)
+        if self.sides is not None:
+            return BySides(folder / self.sides if isinstance(self.sides, str) else self.sides)
+        return self.made()
 
 
 class MeshFileTable(Table):
@@ -29,18 +65,19 @@ class MeshFileTable(Table):
     ----
     file : str
         Mesh of gmsh, Abaqus, CalculiX or VTK, or a closed STL; its path counts from the folder of the job file.
-    unit : str
-        Unit of length of the file; mm by default, and m for VTU files of turgor, which state it.
+    unit : str or float
+        Unit of length of the file, or its length in meters; mm by default, and m for VTU files of turgor, which state
+        it.
     """
 
     type: str
     file: str = Field(examples=['"finger.msh"'])
-    unit: str | None = Field(default=None, examples=['"mm"'])
-    axes: list[str] = Field(default_factory=lambda: ["x", "y", "z"])
+    unit: str | float | None = Field(default=None, examples=['"mm"'])
+    axes: list[str | list[float]] = Field(default=["x", "y", "z"])
     regions: dict[str, SelectorTable | list[SelectorTable]] = Field(
         default_factory=dict, examples=['{ body = { name = "RUBBER" } }']
     )
-    faces: dict[str, SelectorTable | list[SelectorTable]] = Field(
+    faces: dict[str, SideTable | list[SideTable]] = Field(
         default_factory=dict, examples=['{ fixed = { normal = "-x" } }']
     )
     cavities: dict[str, str] = Field(default_factory=dict, examples=['{ cavity = "air.stl" }'])
@@ -84,9 +121,9 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
         lambda: MeshFile(
             file=(folder / table.file).resolve(),
             unit=table.unit,
-            axes=tuple(table.axes),  # type: ignore[arg-type]
-            regions={name: _made(choice) for name, choice in table.regions.items()},
-            faces={name: _made(choice) for name, choice in table.faces.items()},
+            axes=file_axes(table.axes) or ("x", "y", "z"),
+            regions={name: _made(choice, folder) for name, choice in table.regions.items()},
+            faces={name: _made(choice, folder) for name, choice in table.faces.items()},
             cavities={name: (folder / file).resolve() for name, file in table.cavities.items()},
             sha256=table.sha256,
         ),
@@ -94,8 +131,12 @@ def read_mesh_file(values: Mapping[str, Any], problems: Problems) -> MeshFile | 
     )
 
 
-def _made(choice: SelectorTable | list[SelectorTable]) -> Selector | tuple[Selector, ...]:
-    return tuple(table.made() for table in choice) if isinstance(choice, list) else choice.made()
+def _made(choice: SelectorTable | Sequence[SelectorTable], folder: Path) -> SideSelector | tuple[SideSelector, ...]:
+    if isinstance(choice, SideTable):
+        return choice.made_in(folder)
+    if isinstance(choice, SelectorTable):
+        return choice.made()
+    return tuple(table.made_in(folder) if isinstance(table, SideTable) else table.made() for table in choice)
 
 
 def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
@@ -103,7 +144,7 @@ def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
     values: dict[str, Any] = {
         "file": Path(actuator.file).as_posix(),
         **({"unit": actuator.unit} if actuator.unit else {}),
-        "axes": list(actuator.axes),
+        "axes": axes_table(actuator.axes),
         "sha256": actuator.sha256,
     }
     for key, choices in (("regions", actuator.regions), ("faces", actuator.faces)):
@@ -115,8 +156,13 @@ def mesh_file_table(actuator: MeshFile) -> dict[str, Any]:
 
 
 def _written(choice: Choice) -> Any:
-    if isinstance(choice, str):
-        return selector_table(ByName(choice))
-    if isinstance(choice, ByName | ByColor | NearestTo | InBox | WithNormal):
-        return selector_table(choice)
-    return [selector_table(part) for part in choice]
+    match choice:
+        case str():
+            return selector_table(ByName(choice))
+        case ByNodes():
+            return {"nodes": list(choice.listed)}
+        case BySides():
+            return {"sides": [list(row) for row in choice.rows]}
+        case ByName() | ByColor() | NearestTo() | InBox() | WithNormal():
+            return selector_table(choice)
+    return [_written(part) for part in choice]

@@ -6,6 +6,7 @@ from functools import partial
 from typing import Any
 
 from turgor.geometry import Geometry
+from turgor.geometry.names import measured_faces
 from turgor.job.job import ACTUATORS, Actuator, Output, standard_measures
 from turgor.job.tables.cad import CAD_FILE, read_cad_file
 from turgor.job.tables.mesh_files import MESH_FILE, read_mesh_file
@@ -116,7 +117,7 @@ def read_output(values: Any, geometry: Geometry | None, setup: Setup | None, pro
     own = () if setup is None or not table.measures else setup.measures
     return Output(
         measures=tuple(dict.fromkeys((*table.measures, *own)))
-        or standard_measures(None if geometry is None else geometry.faces),
+        or standard_measures(None if geometry is None else measured_faces(geometry.faces, geometry.cavities)),
         markers={name: (point[0], point[1], point[2]) for name, point in table.markers.items()},
         fields=table.fields,
         pictures=table.pictures,

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.meshing.enveloped.nearest import NearestPlaces, SharpEdges
 
 Array = NDArray[np.float64]
@@ -69,6 +70,30 @@ def unspoiled(before: Array, after: Array, cells: Ints) -> Array:
             break
         back = np.unique(cells[spoiled])
         out[back] = before[back]
+    return out
+
+
+def on_mirrors(points: Array, nodes: Ints, face: Ints, shape: SurfaceShape) -> Array:
+    """Put the nodes of the faces ``symmetry_*`` on their planes, because a mirror plane holds no node off it.
+
+    Nodes that another wall drew away, or that went back for the sake of a cell, are off by the width of the envelope.
+
+    Parameters
+    ----------
+    points : (n, 3) array [CAD units]
+    nodes : (b, k) int array
+        Nodes of each side of the boundary.
+    face : (b,) int array
+        Face of each side.
+    shape : SurfaceShape
+        Whose faces have names.
+    """
+    out = points.copy()
+    for number, each in enumerate(shape.faces):
+        if each.name.startswith("symmetry_"):
+            plane = shape.corners[shape.face == number].reshape(-1, 3)
+            axis = int(np.ptp(plane, axis=0).argmin())
+            out[np.unique(nodes[face == number]), axis] = np.median(plane[:, axis])
     return out
 
 

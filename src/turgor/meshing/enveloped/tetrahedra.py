@@ -21,7 +21,7 @@ from turgor.meshing.enveloped.background import background
 from turgor.meshing.enveloped.boundary import boundary_of, faces_of
 from turgor.meshing.enveloped.kept import kept_cells
 from turgor.meshing.enveloped.nearest import NearestPlaces, sharp_edges
-from turgor.meshing.enveloped.snapping import faces_at, snapped, unspoiled
+from turgor.meshing.enveloped.snapping import faces_at, on_mirrors, snapped, unspoiled
 from turgor.meshing.mesh import TETRAHEDRON_EDGES
 from turgor.meshing.settings import MeshSettings
 from turgor.units import mm
@@ -69,10 +69,12 @@ def enveloped_cells(geometry: Geometry, settings: MeshSettings) -> Raw:
     sides = boundary_of(points, cells)
     face = faces_of(points, sides, surface)
     points = unspoiled(points, snapped(points, faces_at(sides, face), surface, edges, envelope), cells)
+    points = on_mirrors(points, sides, face, shape)
     points, cells, middles = _quadratic(points, cells)
     on_edge = np.sort(sides[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     of_edge = np.array([middles[a, b] for a, b in on_edge.tolist()], dtype=np.int64).reshape(-1, 3)
     points = snapped(points, faces_at(of_edge, face), surface, edges, envelope + size / 20)
+    points = on_mirrors(points, of_edge, face, shape)
     return Raw(
         points=points * scale,
         cells=cells,

@@ -7,7 +7,7 @@ import numpy as np
 
 from turgor.errors import TurgorError
 from turgor.finding import Finding, Severity
-from turgor.meshing.exchange.boundary import Sides, components, enclosed_volume, is_cavity
+from turgor.meshing.exchange.boundary import Sides, components, enclosed_volume, is_cavity, rim
 from turgor.meshing.exchange.formats.raw import Array, Ints
 from turgor.meshing.exchange.formats.stl import Triangles, read_stl
 from turgor.meshing.exchange.frame import Frame
@@ -15,6 +15,9 @@ from turgor.units import mm
 
 #: A side lies on the surface when its corners and middle are nearer than this share of its mean edge.
 ON_SURFACE = 0.05
+
+#: Sides on a surface are an open cavity where they make more than this share of it; the rest are openings.
+POCKET = 0.5
 
 #: An inner surface that lies nowhere further away than this share of the cavity's size is taken for it.
 NEARBY = 0.15
@@ -58,7 +61,9 @@ def sides_on_stl(sides: Sides, name: str, path: str | Path, frame: Frame, mirror
     rows = outer[off <= ON_SURFACE * edge]
     extent = float(np.ptp(surface.points, axis=0).max())
     exact = len(rows) > 0 and is_cavity(sides, rows, mirrors)
-    if not exact:
+    if not exact and _is_pocket(sides, rows, surface):
+        exact = True
+    elif not exact:
         inner = [part for part in components(sides, outer) if is_cavity(sides, part, mirrors)]
         worst = [float(side_distances(sides, part, surface).max()) for part in inner]
         if not inner or min(worst) > NEARBY * extent:
@@ -68,10 +73,25 @@ def sides_on_stl(sides: Sides, name: str, path: str | Path, frame: Frame, mirror
     return rows, _compared(sides, name, path, rows, distance, abs(surface.volume), exact)
 
 
+def _is_pocket(sides: Sides, rows: Ints, surface: Triangles) -> bool:
+    """Whether sides are most of the walls of a surface, which the mesh leaves open, such as at an inlet."""
+    if not len(rows):
+        return False
+    walls = float(np.linalg.norm(sides.vector_areas[rows], axis=1).sum())
+    whole = float(np.linalg.norm(np.cross(*_spans(surface)), axis=1).sum()) / 2
+    return walls > POCKET * whole and enclosed_volume(sides, rows, sides.points[rim(sides, rows)].mean(axis=(0, 1))) < 0
+
+
+def _spans(surface: Triangles) -> tuple[Array, Array]:
+    corners = surface.points[surface.triangles]
+    return corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+
+
 def _compared(
     sides: Sides, name: str, path: str | Path, rows: Ints, distance: float, volume: float, exact: bool
 ) -> Finding:
-    enclosed = -enclosed_volume(sides, rows, sides.points.mean(axis=0))
+    ends = rim(sides, rows)
+    enclosed = -enclosed_volume(sides, rows, sides.points[ends].mean(axis=(0, 1)) if len(ends) else sides.points[0])
     return Finding(
         code="G23",
         severity=Severity.NOTE if exact else Severity.WARNING,
@@ -89,12 +109,26 @@ def _nowhere(
 ) -> TurgorError:
     start = f"no inner surface of the mesh lies on the cavity '{name}' of '{path}'"
     if not inner:
+        nearest = distances(surface.points, _boundary(sides))
+        if (nearest < NEARBY * float(np.ptp(surface.points, axis=0).max())).mean() > POCKET:
+            return TurgorError(
+                f"{start}: its walls there are open, and up to {float(nearest.max()) / mm:.3g} mm away from it; name "
+                "these walls as a face of the mesh instead."
+            )
         return TurgorError(
             f"{start}: the mesh has no closed inner surface at all, it is solid there; mesh the outer surface together "
             "with the cavity (mesh_surfaces), or export the volume mesh with the cavity cut out."
         )
     hint = _axes_hint([sides.points[np.unique(sides.nodes[part])] for part in inner], surface.points)
     return TurgorError(f"{start}: the nearest one is {min(worst) / mm:.3g} mm away{hint or '; check units and place'}.")
+
+
+def _boundary(sides: Sides) -> Triangles:
+    """The boundary of the mesh as triangles."""
+    corners = sides.corners[sides.outer]
+    return Triangles(
+        points=sides.points, triangles=np.vstack([corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)])
+    )
 
 
 def _axes_hint(parts: list[Array], points: Array) -> str:

@@ -2,12 +2,21 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from turgor.errors import TurgorError
+from turgor.finding import Finding, Severity
+from turgor.geometry.cad.surface.part import surface_facets
+from turgor.geometry.cad.surface.repair import repaired
+from turgor.geometry.cad.surface.shape import surface_shape
+from turgor.geometry.cad.walls import smallest_wall
+from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
 from turgor.geometry.child import in_child
+from turgor.geometry.directions import FileAxes
+from turgor.geometry.geometry import Geometry
 from turgor.meshing import netgen
 from turgor.meshing.exchange.formats.raw import KINDS, Block, RawMesh
 from turgor.meshing.exchange.formats.stl import Triangles, read_stl
@@ -17,8 +26,13 @@ from turgor.meshing.exchange.read import DEFAULT_UNIT, named_mesh, with_unit_che
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.exchange.solids import place_of
 from turgor.meshing.foreign import meshing
+from turgor.meshing.generate import mesh_with
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quiet import captured_output
+from turgor.meshing.settings import MeshSettings
+
+#: Cells that keep the triangles fill the space between them up to this share; else some of it was left out.
+MISSED = 0.001
 
 _CROSSING = re.compile(r"Intersecting elements (\d+) and (\d+)")
 
@@ -26,27 +40,29 @@ _CROSSING = re.compile(r"Intersecting elements (\d+) and (\d+)")
 def mesh_surfaces(
     path: str | Path,
     *,
-    unit: str | None = None,
+    unit: str | float | None = None,
     regions: Mapping[str, Choice] | None = None,
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
-    axes: tuple[str, str, str] = ("x", "y", "z"),
+    axes: FileAxes = ("x", "y", "z"),
 ) -> Mesh:
     """Fill the space between closed STL surfaces with tetrahedra, keeping their triangles as they are.
 
-    The mesh generator runs in a child process, because surfaces may crash it.
+    The mesh generator runs in a child process, because surfaces may crash it. Where it cannot fill them, the part is
+    meshed within an envelope of its surface, as `read_cad` and `mesh` do with it at their default size, and a finding
+    (G27) says so.
 
     Parameters
     ----------
     path : str or Path
         STL file of the outer surface; it may hold the cavities as further shells.
-    unit : str, optional
-        Unit of length of all files; ``"mm"`` by default.
+    unit : str or float, optional
+        Unit of length of all files, by name or in meters; ``"mm"`` by default.
     regions, faces : mappings, optional
         As for `read_mesh`, by selectors.
     cavities : mapping of str to str or Path, optional
         Names of cavities with STL files of their surfaces, where these are files of their own.
-    axes : (str, str, str)
+    axes : tuple of three str or (3,) floats
         Directions in the file of our x, y and z, as for `read_mesh`.
 
     Returns
@@ -56,7 +72,7 @@ def mesh_surfaces(
     Raises
     ------
     TurgorError
-        If a file has no surface or an open one, surfaces cross themselves or each other, or the mesh generator dies.
+        If a file has no surface or an open one, surfaces cross themselves or each other, or no way to mesh them works.
     """
     file = Path(path)
     outer = read_stl(file).shells()
@@ -70,8 +86,52 @@ def mesh_surfaces(
     shells = [_wound(shell, outward=i == 0) for i, shell in enumerate((*outer, *inner))]
     frame = Frame(unit=unit or DEFAULT_UNIT, axes=axes)
     wishes = Wishes(regions=regions or {}, faces=faces or {}, cavities=cavities or {}, frame=frame)
-    mesh = named_mesh(in_child(meshing(str(file)), _filled, file, shells, frame), wishes)
-    return with_unit_checked(mesh, file, stated=unit is not None)
+    stated = unit is not None
+    try:
+        raw = in_child(meshing(str(file)), _filled, file, shells, frame)
+    except TurgorError as error:
+        if inner and "cross themselves" in str(error):
+            raise  # to unite a cavity with the part that it leaves would hide the mistake
+        try:
+            raw = in_child(meshing(str(file)), _enveloped, file, (*outer, *inner), frame)
+        except TurgorError:
+            raise error from None
+        mesh = named_mesh(raw, wishes)
+        mesh = replace(mesh, findings=(*mesh.findings, _not_kept(file, error)))
+    else:
+        mesh = named_mesh(raw, wishes)
+    return with_unit_checked(mesh, file, stated=stated)
+
+
+def _enveloped(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh:
+    """Tetrahedra whose boundary lies on the surfaces, but has triangles of its own."""
+    scale = frame.scale / METERS_PER_CAD_UNIT
+    corners = np.concatenate([shell.points[shell.triangles] for shell in shells]) * scale
+    fixed = repaired(corners, file.name)
+    shape = surface_shape(fixed.points, fixed.triangles)
+    shape = shape.named(("outside",) * len(shape.faces))
+    geometry = Geometry(
+        name=file.stem,
+        smallest_wall=smallest_wall(surface_facets(shape)) * METERS_PER_CAD_UNIT,
+        cavity_volumes={},
+        solid_volume=shape.mass * METERS_PER_CAD_UNIT**3,
+        regions=("body",),
+        faces=("outside",),
+        _shape=shape,
+    )
+    made = mesh_with(geometry, MeshSettings())
+    block = Block(kind=KINDS["tetrahedron10"], nodes=made.cells)
+    return RawMesh(path=file, points=made.points / frame.scale, blocks=(block,), named=False)
+
+
+def _not_kept(file: Path, error: TurgorError) -> Finding:
+    return Finding(
+        code="G27",
+        severity=Severity.NOTE,
+        message=f"The triangles of '{file.name}' could not be kept: {_reason(error)}. The "
+        "part was meshed within an envelope of its surface instead.",
+        advice='[actuator] with type = "cad_file" meshes it so too, with a size of your choice, and finds its faces.',
+    )
 
 
 def _same(a: Triangles, b: Triangles) -> bool:
@@ -109,7 +169,13 @@ def _filled(file: Path, shells: Sequence[Triangles], frame: Frame) -> RawMesh:
     if not len(cells):
         raise _not_filled(file, shells, said, frame)
     block = Block(kind=KINDS["tetrahedron4"], nodes=cells[:, :4].astype(np.int64) - 1)
-    return RawMesh(path=file, points=np.array(made.Coordinates(), dtype=np.float64), blocks=(block,), named=False)
+    points = np.array(made.Coordinates(), dtype=np.float64)
+    a, b, c, d = (points[block.nodes[:, i]] for i in range(4))
+    filled = float(np.abs(np.einsum("ci,ci->c", b - a, np.cross(c - a, d - a))).sum()) / 6
+    wanted = sum(shell.volume for shell in shells)
+    if abs(filled - wanted) > MISSED * abs(wanted):
+        raise TurgorError(f"the cells between the surfaces of '{file}' fill {filled / wanted:.1%} of the space there.")
+    return RawMesh(path=file, points=points, blocks=(block,), named=False)
 
 
 def _not_filled(file: Path, shells: Sequence[Triangles], text: str, frame: Frame) -> TurgorError:
@@ -122,3 +188,8 @@ def _not_filled(file: Path, shells: Sequence[Triangles], text: str, frame: Frame
         f"the surfaces of '{file}' and its cavities cross themselves or each other in {len(pairs)} places, around "
         f"{places}; repair them where they were made."
     )
+
+
+def _reason(error: TurgorError) -> str:
+    """First clause of an error, without what the generator said."""
+    return str(error).split("(")[0].split(";")[0].strip().rstrip(".")

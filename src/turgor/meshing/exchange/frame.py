@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from turgor.errors import TurgorError, near_match
+from turgor.geometry.directions import FileAxes, rotation_to
 from turgor.meshing.exchange.formats.raw import Array
-from turgor.units import UNITS
+from turgor.units import length_unit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -15,11 +15,12 @@ class Frame:
 
     Parameters
     ----------
-    unit : str
-        Unit of length, a key of the lengths in `turgor.units.UNITS`.
-    axes : (str, str, str)
+    unit : str or float
+        Unit of length: a key of the lengths in `turgor.units.UNITS`, or its length in meters.
+    axes : tuple of three str or (3,) floats
         Direction in the file of our x (from the fixed end to the tip), y (across) and z (up), such as
-        ``("-x", "z", "y")``. They must be right-handed, or the part would be mirrored.
+        ``("-x", "z", "y")``; three numbers where a direction is none of those. They must be right-handed, or the part
+        would be mirrored.
 
     Examples
     --------
@@ -27,31 +28,18 @@ class Frame:
     [[0.03, 0.01, 0.02]]
     """
 
-    unit: str = "mm"
-    axes: tuple[str, str, str] = ("x", "y", "z")
+    unit: str | float = "mm"
+    axes: FileAxes = ("x", "y", "z")
 
     def __post_init__(self) -> None:
-        lengths = UNITS["length"]
-        if self.unit not in lengths:
-            hint = near_match(str(self.unit), lengths) or "."
-            raise TurgorError(f"unit is {self.unit!r}{hint} Known: {', '.join(lengths)}.")
-        if len(self.axes) != 3 or {str(axis).lstrip("+-") for axis in self.axes} != {"x", "y", "z"}:
-            raise TurgorError(f"axes are {self.axes!r}; name x, y and z of the file once each, such as '-x', 'z', 'y'.")
-        if np.linalg.det(self._rotation) < 0:
-            raise TurgorError(f"axes {', '.join(self.axes)} are left-handed and would mirror the part; turn one sign.")
+        length_unit(self.unit)  # refuses what is none
+        rotation_to(self.axes)
 
     @property
     def scale(self) -> float:
         """Length of one unit [m]."""
-        return UNITS["length"][self.unit]
-
-    @property
-    def _rotation(self) -> Array:
-        rows = np.zeros((3, 3))
-        for row, axis in zip(rows, self.axes, strict=True):
-            row["xyz".index(axis[-1])] = -1.0 if axis.startswith("-") else 1.0
-        return rows
+        return length_unit(self.unit)
 
     def meters(self, points: Array) -> Array:
         """Bring points (n, 3) of the file into meters and our axes."""
-        return np.asarray(points @ self._rotation.T * self.scale)
+        return np.asarray(points @ rotation_to(self.axes).T * self.scale)

@@ -8,11 +8,15 @@ from pathlib import Path
 import numpy as np
 
 from turgor.errors import TurgorError
+from turgor.geometry.cad.walls import thinnest_wall
 from turgor.geometry.cad_unit import METERS_PER_CAD_UNIT
+from turgor.geometry.directions import FileAxes
 from turgor.geometry.geometry import Geometry
+from turgor.meshing.cells import six_node_triangles
 from turgor.meshing.exchange.formats.raw import Ints
 from turgor.meshing.exchange.selectors import Choice
 from turgor.meshing.mesh import Mesh
+from turgor.meshing.quality.checks import RAYS
 from turgor.meshing.surface import outer_triangles
 
 Corner = tuple[float, float, float]
@@ -45,9 +49,9 @@ class MeshFile:
     ----------
     file : Path
         The file.
-    unit : str, optional
+    unit : str or float, optional
         Unit of length of the file; as for `read_mesh`.
-    axes : (str, str, str)
+    axes : tuple of three str or (3,) floats
         Directions in the file of our x, y and z.
     regions, faces : mapping of str to Choice
         Names with what they mean.
@@ -69,8 +73,8 @@ class MeshFile:
     """
 
     file: Path
-    unit: str | None = None
-    axes: tuple[str, str, str] = ("x", "y", "z")
+    unit: str | float | None = None
+    axes: FileAxes = ("x", "y", "z")
     regions: Mapping[str, Choice] = field(default_factory=dict)
     faces: Mapping[str, Choice] = field(default_factory=dict)
     cavities: Mapping[str, Path] = field(default_factory=dict)
@@ -106,10 +110,11 @@ class MeshFile:
     def build(self) -> Geometry:
         """Read the mesh and give it the form of a geometry, whose names and volumes are those of the mesh."""
         mesh = self.read()
-        edges = mesh.points[mesh.cells[:, 1]] - mesh.points[mesh.cells[:, 0]]
+        corners = six_node_triangles(outer_triangles(mesh))[:, :3]
+        extent = float(np.ptp(mesh.points, axis=0).max())
         return Geometry(
             name=mesh.name,
-            smallest_wall=float(np.linalg.norm(edges, axis=1).min()),
+            smallest_wall=min(thinnest_wall(mesh.points[corners], most=RAYS)[0], extent),
             cavity_volumes={name: -_enclosed(mesh, mesh.faces[name]) for name in mesh.cavities},
             solid_volume=_enclosed(mesh, outer_triangles(mesh)),
             regions=tuple(mesh.regions),

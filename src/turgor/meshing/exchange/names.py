@@ -12,6 +12,7 @@ from turgor.meshing.exchange.boundary import Sides, components, enclosed_volume,
 from turgor.meshing.exchange.cavities import sides_on_stl
 from turgor.meshing.exchange.formats.raw import Ints, RawMesh
 from turgor.meshing.exchange.frame import Frame
+from turgor.meshing.exchange.numbered import ByNodes, BySides, numbered_sides
 from turgor.meshing.exchange.selectors import Choice, parts_of, picked_cells, picked_sides
 from turgor.meshing.exchange.solids import Solids
 from turgor.units import mm
@@ -116,7 +117,7 @@ def name_faces(raw: RawMesh, solids: Solids, sides: Sides, wishes: Wishes) -> tu
     faces : dict of str to (f,) int array
         Rows of ``sides.nodes``.
     findings : list of Finding
-        G22 about guessed names, G23 about surfaces of cavities.
+        G22 about guessed names, G23 about surfaces of cavities, G25 about names without a side.
 
     Raises
     ------
@@ -129,7 +130,10 @@ def name_faces(raw: RawMesh, solids: Solids, sides: Sides, wishes: Wishes) -> tu
     outer = np.flatnonzero(sides.outer)
     for name, choice in wishes.faces.items():
         group, selectors = parts_of(choice)
-        rows = _group(given, group, "face in the file") if group else picked_sides(selectors, sides, outer)
+        by_number = [each for each in selectors if isinstance(each, ByNodes | BySides)]
+        by_place = [each for each in selectors if not isinstance(each, ByNodes | BySides)]
+        found = numbered_sides(by_number, raw, solids, sides, outer)
+        rows = _group(given, group, "face in the file") if group else picked_sides(by_place, sides, found)
         if not len(rows):
             raise TurgorError(f"face '{name}' picks no side of '{raw.path}'; {_bounds(solids)}.")
         faces[name] = rows
@@ -138,7 +142,10 @@ def name_faces(raw: RawMesh, solids: Solids, sides: Sides, wishes: Wishes) -> tu
     for name, path in wishes.cavities.items():
         faces[name], finding = sides_on_stl(sides, name, path, wishes.frame, mirrors)
         findings.append(finding)
-    findings += _name_rest(sides, faces, mirrors)
+    findings += [*_name_voids(sides, faces, mirrors), *_without_sides(raw, given)]
+    free = np.setdiff1d(outer, np.concatenate([outer[:0], *faces.values()]))
+    if len(free):
+        faces["outside"] = np.union1d(faces.get("outside", free[:0]), free)
     return dict(sorted(faces.items())), findings
 
 
@@ -178,28 +185,58 @@ def faces_of_file(raw: RawMesh, solids: Solids, sides: Sides) -> dict[str, Ints]
     return {name: rows for name, rows in found.items() if len(rows)}
 
 
-def _name_rest(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> list[Finding]:
-    """Name the boundary that has no name: closed inner surfaces become cavities, the rest becomes ``outside``."""
-    free = np.setdiff1d(np.flatnonzero(sides.outer), np.concatenate([np.zeros(0, dtype=np.int64), *faces.values()]))
-    parts = components(sides, free)
-    inner = [rows for rows in parts if is_cavity(sides, rows, mirrors)]
-    inner.sort(key=lambda rows: tuple(np.round(sides.positions[rows].mean(axis=(0, 1)), 9)))
-    taken = [name for name in faces if name.startswith("cavity")]
-    numbered = [f"cavity_{i}" for i in range(1, len(inner) + len(taken) + 1) if f"cavity_{i}" not in taken]
-    names = ["cavity"] if len(inner) == 1 and not taken else numbered[: len(inner)]
-    faces.update(zip(names, inner, strict=True))
-    outside = [rows for rows in parts if not any(rows is one for one in inner)]
-    if outside:
-        faces["outside"] = np.unique(np.concatenate([faces.get("outside", free[:0]), *outside]))
-    if not names:
+def _without_sides(raw: RawMesh, given: Mapping[str, Ints]) -> list[Finding]:
+    """G25: sets and groups of the file that a person named and that hold no whole side, such as edges and points."""
+    flat = {name for block in raw.blocks if block.kind.dimension < 3 for name in block.groups}
+    solid = {name for block in raw.solids() for name in block.groups}
+    some = {name for name, nodes in raw.node_sets.items() if len(nodes) < len(raw.points)}
+    lost = sorted((flat | some | set(raw.surfaces)) - solid - set(given)) if raw.named else []
+    what = [f"{_listed(lost[:6])}{f' and {len(lost) - 6} more' if len(lost) > 6 else ''}, which hold no whole side"]
+    told = [*raw.left_out, *(what if lost else [])]
+    if not told:
         return []
-    volumes = [-enclosed_volume(sides, rows, sides.points.mean(axis=0)) / mm**3 for rows in inner]
-    held = ", ".join(f"'{name}' ({volume:.5g} mm³)" for name, volume in zip(names, volumes, strict=True))
-    if mirrors:
-        held = _listed(names)
     return [
-        _note(f"Closed inner surfaces without a name became {held}.", "Name them yourself if they are not cavities.")
+        Finding(
+            code="G25",
+            severity=Severity.NOTE,
+            message=f"Left out of '{raw.path.name}': {'; '.join(told)}.",
+            advice="Nothing is to be done unless a name is missing: faces need sets that hold all nodes of a side, "
+            "and edges and points have no names in a mesh.",
+        )
     ]
+
+
+def _name_voids(sides: Sides, faces: dict[str, Ints], mirrors: list[Ints]) -> list[Finding]:
+    """Make every closed inner surface a cavity, with the name of the face on it that is called so, or a new one."""
+    walls = np.setdiff1d(np.flatnonzero(sides.outer), np.concatenate([np.zeros(0, dtype=np.int64), *mirrors]))
+    voids = [rows for rows in components(sides, walls) if is_cavity(sides, rows, mirrors)]
+    voids.sort(key=lambda rows: tuple(np.round(sides.positions[rows].mean(axis=(0, 1)), 9)))
+    new, told = [], []
+    for rows in voids:
+        on = {name: np.isin(rows, own) for name, own in faces.items() if np.isin(rows, own).any()}
+        called = [name for name in on if name.startswith("cavity")]
+        if any(on[name].all() for name in called):
+            continue
+        share = ", ".join(f"'{name}' ({int(on[name].sum())} of {len(rows)} sides)" for name in called)
+        if len(called) == 1:
+            faces[called[0]] = np.union1d(faces[called[0]], rows)
+            told.append(f"{share} is now all of the closed inner surface on which it lies")
+            continue
+        for name in called:
+            del faces[name]
+        whole = _listed([name for name in on if on[name].all()])
+        new.append((rows, f", walls {share}, which are no cavities" if called else f", also {whole}" if whole else ""))
+    taken = [name for name in faces if name.startswith("cavity")]
+    numbered = [name for name in (f"cavity_{i}" for i in range(1, len(new) + len(taken) + 1)) if name not in taken]
+    alone = len(new) == len(voids) == 1 and "cavity" not in taken
+    names = ["cavity"] if alone else numbered[: len(new)]
+    faces.update(zip(names, (rows for rows, _ in new), strict=True))
+    if names:
+        volumes = [-enclosed_volume(sides, rows, sides.points.mean(axis=0)) / mm**3 for rows, _ in new]
+        shown = ["" if mirrors else f" ({volume:.5g} mm³)" for volume in volumes]
+        held = [f"'{name}'{size}{rest}" for name, size, (_, rest) in zip(names, shown, new, strict=True)]
+        told.append(f"closed inner surfaces without the name of a cavity became {'; '.join(held)}")
+    return [_note(f"{each[0].upper()}{each[1:]}.", "Name them yourself if they are not cavities.") for each in told]
 
 
 def _group(groups: Mapping[str, Ints], name: str, what: str) -> Ints:

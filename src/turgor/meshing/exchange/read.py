@@ -9,11 +9,12 @@ import numpy as np
 from turgor.errors import TurgorError, near_file, near_match
 from turgor.finding import Finding, Severity
 from turgor.geometry.cad_unit import unit_in_doubt
+from turgor.geometry.directions import FileAxes
 from turgor.meshing.cells import TETRAHEDRON
 from turgor.meshing.exchange.boundary import Sides, sides_of
 from turgor.meshing.exchange.formats.abaqus import read_abaqus
 from turgor.meshing.exchange.formats.gmsh import read_gmsh
-from turgor.meshing.exchange.formats.raw import Array, RawMesh
+from turgor.meshing.exchange.formats.raw import Array, Ints, RawMesh
 from turgor.meshing.exchange.formats.vtk_legacy import read_vtk
 from turgor.meshing.exchange.formats.vtu import read_vtu
 from turgor.meshing.exchange.frame import Frame
@@ -37,6 +38,9 @@ DEFAULT_UNIT = "mm"
 #: Range of the longest side of an actuator; outside it the unit is wrong.
 SMALLEST_EXTENT, LARGEST_EXTENT = 1e-3, 2.0
 
+#: Nodes of a mirror plane lie on it up to the first share of its size; those further off than the second are no slips.
+FLAT, MOST_OFF = 1e-6, 0.02
+
 #: Boundary sides that meet at an angle in this range show a curved surface made of flat pieces.
 CURVED = (2 * deg, 45 * deg)
 
@@ -47,11 +51,11 @@ CURVED_SHARE = 0.05
 def read_mesh(
     path: str | Path,
     *,
-    unit: str | None = None,
+    unit: str | float | None = None,
     regions: Mapping[str, Choice] | None = None,
     faces: Mapping[str, Choice] | None = None,
     cavities: Mapping[str, str | Path] | None = None,
-    axes: tuple[str, str, str] = ("x", "y", "z"),
+    axes: FileAxes = ("x", "y", "z"),
 ) -> Mesh:
     """Read a volume mesh: gmsh ``.msh`` (2.2, 4.1), Abaqus or CalculiX ``.inp``, VTK ``.vtk`` or ``.vtu``.
 
@@ -63,18 +67,19 @@ def read_mesh(
     ----------
     path : str or Path
         The file; its ending says what it is.
-    unit : str, optional
-        Unit of length of the file, ``"mm"``, ``"cm"``, ``"m"``, ``"um"`` or ``"in"``. Only VTU files of turgor state
-        it; others are in mm where it is not given.
+    unit : str or float, optional
+        Unit of length of the file, ``"mm"``, ``"cm"``, ``"m"``, ``"um"`` or ``"in"``, or its length in meters. Only
+        VTU files of turgor state it; others are in mm where it is not given.
     regions : mapping of str to str or selector, optional
         Region names with what they mean: a group of the file, or a box (`InBox`) that holds the centers of its
         cells. Other cells keep their group, or are ``body``.
     faces : mapping of str to str or selector, optional
         Face names with what they mean: a group, surface or set of the file, or selectors (`InBox`, `WithNormal`,
-        `NearestTo`; several in a list must all hold). Names that begin with ``symmetry_`` are mirror planes.
+        `NearestTo`, `ByNodes`, `BySides`; several in a list must all hold). Names that begin with ``symmetry_`` are
+        mirror planes.
     cavities : mapping of str to str or Path, optional
         Cavity names with STL files of their surfaces, in the unit of the mesh.
-    axes : (str, str, str)
+    axes : tuple of three str or (3,) floats
         Directions in the file of our x (from the fixed end to the tip), y (across) and z (up), such as
         ``("-x", "z", "y")``; boxes, planes and directions above are in our axes.
 
@@ -120,6 +125,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
     sides = sides_of(solids)
     region_cells, notes = name_regions(raw, solids, wishes)
     face_sides, more = name_faces(raw, solids, sides, wishes)
+    more += _put_on_planes(raw.path, solids.points, sides, face_sides)
     mesh = Mesh(
         points=solids.points,
         cells=solids.cells,
@@ -128,7 +134,7 @@ def named_mesh(raw: RawMesh, wishes: Wishes) -> Mesh:
         name=raw.path.stem,
     )
     if solids.kind is TETRAHEDRON:
-        refuse_inverted(mesh)
+        refuse_inverted(mesh, f"repair '{raw.path.name}' where it was made, or export cells of first order")
     found = (*_mended(raw.path, solids), *_overlapping(raw.path, solids), *_straight(raw, sides), *notes, *more)
     return replace(mesh, findings=found)
 
@@ -163,6 +169,38 @@ def _check_extent(raw: RawMesh, frame: Frame) -> None:
         f"'{raw.path}' is {extent * frame.scale / mm:.6g} mm long when its unit is {frame.unit}; "
         f"allowed is {SMALLEST_EXTENT / mm:g} mm to {LARGEST_EXTENT / mm:g} mm{hint}"
     )
+
+
+def _put_on_planes(file: Path, points: Array, sides: Sides, faces: Mapping[str, Ints]) -> list[Finding]:
+    """G27: put nodes of mirror planes that lie a little off, such as mid-side nodes, on their planes."""
+    found = []
+    for name, rows in faces.items():
+        if not name.startswith("symmetry_"):
+            continue
+        nodes = np.unique(sides.nodes[rows])
+        extent = np.ptp(points[nodes], axis=0)
+        axis = int(extent.argmin())
+        level = float(np.median(points[nodes, axis]))
+        off = np.abs(points[nodes, axis] - level)
+        if off.max() > MOST_OFF * extent.max():
+            x, y, z = points[nodes[off.argmax()]] / mm
+            raise TurgorError(
+                f"face '{name}' is no plane across x, y or z, as a mirror plane must be: its node at ({x:.4g}, "
+                f"{y:.4g}, {z:.4g}) mm lies {off.max() / mm:.3g} mm off the plane {'xyz'[axis]} = {level / mm:.4g} mm."
+            )
+        points[nodes, axis] = level
+        moved = int((off > FLAT * extent.max()).sum())
+        if moved:
+            found.append(
+                Finding(
+                    code="G27",
+                    severity=Severity.NOTE,
+                    message=f"{moved} nodes of '{name}' of '{file.name}' lay up to {off.max() / mm:.2g} mm off its "
+                    "plane and were put on it.",
+                    advice="Nothing is to be done where this is what the part looks like.",
+                )
+            )
+    return found
 
 
 def _mended(file: Path, solids: Solids) -> tuple[Finding, ...]:

@@ -10,11 +10,12 @@ from turgor.errors import TurgorError
 from turgor.geometry.cad.selectors import SAME_DIRECTION, ByColor, ByName, InBox, NearestTo, Selector, WithNormal
 from turgor.meshing.exchange.boundary import Sides
 from turgor.meshing.exchange.formats.raw import Array, Ints
+from turgor.meshing.exchange.numbered import ByNodes, BySides
 
 Mask = NDArray[np.bool_]
 
 #: What `read_mesh` takes for a name: a name in the file, a selector, or several selectors that must all hold.
-Choice: TypeAlias = str | Selector | Sequence[Selector]
+Choice: TypeAlias = str | Selector | ByNodes | BySides | Sequence[Selector | ByNodes | BySides]
 
 #: Sides that share an edge continue each other when their normals differ by less than 20°.
 GOES_ON = 0.94
@@ -23,7 +24,7 @@ GOES_ON = 0.94
 SLACK = 1e-6
 
 
-def parts_of(choice: Choice) -> tuple[str | None, tuple[Selector, ...]]:
+def parts_of(choice: Choice) -> tuple[str | None, tuple[Selector | ByNodes | BySides, ...]]:
     """Split a choice into a name of the file and selectors by place; one of them is empty.
 
     Parameters
@@ -42,7 +43,11 @@ def parts_of(choice: Choice) -> tuple[str | None, tuple[Selector, ...]]:
     """
     if isinstance(choice, str):
         return choice, ()
-    parts = (choice,) if isinstance(choice, ByName | ByColor | NearestTo | InBox | WithNormal) else tuple(choice)
+    parts: tuple[Selector | ByNodes | BySides, ...]
+    if isinstance(choice, ByName | ByColor | NearestTo | InBox | WithNormal | ByNodes | BySides):
+        parts = (choice,)
+    else:
+        parts = tuple(choice)
     names = [part.name for part in parts if isinstance(part, ByName)]
     if names and len(parts) > 1:
         raise TurgorError(f"the name '{names[0]}' of a group cannot be combined with other selectors.")
@@ -110,7 +115,7 @@ def _smooth_part(sides: Sides, rows: Ints, normals: Array, start: int) -> Mask:
         mask = grown
 
 
-def picked_cells(selectors: Sequence[Selector], centers: Array) -> Ints:
+def picked_cells(selectors: Sequence[Selector | ByNodes | BySides], centers: Array) -> Ints:
     """Find the cells whose centers (c, 3) lie in all boxes; other selectors do not mean cells."""
     mask = np.ones(len(centers), dtype=bool)
     for selector in selectors:

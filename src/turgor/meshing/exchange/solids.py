@@ -77,11 +77,11 @@ def read_solids(raw: RawMesh, frame: Frame) -> Solids:
         If there are none, several kinds, kinds that cannot be solved on, or cells turned inside out.
     """
     solids = _gathered(raw, frame)
-    _drop_repeated(solids)
     _merge_nodes(solids, raw)
+    _drop_repeated(solids)  # with merged nodes, so that cells at one place are known as such
     _raise_order(solids)
     _turn(solids, raw)
-    _number_vertices_first(solids)
+    _number_vertices_first(solids, raw)
     return solids
 
 
@@ -114,8 +114,9 @@ def _gathered(raw: RawMesh, frame: Frame) -> Solids:
 
 
 def _drop_repeated(solids: Solids) -> None:
-    """Keep one of cells that are written several times, as gmsh 2.2 does for each of their groups."""
-    same = np.unique(np.sort(solids.cells, axis=1), axis=0, return_index=True, return_inverse=True)
+    """Keep one of cells with the same corners, such as those that gmsh 2.2 writes for each of their groups."""
+    corners = np.sort(solids.cells[:, : solids.kind.corners], axis=1)
+    same = np.unique(corners, axis=0, return_index=True, return_inverse=True)
     first, place = same[1], np.asarray(same[2]).ravel()
     if len(first) == len(solids.cells):
         return
@@ -257,9 +258,17 @@ def place_of(position: Array) -> str:
     return f"({x:.4g}, {y:.4g}, {z:.4g}) mm"
 
 
-def _number_vertices_first(solids: Solids) -> None:
+def _number_vertices_first(solids: Solids, raw: RawMesh) -> None:
     corners = solids.kind.corners
-    order = np.concatenate([np.unique(solids.cells[:, :corners]), np.unique(solids.cells[:, corners:])])
+    ends, middles = np.unique(solids.cells[:, :corners]), np.unique(solids.cells[:, corners:])
+    both = np.intersect1d(ends, middles)
+    if len(both):
+        raise TurgorError(
+            f"'{raw.path}': {len(both)} nodes are a corner of one cell and lie in the middle of an edge or side of "
+            f"another, around {', '.join(place_of(solids.points[node]) for node in both[:3])}; the cells do not fit "
+            "each other there: mesh the part where it was made so that neighbors share whole sides."
+        )
+    order = np.concatenate([ends, middles])
     number = np.full(len(solids.points), -1, dtype=np.int64)
     number[order] = np.arange(len(order))
     solids.cells, solids.points = number[solids.cells], solids.points[order]

@@ -175,12 +175,16 @@ def jacobian_ratios(mesh: Mesh) -> Array:
     return ratios
 
 
-def refuse_inverted(mesh: Mesh) -> None:
+def refuse_inverted(
+    mesh: Mesh, advice: str = "use a smaller mesh size, so that more cells follow curved faces"
+) -> None:
     """Raise an error for a mesh with an inverted cell, because its equations cannot be solved.
 
     Parameters
     ----------
     mesh : Mesh
+    advice : str
+        What the person who made it can do.
 
     Raises
     ------
@@ -193,5 +197,5 @@ def refuse_inverted(mesh: Mesh) -> None:
         x, y, z = mesh.points[mesh.cells[bad[0]]].mean(axis=0) * 1e3
         raise TurgorError(
             f"{len(bad)} of {len(low)} cells are turned inside out, the first around ({x:.4g}, {y:.4g}, {z:.4g}) mm; "
-            "use a smaller mesh size, so that more cells follow curved faces."
+            f"{advice}."
         )

@@ -11,6 +11,7 @@ from turgor.engine.algebra.boundary import radial_normals
 from turgor.engine.cells.element import element_of
 from turgor.engine.faces import surfaces
 from turgor.errors import TurgorError, unknown
+from turgor.geometry.names import measured_faces
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.proximity import smallest_gap as smallest_gap_between
 from turgor.model.drive import common_pressure, pressures_at
@@ -132,7 +133,7 @@ class Reader:
 def chosen_measures(solution: Solution, measures: Sequence[Measure]) -> tuple[Measure, ...]:
     """Choose what `measure` reads: what is asked for with its parts, or the standard measures."""
     mesh = solution.model.mesh
-    fitting = fitting_measures(mesh.faces)
+    fitting = fitting_measures(measured_faces(mesh.faces, mesh.cavities))
     standard = tuple(measures) in ((), STANDARD_MEASURES, fitting)
     own = (*point_measures_of(solution.model), *contact_measures_of(solution))
     asked = (*fitting, *own) if standard else measures
@@ -169,8 +170,8 @@ def check_measures(model: Model, measures: Sequence[Measure | str]) -> None:
         model=model, load_factor=0.0, displacement=np.zeros_like(mesh.points),
         mean_stress=np.zeros(element_of(model).mean_count), nodal_force=np.zeros_like(mesh.points),
     )  # fmt: skip
-    at = StateFields(rest)
-    for each in fitting_measures(mesh.faces) if wanted == STANDARD_MEASURES else wanted:
+    at, fitting = StateFields(rest), fitting_measures(measured_faces(mesh.faces, mesh.cavities))
+    for each in fitting if wanted == STANDARD_MEASURES else wanted:
         if each not in OF_ANY_MESH:  # these need no face, and stresses of a whole mesh take seconds
             each.read([at])
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from turgor.errors import TurgorError, unknown
-from turgor.geometry.names import cavity_names
+from turgor.geometry.names import measured_faces
 from turgor.job.job import Job, standard_measures
 from turgor.results.measures.energies import ENERGIES
 from turgor.results.measures.field_measures import BY_REGION, as_column
@@ -54,7 +54,7 @@ def unit_of_column(job: Job, name: str, measures: Sequence[str] = ()) -> str:
     part_of = next((each for each in given if each.name in PARTS and name.endswith(PARTS[each.name])), None)
     if part_of is not None:
         return part_of.unit
-    faces = job.geometry().faces
+    faces = measured_faces(job.geometry().faces, job.geometry().cavities)
     if not measures and job.output.measures in (standard_measures(), standard_measures(faces)) and _comes(job, name):
         return find_measure(name).unit
     if name in MEASURES:
@@ -64,7 +64,7 @@ def unit_of_column(job: Job, name: str, measures: Sequence[str] = ()) -> str:
 
 def _drives(job: Job) -> dict[str, str]:
     """Names and units of what drives a job; which of several pressures are equal may vary."""
-    cavities = [as_column(each) for each in cavity_names(job.geometry().faces)]
+    cavities = [as_column(each) for each in job.geometry().cavities]
     found = dict(DRIVES)
     if len(cavities) > 1:
         for cavity in cavities:

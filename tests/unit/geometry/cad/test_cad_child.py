@@ -97,7 +97,7 @@ def test_what_hangs_is_stopped():
 
 
 def test_errors_of_the_task_come_through():
-    with pytest.raises(TurgorError, match="unit is 'inch'; allowed is one of"):
+    with pytest.raises(TurgorError, match="unit is 'inch'; did you mean 'in'"):
         in_child(WORK, load_file, cases.DATA / "cup_and_plate.step", "inch")
 
 

@@ -235,7 +235,6 @@ def test_a_face_with_a_node_too_many_is_told(tmp_path):
         ("a.inp", "*HEADING\n", "no \\*NODE"),
         ("a.inp", "*NODE\n1,0,0,0\n*ELEMENT, TYPE=C3D4\n1,1,2,3,4", "node 2 is used"),
         ("a.inp", "*NODE\n1,0,0,0\n*ELEMENT, TYPE=C3D4\n1,1,2,3", "need 5 numbers"),
-        ("a.inp", "*NODE\n1,0,0,0\n*NSET, NSET=a\nb", "unknown NSET 'b'"),
         ("a.inp", "*PART\n*NODE\n1,0,0,0\n*PART\n", "several parts"),
         ("a.inp", "*NODE\n1,0,0,0\n*INSTANCE\n0,0,5\n", "moves an instance"),
         ("a.inp", "*NODE\n1,0,0,0\n", "no solid cells, only no cells"),

@@ -7,14 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from turgor.errors import TurgorError, near_match
-from turgor.meshing.exchange.formats.raw import KINDS, Block, Ints, RawMesh, numbers, rows_of
-
-#: Corners of the faces S1, S2, … of solid cells, by the number of corners (Abaqus, "Element faces"; CalculiX alike).
-SIDES = {
-    4: ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)),
-    8: ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)),
-}
+from turgor.errors import TurgorError
+from turgor.meshing.exchange.formats.abaqus_sets import CellTable, Member, NumberSets, surface_sides
+from turgor.meshing.exchange.formats.raw import KINDS, Block, RawMesh, numbers, rows_of
 
 _SOLIDS = {4: "tetrahedron4", 10: "tetrahedron10", 8: "hexahedron8", 20: "hexahedron20", 6: "wedge6", 15: "wedge15"}
 _SHEETS = {3: "triangle3", 6: "triangle6", 4: "quadrilateral4", 8: "quadrilateral8", 9: "quadrilateral9"}
@@ -32,20 +27,28 @@ class _Keyword:
 
 @dataclass(slots=True)
 class _Content:
-    """What was read so far, with the numbers of the file."""
+    """What was read so far, with the numbers of the file.
+
+    ``left_out`` says what was not understood, one clause each.
+    """
 
     path: Path
     node_ids: list[int] = field(default_factory=list)
     points: list[list[float]] = field(default_factory=list)
     cells: dict[str, list[list[int]]] = field(default_factory=lambda: defaultdict(list))
-    node_sets: dict[str, list[int]] = field(default_factory=lambda: defaultdict(list))
-    cell_sets: dict[str, list[int]] = field(default_factory=lambda: defaultdict(list))
+    node_sets: dict[str, list[Member]] = field(default_factory=lambda: defaultdict(list))
+    cell_sets: dict[str, list[Member]] = field(default_factory=lambda: defaultdict(list))
     surfaces: dict[str, list[tuple[str, str]]] = field(default_factory=lambda: defaultdict(list))
     sections: list[str] = field(default_factory=list)
+    unread: list[str] = field(default_factory=list)
+    left_out: list[str] = field(default_factory=list)
 
 
 def read_abaqus(path: Path) -> RawMesh:
     """Read an .inp file; sets and surfaces become the names of its cells and faces.
+
+    What no solid cell needs is left out, and `RawMesh.left_out` says so: members of sets that the file does not define,
+    lines, springs and the like, surfaces on them.
 
     Parameters
     ----------
@@ -58,7 +61,7 @@ def read_abaqus(path: Path) -> RawMesh:
     Raises
     ------
     TurgorError
-        If the file has several parts or instances, a line is no line of numbers, or a set is not defined.
+        If the file has several parts or instances, a line is no line of numbers, or a cell has an unknown node.
     """
     content = _Content(path)
     for keyword in _keywords(path):
@@ -122,8 +125,11 @@ def _take_cells(content: _Content, keyword: _Keyword) -> None:
     kind = (_SOLIDS if solid else _SHEETS).get(int(match[2])) if match is not None else None
     if kind is None and solid:
         raise TurgorError(f"'{content.path}' has cells of type {name}; known are C3D4, C3D10, C3D8 and C3D20.")
-    if kind is None:
-        return  # lines, springs and the like bound no solid
+    if kind is None:  # lines, springs and the like bound no solid, but their sets may be named in others
+        content.unread.append(name or "without a type")
+        if "elset" in keyword.given:
+            content.cell_sets[keyword.given["elset"]] += []
+        return
     values = [int(value) for line in keyword.lines for value in numbers(line, content.path, "a cell")]
     width = KINDS[kind].nodes + 1
     if len(values) % width:
@@ -142,28 +148,19 @@ def _take_cell_set(content: _Content, keyword: _Keyword) -> None:
     _take_set(content, keyword, content.cell_sets, "elset")
 
 
-def _take_set(content: _Content, keyword: _Keyword, sets: dict[str, list[int]], key: str) -> None:
+def _take_set(content: _Content, keyword: _Keyword, sets: dict[str, list[Member]], key: str) -> None:
     name = keyword.given.get(key)
     if name is None:
         raise TurgorError(f"'{content.path}': *{keyword.name.upper()} names no {key.upper()}.")
-    members: list[int] = []
+    members: list[Member] = []
     for line in keyword.lines:
         words = [word.strip().strip('"') for word in line.split(",") if word.strip()]
         if "generate" in keyword.given:
             first, last, step = ([int(word) for word in words] + [1])[:3]
-            members += range(first, last + 1, step)
+            members.append(range(first, last + 1, max(step, 1)))
             continue
-        for word in words:
-            members += [int(word)] if re.fullmatch(r"\d+", word) else _known(content, word, sets, key)
+        members += [int(word) if re.fullmatch(r"\d+", word) else word for word in words]
     sets[name] += members
-
-
-def _known(content: _Content, name: str, sets: dict[str, list[int]], key: str) -> list[int]:
-    """Members of a set by its name, whatever its case; the instance before a point is left away."""
-    for known, members in sets.items():
-        if known.lower() in (name.lower(), name.lower().rpartition(".")[2]):
-            return members
-    raise TurgorError(f"'{content.path}': unknown {key.upper()} '{name}'{near_match(name, sets) or '.'}")
 
 
 def _take_surface(content: _Content, keyword: _Keyword) -> None:
@@ -172,11 +169,9 @@ def _take_surface(content: _Content, keyword: _Keyword) -> None:
     for line in keyword.lines:
         words = [word.strip().strip('"') for word in line.split(",") if word.strip()]
         if node:
-            word = words[0]
-            found = [int(word)] if word.isdigit() else _known(content, word, content.node_sets, "nset")
-            content.node_sets[name] += found
-        elif len(words) == 2:
-            content.surfaces[name].append((words[0], words[1].upper()))
+            content.node_sets[name].append(int(words[0]) if words[0].isdigit() else words[0])
+        elif words:
+            content.surfaces[name].append((words[0], words[1].upper() if len(words) > 1 else ""))
 
 
 def _take_section(content: _Content, keyword: _Keyword) -> None:
@@ -213,44 +208,34 @@ _TAKERS = {
 
 def _mesh(content: _Content) -> RawMesh:
     ids = np.array(content.node_ids, dtype=np.int64)
-    blocks: list[Block] = []
-    corners: dict[int, Ints] = {}
-    for kind, cells in content.cells.items():
-        table = np.array(cells, dtype=np.int64)
+    tables = {kind: np.array(cells, dtype=np.int64) for kind, cells in content.cells.items()}
+    numbered = np.concatenate([np.zeros(0, dtype=np.int64), *(table[:, 0] for table in tables.values())])
+    if content.unread:
+        content.left_out.append(f"cells of the types {', '.join(sorted(set(content.unread)))}")
+    node_sets = NumberSets(content.node_sets, ids, "node", content.left_out)
+    cell_sets = NumberSets(content.cell_sets, numbered, "" if content.unread else "cell", content.left_out)
+    members = {name: numbered[rows] for name, rows in cell_sets.all().items()}
+    blocks, corners = [], CellTable()
+    for kind, table in tables.items():
         nodes = rows_of(table[:, 1:], ids, content.path, "node")
-        corners.update(zip(table[:, 0].tolist(), nodes[:, : KINDS[kind].corners], strict=True))
-        groups = {name: np.flatnonzero(np.isin(table[:, 0], members)) for name, members in content.cell_sets.items()}
+        corners.add(KINDS[kind].dimension, table[:, 0], nodes[:, : KINDS[kind].corners])
+        groups = {name: np.flatnonzero(np.isin(table[:, 0], known)) for name, known in members.items()}
         blocks.append(Block(kind=KINDS[kind], nodes=nodes, groups={n: rows for n, rows in groups.items() if len(rows)}))
     return RawMesh(
         path=content.path,
         points=np.array(content.points, dtype=np.float64),
         blocks=tuple(blocks),
-        node_sets={
-            name: np.unique(rows_of(np.array(members, dtype=np.int64), ids, content.path, "node"))
-            for name, members in content.node_sets.items()
+        node_sets=node_sets.all(),
+        surfaces={
+            name: surface_sides(name, parts, cell_sets, corners, content.left_out)
+            for name, parts in content.surfaces.items()
         },
-        surfaces={name: _sides(content, name, parts, corners) for name, parts in content.surfaces.items()},
         sections=_sections(content),
+        left_out=tuple(content.left_out),
+        node_numbers=ids,
     )
 
 
 def _sections(content: _Content) -> tuple[str, ...]:
     names = {name.lower(): name for name in content.cell_sets}
     return tuple(dict.fromkeys(names[name.lower()] for name in content.sections if name.lower() in names))
-
-
-def _sides(content: _Content, name: str, parts: list[tuple[str, str]], corners: dict[int, Ints]) -> Ints:
-    """Corners of the sides that a surface lists by cell, or set of cells, and face."""
-    found = []
-    for where, label in parts:
-        cells = [int(where)] if where.isdigit() else _known(content, where, content.cell_sets, "elset")
-        for cell in cells:
-            if cell not in corners:
-                raise TurgorError(f"'{content.path}': surface '{name}' uses cell {cell}, which is not a solid cell.")
-            sides = SIDES.get(len(corners[cell]), ())
-            place = int(label[1:]) - 1 if re.fullmatch(r"[SP]\d", label) else -1
-            if not 0 <= place < len(sides):
-                raise TurgorError(f"'{content.path}': surface '{name}' uses face '{label}' of cell {cell}.")
-            side = corners[cell][list(sides[place])]
-            found.append([*side, -1][:4])
-    return np.array(found, dtype=np.int64).reshape(-1, 4)

@@ -181,7 +181,7 @@ def _kind(path: Path, number: int) -> str:
 
 
 def _mesh(path: Path, points: np.ndarray, ids: Ints, cells: dict[str, list[tuple[list[int], list[str]]]]) -> RawMesh:
-    return RawMesh(path=path, points=points, blocks=tuple(_blocks(path, ids, cells)))
+    return RawMesh(path=path, points=points, blocks=tuple(_blocks(path, ids, cells)), node_numbers=ids)
 
 
 def _blocks(path: Path, ids: Ints, cells: dict[str, list[tuple[list[int], list[str]]]]) -> Iterator[Block]:

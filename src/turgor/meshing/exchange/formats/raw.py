@@ -100,6 +100,10 @@ class RawMesh:
         Whether the groups were named by a person: they then become regions and faces without being asked for.
     unit : str
         Unit of length that the file states; empty where it states none.
+    left_out : tuple of str
+        What of the file was not understood or is not needed, one clause each.
+    node_numbers : (n,) int array, optional
+        Number in the file of each of ``points``; None where the file has none, and nodes count from 0.
     """
 
     path: Path
@@ -110,6 +114,8 @@ class RawMesh:
     sections: tuple[str, ...] = ()
     named: bool = True
     unit: str = ""
+    left_out: tuple[str, ...] = ()
+    node_numbers: Ints | None = None
 
     def solids(self) -> tuple[Block, ...]:
         """The blocks of solid cells."""
