@@ -1,8 +1,8 @@
 """Command line: exit codes, one sentence for each mistake and no traceback, and one small job from end to end."""
 
 import csv
-import os
 import json
+import os
 import re
 import subprocess
 import sys
