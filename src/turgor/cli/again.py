@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Debug, Json, name_and_unit
+from turgor.cli.options import Debug, Json, check_new, name_and_unit
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run, finished or not.")]
 
@@ -34,12 +34,15 @@ def measure_command(
     output: Annotated[
         Path | None, typer.Option(help="CSV file; the table is printed where none is given.", show_default=False)
     ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace the file of --output if it exists.")] = False,
     debug: Debug = False,
 ) -> None:
     """Measure the path of a run again, as far as it goes."""
     with errors_as_sentences(debug):
         from turgor.job.again import measure_folder
 
+        if output is not None:
+            check_new(output, force, "--output")
         response = measure_folder(folder, tuple(names or ()))
         if output is not None:
             response.to_csv(output)

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 from turgor.errors import TurgorError, near_match
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
-from turgor.job.read import name_of_file, read_job
+from turgor.job.read import name_of_file, read_job, read_name
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import Table, read_table
@@ -191,7 +191,7 @@ def _read(content: Mapping[str, Any], path: Path, base: JobBase, problems: Probl
     if designs is None or problems.found:
         return None
     return StudyFile(
-        name=str(content.get("name", name_of_file(path))), job=job, designs=designs,
+        name=read_name(content.get("name", name_of_file(path)), problems), job=job, designs=designs,
         measures=tuple(each for each in measures if each is not None), at=at,
         mesh_error=bool(job.output.mesh_error) if output.mesh_error is None else output.mesh_error,
     )  # fmt: skip
