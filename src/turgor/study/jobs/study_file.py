@@ -4,6 +4,7 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from math import isfinite
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, TypeVar
@@ -256,7 +257,7 @@ def _at(given: Mapping[str, Any], job: Job, measures: Sequence[str]) -> tuple[st
         raise TurgorError('give one column and its value, such as { pressure = "50 kPa" }.')
     ((name, value),) = given.items()
     unit = unit_of_column(job, name, measures)
-    if isinstance(value, int | float) and not isinstance(value, bool):
+    if isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value):
         return name, float(value)
     read = split_quantity(value) if isinstance(value, str) else None
     if read is None:
