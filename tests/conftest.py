@@ -6,6 +6,7 @@ of the files that were run as a whole and passed; every other run leaves the wor
 """
 
 import gc
+import os
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -13,6 +14,9 @@ from pathlib import Path
 import pytest
 
 from verification_page import COUNT, ROW, Renewal, Row, table_line
+
+# Compiled loops of all processes of the tests lie together, while `_own_cache` moves all other caches.
+os.environ.setdefault("NUMBA_CACHE_DIR", str(Path(__file__).parent.parent / ".pytest_cache" / "compiled"))
 
 PAGE = Path(__file__).parent.parent / "docs" / "verification.md"
 FOLDER = Path(__file__).parent / "verification"

@@ -17,6 +17,8 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
+from turgor.store import caches
+
 #: Variable that names the folder of compiled loops, read by numba.
 VARIABLE = "NUMBA_CACHE_DIR"
 
@@ -26,17 +28,54 @@ FIRST = "pattern"
 #: How the names of threads begin that pass through loops; between two loops they wait.
 POOL = "turgor-loop"
 
+#: Endings of what numba and `kept` write.
+_COMPILED = frozenset({".nbi", ".nbc", ".compiled"})
+
 _ENGINE = Path(__file__).parent / "engine"
 
 
 def usual() -> tuple[Path, ...]:
-    """The folders that numba tries by itself."""
+    """The folders that numba tries by itself: one of the package, and one of the user."""
     return _ENGINE / "cells" / "__pycache__", user_cache_path("numba")
 
 
-def elsewhere() -> Path:
-    """Folder of the user below that for temporary files, where no usual one can be written."""
-    return Path(tempfile.gettempdir()) / f"turgor-compiled-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
+def folder() -> Path | None:
+    """Folder of compiled loops: a stated one, one that numba finds by itself, or one of this user alone.
+
+    numba loads what it finds there as code, so a folder that others could write into is not used. Others know the name
+    of the one below the folder for temporary files. It serves if it is this user's alone; else a new one with a random
+    name serves this process and those that it starts.
+
+    Returns
+    -------
+    Path or None
+        None where numba should look by itself.
+    """
+    stated = os.environ.get(VARIABLE)
+    if stated and writable(Path(stated)):
+        return Path(stated)
+    if os.environ.get(caches.FOLDER):
+        own = caches.cache_folder("compiled")
+        if own is not None:
+            return own
+    elif writable(usual()[0]) or caches.private(usual()[1]):
+        return None
+    shared = Path(tempfile.gettempdir()) / f"turgor-compiled-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
+    other = shared if caches.private(shared) else Path(tempfile.mkdtemp(prefix="turgor-compiled-"))
+    os.environ[VARIABLE] = str(other)
+    return other
+
+
+def compiled_files() -> list[Path]:
+    """Return the files of compiled loops, in whatever folder they are."""
+    place = folder()
+    if place is not None:
+        return sorted(file for file in place.rglob("*") if file.suffix in _COMPILED)
+    found = {file for file in _ENGINE.rglob("__pycache__/*") if file.suffix in _COMPILED}
+    for source in {file.parent for file in _ENGINE.rglob("*.py")}:  # numba names its folders so
+        name = f"{source.name}_{hashlib.sha1(str(source).encode(), usedforsecurity=False).hexdigest()}"
+        found |= {file for file in (usual()[1] / name).glob("*") if file.suffix in _COMPILED}
+    return sorted(found)
 
 
 def writable(folder: Path) -> bool:
@@ -55,10 +94,8 @@ def kept(name: str) -> Path:
     It stands beside the compiled loops and goes with them. Loops are compiled anew for another processor, another
     version of Python or numba, and other sources, so its name differs then.
     """
-    stated = os.environ.get(VARIABLE)
-    folders = (Path(stated),) if stated else usual()
-    folder = next(filter(writable, folders), elsewhere())
-    return folder / f"turgor-{name}-{_circumstances()}.compiled"
+    place = folder() or next(filter(writable, usual()))
+    return place / f"turgor-{name}-{_circumstances()}.compiled"
 
 
 @cache

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from turgor.cli.exits import DONE, errors_as_sentences
-from turgor.cli.options import Debug, Json, name_and_unit, output_option
+from turgor.cli.options import Debug, Json, check_new, name_and_unit, output_option
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of a run, finished or not.")]
 
@@ -38,12 +38,15 @@ def measure_command(
         Path | None,
         output_option("CSV file; the table is printed where none is given."),
     ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace the file of --output if it exists.")] = False,
     debug: Debug = False,
 ) -> None:
     """Measure the path of a run again, as far as it goes."""
     with errors_as_sentences(debug):
         from turgor.job.again import measure_folder
 
+        if output is not None:
+            check_new(output, force, "--output")
         response = measure_folder(
             folder, tuple(name for each in names or () for name in each.replace(",", " ").split())
         )

@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from turgor.job.job import Job
     from turgor.results.convergence.study import Convergence
 
+#: What it writes.
+FILES = ("convergence.csv", "convergence.png", "convergence.txt")
+
 
 def convergence_command(
     job: JobFile,
@@ -38,7 +41,8 @@ def convergence_command(
         wanted = _sizes(sizes)
         find_measure(measure)
         asked = asked_job(job, changes)
-        with claimed(output if output is not None else Path(f"{asked.name}-convergence"), force) as folder:
+        place = output if output is not None else Path(f"{asked.name}-convergence")
+        with claimed(place, force, files=FILES) as folder:
             study = _solve(asked, wanted, measure)
             _write(folder, asked, study)
         _show(study)
@@ -71,11 +75,15 @@ def _solve(job: "Job", sizes: int | list[float], measure: str) -> "Convergence":
 
 
 def _write(folder: Path, job: "Job", study: "Convergence") -> None:
+    from turgor.job.output.manifest import list_files
     from turgor.results.plots.convergence import write_convergence_plot
+    from turgor.store.whole import write_whole
 
-    study.response.to_csv(folder / "convergence.csv")
-    write_convergence_plot(folder / "convergence.png", study, title=job.name)
-    (folder / "convergence.txt").write_text(study.summary + "\n", encoding="utf-8")
+    list_files(folder, FILES)
+    table, plot, text = (folder / name for name in FILES)
+    study.response.to_csv(table)
+    write_convergence_plot(plot, study, title=job.name)
+    write_whole(text, study.summary + "\n")
 
 
 def _show(study: "Convergence") -> None:

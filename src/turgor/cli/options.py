@@ -62,6 +62,14 @@ def asked_job(job: Path, changes: Sequence[str] | None) -> "Job":
     return read_job(job, parse_changes(changes or ()))
 
 
+def check_new(file: Path, force: bool, option: str) -> None:
+    """Raise an error if a file exists that an option names, unless ``--force`` says that it may be replaced."""
+    from turgor.errors import TurgorError
+
+    if file.exists() and not force:
+        raise TurgorError(f"{option} is '{file}', which exists; name another file, or replace it with --force.")
+
+
 def name_and_unit(text: str) -> tuple[str, str]:
     """Split what ``--unit`` states, such as ``pressure=kPa``.
 

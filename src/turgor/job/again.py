@@ -10,6 +10,7 @@ from turgor.errors import TurgorError
 from turgor.finding import by_weight
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK, RESPONSE
+from turgor.job.output.identity import read_lock
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.versions import versions
 from turgor.job.output.write import write_results
@@ -111,4 +112,6 @@ def _job(folder: Path) -> Job:
     file = folder / LOCK
     if not file.exists():
         raise TurgorError(f"'{folder}' holds no {LOCK}, which says what its run was.")
+    if read_lock(file) is None:
+        raise TurgorError(f"'{file}' is damaged; `turgor run JOB --output {folder} --resume` writes it again.")
     return read_job(file)

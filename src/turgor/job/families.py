@@ -19,18 +19,16 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Protocol
 
-from platformdirs import user_cache_path
-
 from turgor.errors import TurgorError
 from turgor.geometry.geometry import Geometry
 from turgor.geometry.shapes.late import LateShape
-from turgor.meshing.enveloped.kept import FOLDER
 from turgor.meshing.instead import INSTEAD
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.quality.answers import answers_of
 from turgor.meshing.settings import MeshSettings
 from turgor.meshing.sizing.sizes import extent_of
 from turgor.store.archive import Content, read_archive, write_archive
+from turgor.store.caches import cache_folder
 from turgor.store.codec import Decoder, Encoder
 from turgor.store.saved import ENDING
 
@@ -52,7 +50,10 @@ _MAKERS = ("turgor", "netgen-mesher", "numpy", "scipy")
 ANSWERS = "answers"
 
 #: What an unreadable entry leads to.
-_DAMAGE = (TurgorError, OSError, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, MemoryError)
+_DAMAGE = (
+    TurgorError, OSError, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, MemoryError,
+    RuntimeError,
+)  # fmt: skip
 
 
 class Family(Protocol):
@@ -140,12 +141,6 @@ def keep(actuator: Family, geometry: Geometry, settings: MeshSettings, mesh: Mes
     _keep_answers(mesh, actuator, settings)
 
 
-def folder() -> Path:
-    """Where entries lie: in the folder that ``TURGOR_CACHE`` names, or the user's folder for caches."""
-    stated = os.environ.get(FOLDER)
-    return (Path(stated) if stated else user_cache_path("turgor")) / "families"
-
-
 def most_bytes() -> float:
     """Most bytes that all entries may take.
 
@@ -221,10 +216,11 @@ def _drop_oldest(where: Path, most: float) -> None:
 
 def _file(asked: tuple[object, ...]) -> Path | None:
     """File of what follows from an actuator, and perhaps settings; None where it is not kept."""
-    if not is_known(asked[0]) or not most_bytes():
+    folder = cache_folder("families") if is_known(asked[0]) and most_bytes() else None
+    if folder is None:
         return None
     told = [_made_by(), [Encoder().encode(_plain(each)) for each in asked]]
-    return folder() / f"{sha256(json.dumps(told).encode()).hexdigest()[:32]}{ENDING}"
+    return folder / f"{sha256(json.dumps(told).encode()).hexdigest()[:32]}{ENDING}"
 
 
 def _plain(value: object) -> object:

@@ -154,7 +154,7 @@ def _read(
     content: Mapping[str, Any], stem: str, problems: Problems, built: tuple[Actuator, Geometry] | None
 ) -> Job | None:
     given = _given(content, problems)
-    name = _name(content.get("name", stem), problems)
+    name = read_name(content.get("name", stem), problems)
     actuator = read_actuator(given["actuator"], problems) if given["actuator"] is not None else None
     actuator = with_broken_planes(actuator, given)
     geometry = built[1] if built is not None and built[0] == actuator else _build(actuator, problems)
@@ -219,7 +219,8 @@ def _build(actuator: Actuator | None, problems: Problems) -> Geometry | None:
     return geometry_on_disk(actuator) or problems.attempt(("actuator",), actuator.build)
 
 
-def _name(value: object, problems: Problems) -> str:
+def read_name(value: object, problems: Problems) -> str:
+    """Return a name from which the name of a folder is made, or note a problem."""
     if isinstance(value, str) and _NAME.fullmatch(value):
         return value
     problems.add(("name",), f"{shown(value)} is not a name; use letters, digits, '-', '_' and '.'.")

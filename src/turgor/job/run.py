@@ -1,18 +1,21 @@
 """Run of a job: mesh, solve, measure, and write the folder of results."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
 from turgor.adaptivity.findings import matter, mesh_error_findings
 from turgor.engine.runtime import EngineOptions
+from turgor.errors import TurgorError
 from turgor.finding import Finding, by_weight, not_told, show_warning
 from turgor.job.ahead import compile_for
 from turgor.job.job import Job
 from turgor.job.meshes import keep_mesh_of
-from turgor.job.output.folder import LOCK, claimed, clear, default_folder
+from turgor.job.output.folder import claimed, default_folder
 from turgor.job.output.growing import GrowingFiles
-from turgor.job.output.lock import check_same_job
+from turgor.job.output.identity import check_same_job
+from turgor.job.output.manifest import bring_back, drop_previous, set_aside
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.job.output.versions import versions
@@ -86,16 +89,31 @@ def run_job(
     with claimed(chosen, force, resume) as folder, watched(progress) as watcher:
         files = GrowingFiles(folder, replace(job, threads=options.threads), notify or watcher.notify or silent)
         options = replace(options, notify=files.say)
-        record = _record(files, options, resume)
-        early = matter(record.question.findings, bool(job.output.mesh_error))
-        for each in early:
-            (found or show_warning)(each)
-        solution, response, findings = _solved(files, record, options, watcher.progress)
-        outcome = _written(files, solution, response, findings)
+        with _earlier_results(folder):
+            record = _record(files, options, resume)
+            early = matter(record.question.findings, bool(job.output.mesh_error))
+            for each in early:
+                (found or show_warning)(each)
+            solution, response, findings = _solved(files, record, options, watcher.progress)
+            outcome = _written(files, solution, response, findings)
+        if solution.status is not Status.INTERRUPTED:
+            drop_previous(folder)
         for each in matter(outcome.findings, mesh_error=False) if found is None else ():
             if each not in early:
                 show_warning(each)
         return outcome
+
+
+@contextmanager
+def _earlier_results(folder: Path) -> Iterator[None]:
+    """Bring the results of an earlier run back if the run that replaces them fails before its first state."""
+    try:
+        yield
+    except Exception:
+        with suppress(TurgorError, OSError):
+            if not any((folder / PATH_FOLDER).glob("state-*")):
+                bring_back(folder)
+        raise
 
 
 def _written(files: GrowingFiles, solution: Solution, response: Response, findings: tuple[Finding, ...]) -> RunOutcome:
@@ -122,14 +140,15 @@ def _record(files: GrowingFiles, options: EngineOptions, resume: bool) -> RunRec
     if resume and (folder / INDEX).exists():
         record = RunRecord.open(folder)
         files.job = _settled(files.job, record.question.model)
-        check_same_job(files.job, files.folder / LOCK)
+        check_same_job(files.job, files.folder)
+        files.go_on()
         files.say("going on with the path that the folder holds")
         return record
     compile_for(files.job)
     model, findings = prepare(files.job, files.say)
     files.job = _settled(files.job, model)
     keep_mesh_of(files.job)
-    clear(files.folder)
+    set_aside(files.folder)
     files.begin()
     coarse = coarse_mesh(files.job, model)
     question = Question(model=model, procedure=files.job.procedure, options=options, findings=findings, coarse=coarse)

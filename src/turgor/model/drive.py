@@ -1,5 +1,7 @@
 """Drive: which pressures act at a load factor, as numbers and in words."""
 
+from operator import itemgetter
+
 from turgor.model.history import peak_of, share_at, turns_of
 from turgor.model.loads import RAMP, Pressure
 from turgor.model.model import Model
@@ -65,7 +67,7 @@ def kinks(model: Model) -> tuple[float, ...]:
 def extremes(model: Model) -> tuple[float, ...]:
     """Return the load factors at which loads may have extrema: the kinks, the peaks of expressions, and 1.
 
-    Also 0, where a load acts there already.
+    Also 0, where a load acts there already. Of a history that all loads share its highest and lowest point suffice.
 
     Parameters
     ----------
@@ -75,7 +77,11 @@ def extremes(model: Model) -> tuple[float, ...]:
     -------
     tuple of float
     """
-    histories = [load.history for load in model.loads]
+    histories = {load.history for load in model.loads}
+    only = next(iter(histories)) if len(histories) == 1 else ""
+    if not isinstance(only, str):  # a measured history has thousands of points
+        ends = (min(only, key=itemgetter(1)), max(only, key=itemgetter(1)))
+        return tuple(sorted({*(factor for factor, share in ends if factor or share), 1.0}))
     peaks = {peak_of(history) for history in histories if isinstance(history, str)}
     first = {0.0} if any(share_at(history, 0.0) for history in histories) else set()
     return tuple(sorted({*first, *kinks(model), *peaks, 1.0}))

@@ -7,9 +7,11 @@ but these is allowed, so that text from a job file cannot run anything else.
 import ast
 import math
 import operator
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from itertools import pairwise
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -98,8 +100,11 @@ def share_at(history: History, load_factor: float) -> float:
     if is_straight(history):  # also beyond: paths through limit points may overshoot 0 and 1
         (_, first), (_, last) = history
         return float(first + load_factor * (last - first))
-    factors, shares = zip(*history, strict=True)
-    return float(np.interp(load_factor, factors, shares))
+    after = bisect_right(history, load_factor, key=itemgetter(0))  # measured histories have thousands of points
+    if after in (0, len(history)):
+        return float(history[min(after, len(history) - 1)][1])
+    (begin, first), (end, last) = history[after - 1 : after + 1]
+    return float((last - first) / (end - begin) * (load_factor - begin) + first)
 
 
 def is_straight(history: History) -> bool:

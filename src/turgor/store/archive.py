@@ -4,7 +4,11 @@
 content itself; ``arrays/NAME.npy`` holds each array in NumPy's own format. docs/reference/saved-files.md describes it.
 """
 
+import errno
 import json
+import math
+import os
+import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -21,6 +25,18 @@ from turgor.store.whole import whole
 
 #: Version of the format; a reader refuses others.
 FORMAT, VERSION = "turgor", 1
+
+#: Most bytes that a file may unpack to if it is smaller than a twentieth of that; `MOST` states another number of MB.
+UNPACKED, RATIO = 200_000_000, 20
+
+#: Environment variable with the most megabytes that a file may unpack to.
+MOST = "TURGOR_UNPACKED_MB"
+
+#: What reading damaged, encrypted or re-packed data raises, besides errors of the system.
+_DAMAGE = (
+    BadZipFile, KeyError, ValueError, EOFError, IndexError, TypeError, zlib.error, RuntimeError, NotImplementedError,
+    OverflowError, MemoryError,
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,6 +88,7 @@ def read_archive(file: Path | IO[bytes]) -> Content:
     named = f"'{file}'" if isinstance(file, Path) else "the data"
     try:
         with ZipFile(file) as archive:
+            _check_size(archive, named)
             head = json.loads(archive.read("content.json"))
             _check(head, named)
             arrays = {
@@ -80,8 +97,35 @@ def read_archive(file: Path | IO[bytes]) -> Content:
             return Content(head["kind"], head["content"], arrays)
     except FileNotFoundError:
         raise TurgorError(f"there is no file {named}.") from None
-    except (BadZipFile, KeyError, ValueError, EOFError) as error:
-        raise TurgorError(f"{named} is damaged, or no file that turgor saved ({error}).") from None
+    except TurgorError:
+        raise
+    except _DAMAGE as error:
+        raise TurgorError(f"{named} is damaged, or no file that turgor saved ({_short(error)}).") from None
+    except OSError as error:
+        if error.errno not in (errno.EINVAL, None):
+            raise
+        raise TurgorError(
+            f"{named} is damaged: bytes are missing."
+        ) from None  # a place before the beginning of the file
+
+
+def _short(error: Exception) -> str:
+    """Return the text of an error, cut to a line; its class where it has none."""
+    text = " ".join(str(error).split()) or type(error).__name__
+    return text if len(text) < 120 else f"{text[:117]}..."
+
+
+def _check_size(archive: ZipFile, named: str) -> None:
+    """Refuse a file that unpacks to far more than it is, before memory is taken."""
+    unpacked = sum(each.file_size for each in archive.infolist())
+    packed = sum(each.compress_size for each in archive.infolist())
+    told = os.environ.get(MOST, "")
+    most = 1e6 * float(told) if told.replace(".", "", 1).isdigit() else max(UNPACKED, RATIO * packed)
+    if unpacked > most:
+        raise TurgorError(
+            f"{named} unpacks from {packed / 1e6:.3g} to {unpacked / 1e6:.3g} MB, and at most {most / 1e6:.4g} MB are "
+            f"read; set the environment variable {MOST} to read more."
+        )
 
 
 def _check(head: Any, named: str) -> None:
@@ -95,5 +139,12 @@ def _check(head: Any, named: str) -> None:
 
 
 def _array(archive: ZipFile, name: str) -> NDArray[Any]:
+    """Read an array whose header asks for as many bytes as follow."""
+    with archive.open(name) as member:
+        form = npy.read_magic(member)
+        shape, _, kind = npy.read_array_header_1_0(member) if form == (1, 0) else npy.read_array_header_2_0(member)
+        size, there = math.prod(shape) * kind.itemsize, archive.getinfo(name).file_size - member.tell()
+        if size != there:
+            raise TurgorError(f"array '{name}' needs {size} bytes, and {there} are there.")
     with archive.open(name) as member:
         return np.asarray(npy.read_array(member, allow_pickle=False))

@@ -143,7 +143,9 @@ class Store:
             decoder = Decoder(content.arrays, known)
             try:
                 value = decoder.decode(content.tree)
-            except (LookupError, TypeError, ValueError, AttributeError) as error:
+            except TurgorError:
+                raise
+            except (LookupError, TypeError, ValueError, AttributeError, RecursionError) as error:
                 raise TurgorError(f"'{self._file(name)}' is damaged: {error!r}.") from None
             self._read[name] = value, decoder
             self._note(name, content.arrays, needs)

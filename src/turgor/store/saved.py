@@ -93,10 +93,10 @@ def load_file(path: Path) -> Any:
     content = read_archive(path)
     try:
         return Decoder(content.arrays, _nothing_elsewhere).decode(content.tree)
-    except (LookupError, TypeError, ValueError, AttributeError) as error:
-        raise TurgorError(f"'{path}' is damaged: {error!r}.") from None
     except TurgorError as error:
         raise TurgorError(f"'{path}' cannot be loaded: {error}") from None
+    except (LookupError, TypeError, ValueError, AttributeError, RecursionError) as error:
+        raise TurgorError(f"'{path}' is damaged: {error!r}.") from None
 
 
 def _nothing_elsewhere(name: str) -> Any:

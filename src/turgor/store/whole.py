@@ -39,9 +39,31 @@ def whole(file: Path) -> Iterator[Path]:
     part = file.with_name(f"{file.name}.{os.getpid()}.part")
     try:
         yield part
+        with part.open("rb+") as written:  # on disk before it has the name: a power failure leaves no empty file
+            os.fsync(written.fileno())
         os.replace(part, file)
     except OSError as error:
         raise OSError(error.errno or errno.EIO, error.strerror or str(error), str(file)) from error
     finally:
         with suppress(OSError):
             part.unlink(missing_ok=True)
+
+
+def write_whole(file: Path, text: str) -> None:
+    """Write a text as UTF-8; the file appears whole or not at all, and a link in its place is replaced, not followed.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written, with the name of the file; what stood there before stays.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     write_whole(Path(folder) / "a.txt", "all of it")
+    ...     (Path(folder) / "a.txt").read_text()
+    'all of it'
+    """
+    with whole(file) as part:
+        part.write_text(text, encoding="utf-8")

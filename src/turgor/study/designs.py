@@ -15,7 +15,7 @@ from turgor.study.files.tables import Cells, header
 from turgor.study.rounding import rounded
 from turgor.units import unit_value
 
-#: Most designs of a full factorial: beyond this a number of levels is a typing error, or another rule is meant.
+#: Most designs of a study: beyond this a number is a typing error.
 MOST_DESIGNS = 100_000
 
 
@@ -128,7 +128,7 @@ def latin_hypercube(factors: Sequence[Factor], samples: int, seed: int = 0) -> D
     Raises
     ------
     TurgorError
-        If ``samples`` is below 1.
+        If ``samples`` or ``seed`` is out of range.
 
     Examples
     --------
@@ -136,8 +136,8 @@ def latin_hypercube(factors: Sequence[Factor], samples: int, seed: int = 0) -> D
     >>> sorted(int(each["wall"] * 4000) for each in found.values)
     [4, 5, 6, 7]
     """
-    rule = f"Latin hypercube of {samples}, seed {seed}"
-    return _sampled(factors, samples, rule, lambda qmc, k: qmc.LatinHypercube(k, rng=seed).random(samples))
+    rule = f"Latin hypercube of {samples}"
+    return _sampled(factors, samples, seed, rule, lambda qmc, k: qmc.LatinHypercube(k, rng=seed).random(samples))
 
 
 def sobol(factors: Sequence[Factor], samples: int, seed: int = 0) -> Designs:
@@ -158,7 +158,7 @@ def sobol(factors: Sequence[Factor], samples: int, seed: int = 0) -> Designs:
     Raises
     ------
     TurgorError
-        If ``samples`` is below 1.
+        If ``samples`` or ``seed`` is out of range.
 
     Examples
     --------
@@ -171,12 +171,16 @@ def sobol(factors: Sequence[Factor], samples: int, seed: int = 0) -> Designs:
         # drawn in powers of two, because SciPy warns of others
         return qmc.Sobol(k, scramble=True, rng=seed).random_base2(max(samples - 1, 0).bit_length())[:samples]
 
-    return _sampled(factors, samples, f"{samples} Sobol points, seed {seed}", drawn)
+    return _sampled(factors, samples, seed, f"{samples} Sobol points", drawn)
 
 
-def _sampled(factors: Sequence[Factor], samples: int, rule: str, drawn: Callable[[Any, int], Any]) -> Designs:
-    if samples < 1:
-        raise TurgorError(f"samples is {samples}; allowed is 1 or more.")
+def _sampled(
+    factors: Sequence[Factor], samples: int, seed: int, name: str, drawn: Callable[[Any, int], Any]
+) -> Designs:
+    if not 1 <= samples <= MOST_DESIGNS:
+        raise TurgorError(f"samples is {samples}; allowed is 1 to {MOST_DESIGNS}.")
+    if seed < 0:
+        raise TurgorError(f"seed is {seed}; allowed is 0 or more.")
     if not factors:
         raise TurgorError("a study needs a factor: something that varies.")
     shares = np.asarray(drawn(import_module("scipy.stats.qmc"), len(factors)))
@@ -184,7 +188,7 @@ def _sampled(factors: Sequence[Factor], samples: int, rule: str, drawn: Callable
         _design(factors, {each.name: each.at(float(share)) for each, share in zip(factors, row, strict=True)})
         for row in shares
     )
-    return Designs(factors=tuple(factors), values=values, rule=rule)
+    return Designs(factors=tuple(factors), values=values, rule=f"{name}, seed {seed}")
 
 
 def _design(factors: Sequence[Factor], given: dict[str, Value]) -> dict[str, Value]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +13,8 @@ from turgor.units import unit_value
 Array = NDArray[np.float64]
 Value = float | int | str
 
-#: Levels of a factorial where only a range is given.
-LEVELS = 3
+#: Levels of a factorial where only a range is given, and most levels.
+LEVELS, MOST_LEVELS = 3, 100_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +64,10 @@ class Factor:
             raise TurgorError(f"'{self.name}' is a choice, which has no range; leave out low and high.")
         if not self.levels and (self.low is None or self.high is None):
             raise TurgorError(f"'{self.name}' needs low and high, or levels.")
+        if not all(
+            isinstance(each, str) or each is None or isfinite(each) for each in (*self.levels, self.low, self.high)
+        ):
+            raise TurgorError(f"'{self.name}' has a value that is not finite.")
         if not texts:
             low, high = self.bounds
             if not low < high and len(self.levels) != 1:
@@ -122,6 +127,8 @@ class Factor:
             return self.levels
         if self.is_choice:
             return self.levels
+        if count is not None and not 1 <= count <= MOST_LEVELS:
+            raise TurgorError(f"levels of '{self.name}' is {count}; allowed is 1 to {MOST_LEVELS}.")
         values = np.linspace(*self.bounds, count or LEVELS)
         return tuple(dict.fromkeys(round(float(each)) for each in values)) if self.whole else tuple(values.tolist())
 

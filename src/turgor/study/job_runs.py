@@ -14,6 +14,7 @@ from turgor.adaptivity.measure import measure
 from turgor.engine.runtime import EngineOptions
 from turgor.errors import NotHere, TurgorError
 from turgor.job.job import Job
+from turgor.job.output.identity import digest
 from turgor.job.output.lock import lock_text
 from turgor.job.prepare import prepare
 from turgor.job.read import read_job
@@ -202,14 +203,15 @@ def path_name(digest: str, numbers: Mapping[str, Value]) -> str:
 
 
 def digest_of(file: Path) -> str:
-    """Return a hash of what a file holds.
+    """Return a hash of what a job computes and measures, from its file with every value.
 
     Parameters
     ----------
     file : Path
+        Of `write_whole_job`.
 
     Returns
     -------
     str
     """
-    return sha256(file.read_bytes()).hexdigest()[:16]
+    return digest(tomllib.loads(file.read_text(encoding="utf-8")), ("name", "written_by", "engine"))

@@ -1,6 +1,7 @@
 """Command line: exit codes, one sentence for each mistake and no traceback, and one small job from end to end."""
 
 import csv
+import json
 import os
 import re
 import signal
@@ -278,7 +279,7 @@ def test_a_job_runs_and_its_lock_file_repeats_it(folder: Path, capsys: pytest.Ca
     assert "Results in finger-results: " in out
     assert {file.name for file in results.iterdir()} == {
         "report.html", "response.csv", "job.lock.toml", "steps.csv", "run.log", "vtu",
-        "response.png", "undeformed.png", "deformed.png", "path",
+        "response.png", "undeformed.png", "deformed.png", "path", ".turgor-files.json",
     }  # fmt: skip
     report = (results / "report.html").read_text(encoding="utf-8")
     assert report.count("data:image/png;base64,") == 2
@@ -307,6 +308,8 @@ def test_a_run_that_stops_early_writes_the_path_so_far(folder: Path, capsys: pyt
     (results / "vtu").mkdir(parents=True)
     for stale in ("response.csv", "undeformed.png", "vtu/state_0099.vtu", "notes.txt"):
         (results / stale).write_text("old")
+    listed = ["response.csv", "undeformed.png", "vtu/state_0099.vtu"]
+    (results / ".turgor-files.json").write_text(json.dumps({"files": listed}))
     (folder / "finger.toml").write_text(JOB + "max_steps = 1\n[output]\nmeasures = ['reaction']\n" + QUICK)
     assert main(["run", "finger.toml", "--force"]) == NOT_CONVERGED
     err = capsys.readouterr().err
@@ -314,7 +317,7 @@ def test_a_run_that_stops_early_writes_the_path_so_far(folder: Path, capsys: pyt
     assert [row["load_factor"] for row in rows(results / "response.csv")] == [0, 0.5]
     assert "step limit: Stopped" in (results / "run.log").read_text()
     assert (results / "notes.txt").read_text() == "old"
-    assert not list((results / "vtu").iterdir())
+    assert not (results / "vtu").exists()
 
 
 def test_an_interrupted_run_writes_the_path_so_far(

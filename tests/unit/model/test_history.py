@@ -79,6 +79,26 @@ def test_where_a_load_is_largest() -> None:
     assert len(points_of("s")) == 201
 
 
+class CountedPoint(tuple[float, float]):
+    """A point that counts how often it is looked at."""
+
+    looks = 0
+
+    def __getitem__(self, place: Any) -> Any:
+        CountedPoint.looks += 1
+        return super().__getitem__(place)
+
+
+def test_a_share_is_found_without_a_look_at_every_point() -> None:
+    random = np.random.default_rng(0)
+    factors = np.unique(np.concatenate([[0, 1], random.random(2000)]))
+    shares = random.uniform(-1, 1, len(factors))
+    points = tuple(CountedPoint(point) for point in zip(factors.tolist(), shares.tolist(), strict=True))
+    at = [*random.random(50), *factors[:5], 0.0, 1.0, -0.1, 1.1]
+    np.testing.assert_allclose([share_at(points, s) for s in at], np.interp(at, factors, shares), rtol=1e-13)
+    assert CountedPoint.looks < 20 * len(at)
+
+
 def test_a_model_knows_the_extremes_of_its_loads() -> None:
     import turgor as tg
     from turgor.geometry import FastPneuNet
@@ -89,6 +109,11 @@ def test_a_model_knows_the_extremes_of_its_loads() -> None:
     model = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], loads)
     assert kinks(model) == (0.2,)
     assert extremes(model) == (0.2, 0.5, 1.0)
+    factors = np.linspace(0, 1, 5001)
+    measured = [(s, share) for s, share in zip(factors.tolist(), (np.sin(7 * factors) / 2).tolist(), strict=True)]
+    alone = tg.Model(mesh, {"body": rubber, "base": rubber}, [tg.Fixed("fixed")], [Pressure("cavity", 1e3, measured)])
+    highest, lowest = factors[np.argmax(np.sin(7 * factors))], factors[np.argmin(np.sin(7 * factors))]
+    assert extremes(alone) == pytest.approx((highest, lowest, 1.0))  # three of 5,001 points have to be looked at
 
 
 def test_paths_of_obstacles_have_kinks() -> None:

@@ -1,10 +1,12 @@
 """Where `turgor sweep` computes: on this machine, on the workers of a Dask scheduler, or as tasks of a SLURM array."""
 
+import re
 import shlex
 import sys
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from turgor.cli.options import check_new
 from turgor.errors import TurgorError
 from turgor.store.whole import whole
 from turgor.study.jobs.job_file import job_file
@@ -61,7 +63,25 @@ def share_of(given: StudyFile, index: int, of: int | None) -> StudyFile:
     return replace(given, designs=replace(given.designs, values=values))
 
 
-def write_script(given: StudyFile, study: Path, folder: Path, script: Path, tasks: int | None) -> str:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Script:
+    """A job script to write.
+
+    Parameters
+    ----------
+    file : Path
+    tasks : int or None
+        Number of tasks; by default one for each design.
+    force : bool
+        Whether a file that exists is replaced.
+    """
+
+    file: Path
+    tasks: int | None
+    force: bool
+
+
+def write_script(given: StudyFile, study: Path, folder: Path, script: Script) -> str:
     """Write a job script of SLURM, and return what to do with it.
 
     Parameters
@@ -71,20 +91,36 @@ def write_script(given: StudyFile, study: Path, folder: Path, script: Path, task
         The file that it was read from.
     folder : Path
         Folder of results. The job is written there at once, so that tasks do not all write it; SLURM adds its logs.
-    script : Path
-    tasks : int or None
-        Number of tasks; by default one for each design.
+    script : Script
+
+    Raises
+    ------
+    TurgorError
+        If the file exists, or the name of a file or folder has a line break, which would add lines to the script.
     """
+    check_new(script.file, script.force, "--sbatch")
     designs = len(given.designs)
-    tasks = min(tasks or designs, designs)
+    tasks = min(script.tasks or designs, designs)
     job_file(given.job, folder)
+    _directive(str(study))
     asked = ["sweep", str(study), "--output", str(folder)]
     text = SCRIPT.format(
-        name=study.stem, tasks=tasks, designs=designs, log=folder / "slurm-%A-%a.log", here=Path.cwd(),
+        name=_directive(given.name), tasks=tasks, designs=designs, here=_directive(str(Path.cwd())),
+        log=_directive(str(folder).replace("%", "%%") + "/slurm-%A-%a.log"),
         command=shlex.join([sys.executable, "-m", "turgor", *asked]),
     )  # fmt: skip
-    with whole(script) as part:
+    with whole(script.file) as part:
         part.write_text(text, encoding="utf-8")
         part.chmod(0o755)
     again = shlex.join(["turgor", *asked, "--gather"])
-    return f"{designs} designs in {tasks} tasks. Submit them: sbatch {script}; then write the table: {again}"
+    submit = shlex.join(["sbatch", str(script.file)])
+    return f"{designs} designs in {tasks} tasks. Submit them: {submit}; then write the table: {again}"
+
+
+def _directive(value: str) -> str:
+    """Write a value of a directive of SLURM, in quotes where it needs them."""
+    if not value.isprintable():
+        raise TurgorError(f"{value!r} has a character that a job script cannot hold; rename the file or folder.")
+    if not re.search(r"[^\w./%@:+,=-]", value):
+        return value
+    return '"' + re.sub(r'(["\\])', r"\\\1", value) + '"'

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 #: Columns of the table on the screen.
 PRINTED = ("curvature_y", "curvature_z", "twist", "stretch", "cavity_ballooning", "outside_ballooning")
 
+#: What it writes.
+FILES = ("section.csv", "section.png")
+
 
 def section_command(
     job: JobFile,
@@ -44,7 +47,7 @@ def section_command(
         section = section_of(asked, length, ends)
         typer.echo(f"{section!r}")
         solution = solve_section(asked, section, rows)
-        with claimed(output if output is not None else Path(f"{asked.name}-section"), force) as folder:
+        with claimed(output if output is not None else Path(f"{asked.name}-section"), force, files=FILES) as folder:
             _write(folder, asked, solution)
         _show(solution)
         answer.warn(solution.response.findings)
@@ -67,11 +70,14 @@ def _length(size: str) -> float | None:
 
 
 def _write(folder: Path, job: "Job", solution: "SectionSolution") -> None:
+    from turgor.job.output.manifest import list_files
     from turgor.results.plots.section import write_section_plot
 
-    solution.response.to_csv(folder / "section.csv")
+    list_files(folder, FILES)
+    table, plot = (folder / name for name in FILES)
+    solution.response.to_csv(table)
     if len(solution.response):
-        write_section_plot(folder / "section.png", solution, title=f"{job.name}, section")
+        write_section_plot(plot, solution, title=f"{job.name}, section")
 
 
 def _show(solution: "SectionSolution") -> None:

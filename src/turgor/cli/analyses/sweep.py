@@ -47,6 +47,7 @@ class _Options:
                                   show_default=False)
     ] = None  # fmt: skip
     dry_run: Annotated[bool, typer.Option("--dry-run", help="List the designs and compute nothing.")] = False
+    force: Annotated[bool, typer.Option("--force", help="Replace the file of --sbatch if it exists.")] = False
     retry: Retry = False
     changes: Changes = None
     as_json: Json = False
@@ -60,7 +61,14 @@ def _run(asked: _Options) -> None:
     """
     with errors_as_sentences(asked.debug, asked.as_json) as answer, ends_at_once():
         from turgor.cli.analyses.given_study import computed_study
-        from turgor.cli.analyses.machines import check_retry, check_together, executor_of, share_of, write_script
+        from turgor.cli.analyses.machines import (
+            Script,
+            check_retry,
+            check_together,
+            executor_of,
+            share_of,
+            write_script,
+        )
         from turgor.cli.answers.sweeps import designs_result, sweep_result
         from turgor.job.text.changes import parse_changes
         from turgor.study.files.stored import write_study
@@ -75,7 +83,8 @@ def _run(asked: _Options) -> None:
         check_together(asked.scheduler, asked.index, asked.of, asked.gather, asked.sbatch)
         check_retry(asked.retry, asked.gather, asked.sbatch)
         if asked.sbatch is not None:
-            typer.echo(write_script(given, asked.study, folder, asked.sbatch, asked.of))
+            script = Script(file=asked.sbatch, tasks=asked.of, force=asked.force)
+            typer.echo(write_script(given, asked.study, folder, script))
             answer.give(partial(designs_result, given.designs))
             raise typer.Exit(DONE)
         if asked.index is not None:

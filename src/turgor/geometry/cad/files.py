@@ -11,6 +11,7 @@ from typing import Any
 from turgor.errors import TurgorError, near_file
 from turgor.finding import Finding
 from turgor.geometry import occ
+from turgor.geometry.cad.declared import check_complete
 from turgor.geometry.cad.stl import stl_bodies
 from turgor.geometry.cad.surface.shape import SurfaceShape
 from turgor.geometry.cad_unit import unit_in_doubt
@@ -166,6 +167,8 @@ def _read(path: Path, kind: str) -> tuple[list[Any], list[str]]:
             raise TurgorError(
                 f"'{given}' cannot be read, the file seems damaged ({said_text}); export it again as {kind}."
             ) from error
+    if kind == "STEP":
+        check_complete(given, shape)
     if not bodies:
         what = f"{len(list(shape.faces))} faces" if shape is not None and list(shape.faces) else "nothing"
         raise TurgorError(

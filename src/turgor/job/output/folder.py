@@ -1,6 +1,6 @@
 """Folder of results, created before the computation, so that no run fails when it writes its results."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -8,6 +8,7 @@ from tempfile import TemporaryFile
 from filelock import FileLock, Timeout
 
 from turgor.errors import TurgorError
+from turgor.job.output.manifest import listed, own_files, refuse_foreign, remove
 from turgor.solvers.checkpoints.record import INDEX, SOLUTION
 from turgor.solvers.stored import PATH_FOLDER
 
@@ -27,7 +28,7 @@ COMPARISONS = "comparisons"
 #: Locked while a run writes into the folder; the system unlocks it when the run ends, however it ends.
 IN_USE = ".in-use"
 
-#: Names of the files of a run; `clear` removes these and nothing else.
+#: Names of the files of a run beside its path.
 RESULTS = (
     RESPONSE, STEPS, LOG, LOCK, REPORT, PLOT, UNDEFORMED, DEFORMED, CONTACT, f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd",
 )  # fmt: skip
@@ -45,8 +46,10 @@ def default_folder(name: str) -> Path:
 
 
 @contextmanager
-def claimed(folder: Path, force: bool, resume: bool = False) -> Iterator[Path]:
+def claimed(folder: Path, force: bool, resume: bool = False, files: Sequence[str] = RESULTS) -> Iterator[Path]:
     """Create a folder, lock it and check that it can be written; remove it if it is empty after an error in the block.
+
+    Nothing that turgor did not write is replaced, with ``force`` neither.
 
     Parameters
     ----------
@@ -56,12 +59,14 @@ def claimed(folder: Path, force: bool, resume: bool = False) -> Iterator[Path]:
         Whether the results of an earlier run in it are removed.
     resume : bool
         Whether an earlier run in it goes on.
+    files : sequence of str
+        Names and patterns of what will be written.
 
     Raises
     ------
     TurgorError
-        If it is a file, another run writes into it, it is not empty (unless ``force`` or ``resume``), or it cannot be
-        written.
+        If it is a file, another run writes into it, it is not empty (unless ``force``, or ``resume`` where it holds a
+        run), it holds one of the files that turgor did not write, or it cannot be written.
     """
     if folder.exists() and not folder.is_dir():
         raise TurgorError(f"the output folder '{folder}' is a file; name another.")
@@ -74,7 +79,8 @@ def claimed(folder: Path, force: bool, resume: bool = False) -> Iterator[Path]:
         raise TurgorError(f"the output folder '{folder}' cannot be written: {error.strerror}.") from error
     try:
         with _locked(folder / IN_USE):
-            _check_empty(folder, force or resume)
+            _check_empty(folder, force, resume)
+            refuse_foreign(folder, (*files, f"{PATH_FOLDER}/{INDEX}"))
             yield folder
     except Timeout:
         raise TurgorError(
@@ -98,9 +104,17 @@ def _locked(file: Path) -> Iterator[None]:
                 file.unlink()
 
 
-def _check_empty(folder: Path, allowed: bool) -> None:
-    """Refuse a folder that holds files, unless it may."""
-    if allowed or all(each.name == IN_USE for each in folder.iterdir()):
+def _check_empty(folder: Path, force: bool, resume: bool) -> None:
+    """Refuse a folder that holds files, unless these may be replaced or are those of the run that goes on."""
+    if force or all(each.name == IN_USE for each in folder.iterdir()):
+        return
+    if resume and not listed(folder):
+        raise TurgorError(
+            f"the output folder '{folder}' holds files, and none of a run that could go on.",
+            python="Name another one.",
+            command="Name another with --output OTHER.",
+        )
+    if resume:
         return
     unfinished = _unfinished(folder)
     raise TurgorError(
@@ -118,17 +132,8 @@ def _unfinished(folder: Path) -> bool:
     return (path / INDEX).exists() and not (path / f"{SOLUTION}.turgor").exists()
 
 
-def clear(folder: Path) -> None:
-    """Remove the files of an earlier run, so that none of them stays beside the new ones."""
-    clear_tables(folder)
-    for file in folder.glob(f"{PATH_FOLDER}/*"):
-        file.unlink()
-    with suppress(OSError):
-        (folder / PATH_FOLDER).rmdir()
-
-
-def clear_tables(folder: Path, kept: Collection[str] = ()) -> None:
-    """Remove the files of an earlier run but its path, and but for what of `RESULTS` is kept."""
-    for pattern in (each for each in RESULTS if each not in kept):
-        for file in folder.glob(pattern):
-            file.unlink()
+def clear_drawn(folder: Path, kept: Collection[str] = ()) -> None:
+    """Remove what turgor drew of a run: pictures, plot, report and fields, but for what of `RESULTS` is kept."""
+    patterns = [each for each in RESULTS if each not in (RESPONSE, STEPS, LOG, LOCK, *kept)]
+    drawn = {file for pattern in patterns for file in folder.glob(pattern)}
+    remove(folder, [file for file in own_files(folder) if file in drawn])

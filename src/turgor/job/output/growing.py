@@ -7,14 +7,17 @@ from time import perf_counter
 
 from turgor.job.job import Job
 from turgor.job.output.folder import LOCK, LOG, RESPONSE, STEPS
+from turgor.job.output.identity import digest_of, read_lock
 from turgor.job.output.lock import lock_text
+from turgor.job.output.manifest import list_files, note_job
 from turgor.job.output.tables import write_steps
 from turgor.job.output.versions import versions
 from turgor.response import Response
 from turgor.results.measures.measures import Reader
 from turgor.solvers.checkpoints.record import RunRecord
 from turgor.solvers.solution import Solution
-from turgor.solvers.stored import path_so_far
+from turgor.solvers.stored import PATH_FOLDER, path_so_far
+from turgor.store.whole import write_whole
 
 #: Tables that take longer than this [s] to write wait until they are this small a share of the time.
 AT_ONCE, SHARE = 0.05, 0.05
@@ -45,11 +48,26 @@ class GrowingFiles:
     _reader: Reader | None = None
     _took: float = 0.0
     _ended: float = 0.0
+    _begun: bool = False
 
     def begin(self) -> None:
         """Write the lock file and the notices so far, before the solve."""
-        (self.folder / LOCK).write_text(lock_text(self.job, versions()), encoding="utf-8")
-        (self.folder / LOG).write_text("\n".join((f"job {self.job.name}", *self.notices, "")), encoding="utf-8")
+        list_files(self.folder, (RESPONSE, STEPS, LOG, LOCK, PATH_FOLDER))
+        self.lock()
+        note_job(self.folder, digest_of(self.job))
+        write_whole(self.folder / LOG, "\n".join((f"job {self.job.name}", *self.notices, "")))
+        self._begun = True
+
+    def go_on(self) -> None:
+        """Go on with the files of a run that was ended; a lock file that is damaged or missing is written again."""
+        self._begun = True
+        if read_lock(self.folder / LOCK) is None:
+            self.lock()
+            self.say(f"'{LOCK}' was damaged or missing, and is written again")
+
+    def lock(self) -> None:
+        """Write the lock file."""
+        write_whole(self.folder / LOCK, lock_text(self.job, versions()))
 
     def say(self, text: str) -> None:
         """Note an activity, in the log too if it has begun, and pass it on."""
@@ -58,7 +76,7 @@ class GrowingFiles:
         self.notify(text)
 
     def _log(self, line: str) -> None:
-        if (self.folder / LOG).exists():
+        if self._begun:
             with (self.folder / LOG).open("a", encoding="utf-8") as log:
                 log.write(f"{line}\n")
 

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import fields
 from math import inf
-from pathlib import Path
 from typing import Any
 
 import tomlkit
@@ -90,45 +89,6 @@ def _output(job: Job) -> dict[str, Any]:
             name: [format_quantity(value, "mm") for value in point] for name, point in job.output.markers.items()
         }
     return content
-
-
-def check_same_job(job: Job, file: Path) -> None:
-    """Check that a lock file is that of a job.
-
-    Parameters
-    ----------
-    job : Job
-    file : Path
-
-    Raises
-    ------
-    TurgorError
-        If it is of another one, with the first keys that differ.
-    """
-    if not file.exists():
-        return
-    here, there = (_flat(tomlkit.parse(text).unwrap()) for text in (lock_text(job, {}), file.read_text("utf-8")))
-    other = [key for key in sorted(here | there) if here.get(key) != there.get(key)]
-    if other:
-        listed = "; ".join(
-            f"{key} is {here.get(key, 'not given')} here, {there.get(key, 'not given')} there" for key in other[:3]
-        )
-        more = f"; and {len(other) - 3} more" if len(other) > 3 else ""
-        raise TurgorError(
-            f"the run in '{file.parent}' was one of another job: {listed}{more}. Go on with the job as it was, or",
-            python="begin anew with force=True.",
-            command="begin anew with --force.",
-        )
-
-
-def _flat(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
-    """Values by their keys with dots, without what differs from run to run."""
-    found: dict[str, Any] = {}
-    for key, value in table.items():
-        if f"{before}{key}" in ("written_by", "engine", "output"):
-            continue
-        found |= _flat(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
-    return found
 
 
 def dimensions(actuator: Any) -> dict[str, Any]:

@@ -4,12 +4,14 @@ import csv
 from collections.abc import Callable
 from pathlib import Path
 
-from turgor.job.output.folder import LOCK, LOG, RESPONSE, STEPS, clear_tables
+from turgor.job.output.folder import LOCK, LOG, RESPONSE, STEPS, clear_drawn
 from turgor.job.output.lock import lock_text
+from turgor.job.output.manifest import list_files
 from turgor.job.output.outcome import RunOutcome
 from turgor.results.report.describe_procedure import ending
 from turgor.solvers.procedures.stages import Stages
 from turgor.solvers.solution import Solution
+from turgor.store.whole import whole, write_whole
 
 STEP_COLUMNS = ("load_factor", "increment", "iterations", "residual", "accepted", "seconds", "reason")
 
@@ -23,18 +25,19 @@ def write_tables(
     """
     folder = outcome.folder
     notify("writing the response")
-    clear_tables(folder, kept)
+    list_files(folder, (RESPONSE, LOCK, STEPS, LOG))
     outcome.response.to_csv(folder / RESPONSE)
-    (folder / LOCK).write_text(lock_text(outcome.job, outcome.written_by), encoding="utf-8")
+    write_whole(folder / LOCK, lock_text(outcome.job, outcome.written_by))
     write_steps(folder / STEPS, outcome.solution)
-    (folder / LOG).write_text(log_text(outcome), encoding="utf-8")
+    write_whole(folder / LOG, log_text(outcome))
+    clear_drawn(folder, kept)
     return folder / RESPONSE, folder / LOCK, folder / STEPS, folder / LOG
 
 
 def write_steps(file: Path, solution: Solution) -> None:
     """Write every attempted step as a line of CSV."""
     columns = ("stage", *STEP_COLUMNS) if isinstance(solution.procedure, Stages) else STEP_COLUMNS
-    with file.open("w", newline="", encoding="utf-8") as stream:
+    with whole(file) as part, part.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(f"{name}_s" if name == "seconds" else name for name in columns)
         for step in solution.steps:

@@ -19,11 +19,12 @@ from turgor.job.output.folder import (
 )
 from turgor.job.output.kept import FIELD_FILES, PICTURES, SERIES, drawn_from, kept_files
 from turgor.job.output.lock import dimensions, lock_text
+from turgor.job.output.manifest import list_files
 from turgor.job.output.outcome import RunOutcome
 from turgor.job.output.tables import write_tables
 from turgor.meshing.quality.cell_quality import quality
 from turgor.results.fields.path_fields import PathFields
-from turgor.results.files.vtu import write_series
+from turgor.results.files.vtu import series_files, write_series
 from turgor.results.pictures.path_pictures import CAPTIONS, path_figures, pictured
 from turgor.results.pictures.state_picture import picture_title
 from turgor.results.plots.figures import write_figure
@@ -62,6 +63,7 @@ def write_results(
     if output.fields:
         files += _write_fields(outcome, path, notify, kept)
     notify("drawing")
+    list_files(folder, (PLOT,))
     if PLOT not in kept:
         title = picture_title(outcome.response, name=outcome.job.name)
         write_plot(folder / PLOT, outcome.response, title=title, note=note)
@@ -70,6 +72,7 @@ def write_results(
         files += write_pictures(outcome, path, note, kept)
     if output.report:
         notify("writing the report")
+        list_files(folder, (REPORT,))
         write_report(folder / REPORT, report_of(outcome, files, path))
         files.insert(0, folder / REPORT)
     return tuple(files)
@@ -82,6 +85,7 @@ def _write_fields(
     folder = outcome.folder / FIELDS
     if not kept.issuperset(FIELD_FILES):
         notify("writing the fields")
+        list_files(outcome.folder, (f"{FIELDS}/{name}" for name in series_files(SERIES, len(outcome.solution.states))))
         write_series(folder, outcome.solution, SERIES, path)
     obstacles = folder / f"{SERIES}_obstacles.pvd"
     return [folder / f"{SERIES}.pvd", *([obstacles] if obstacles.exists() else [])]
@@ -117,6 +121,7 @@ def report_of(outcome: RunOutcome, files: Sequence[Path], fields: PathFields) ->
 def write_pictures(outcome: RunOutcome, path: PathFields, note: str, kept: frozenset[str]) -> list[Path]:
     """Draw the states of `path_figures` into files, unless these are kept."""
     files = {kind: PICTURES[kind] for kind in pictured(outcome.solution)}
+    list_files(outcome.folder, files.values())
     if not kept.issuperset(files.values()):
         for kind, figure in path_figures(path, outcome.response, outcome.job.name):
             write_figure(outcome.folder / files[kind], figure, kind="picture", note=note)

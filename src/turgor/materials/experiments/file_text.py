@@ -1,6 +1,7 @@
 """Text of a file from a testing machine: its encoding, and errors for files that hold no text."""
 
 import codecs
+import csv
 from pathlib import Path
 
 from turgor.errors import TurgorError
@@ -52,8 +53,24 @@ def read_lines(path: Path) -> list[str]:
         raise TurgorError(f"'{path.name}' is no text file (byte 0 occurs in it); export the test as CSV in UTF-8.")
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     if not any(line.strip() for line in lines):
-        raise TurgorError(f"'{path.name}' is empty; a test needs a header line and at least two rows of numbers.")
+        raise TurgorError(f"'{path.name}' is empty; a table needs a header line and rows of numbers.")
     return lines
+
+
+def csv_rows(path: Path) -> list[tuple[int, list[str]]]:
+    """Return the rows of a table with commas and their line numbers, without empty ones; encodings as `read_lines`.
+
+    Raises
+    ------
+    TurgorError
+        If it is no table, such as one whose quotes do not end.
+    """
+    lines = read_lines(path)
+    reader = csv.reader(lines)
+    try:
+        return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
+    except csv.Error as error:
+        raise TurgorError(f"'{path}', line {reader.line_num}: this is no table: {error}.") from None
 
 
 def _encoding(data: bytes) -> str:

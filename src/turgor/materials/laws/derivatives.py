@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from turgor.materials.laws.kept_code import kept_code
+from turgor.materials.laws.derived_formulas import cached_formulas
 from turgor.materials.laws.laws import InvariantLaw, Law
 
 Array = NDArray[np.float64]
@@ -100,7 +100,7 @@ def _shaped(w: Any, shape: tuple[int, ...]) -> Array:
 @cache
 def _invariant_derivatives(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
     """Derivatives of the energy of a law type by the invariants, its parameters kept as arguments."""
-    return kept_code(law_type, ("invariants", pattern), lambda: _derived_by_invariants(law_type, pattern))
+    return cached_formulas(law_type, ("invariants", pattern), lambda: _derived_by_invariants(law_type, pattern))
 
 
 def _derived_by_invariants(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
@@ -118,7 +118,7 @@ def _derived_by_invariants(law_type: type, pattern: tuple[Any, ...]) -> Callable
 @cache
 def _stretch_derivatives(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:
     """Derivatives of the energy of a law type by the three stretches, its parameters kept as arguments."""
-    return kept_code(law_type, ("stretches", pattern), lambda: _derived_by_stretches(law_type, pattern))
+    return cached_formulas(law_type, ("stretches", pattern), lambda: _derived_by_stretches(law_type, pattern))
 
 
 def _derived_by_stretches(law_type: type, pattern: tuple[Any, ...]) -> Callable[..., tuple[Any, ...]]:

@@ -5,6 +5,8 @@ number within the mesh error.
 """
 
 import os
+import warnings
+import zlib
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from hashlib import sha256
@@ -14,13 +16,14 @@ from zipfile import BadZipFile
 
 import numpy as np
 from numpy.typing import NDArray
-from platformdirs import user_cache_path
+
+from turgor.store.caches import cache_folder
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Environment variable that names another folder than the user's folder for caches.
-FOLDER = "TURGOR_CACHE"
+#: What reading a damaged file raises.
+_DAMAGE = (OSError, EOFError, ValueError, KeyError, TypeError, BadZipFile, zlib.error, RuntimeError, MemoryError)
 
 #: Most meshes that are kept, each of about half a megabyte; the oldest go first.
 MOST_MESHES = 200
@@ -38,22 +41,22 @@ def kept_cells(inputs: Mapping[str, object], make: Callable[[], tuple[Array, Int
 
     Notes
     -----
-    A cache that cannot be read or written is passed over in silence: it costs time, and no result depends on it.
+    A cache that cannot be read or written costs time, and no result depends on it.
     """
-    path = _folder() / f"{_key(inputs)}.npz"
+    folder = cache_folder("meshes")
+    if folder is None:
+        return make()
+    path = folder / f"{_key(inputs)}.npz"
     try:
         with np.load(path, allow_pickle=False) as kept:
             return kept["points"], kept["cells"]
-    except (OSError, EOFError, ValueError, KeyError, BadZipFile):
-        points, cells = make()
+    except FileNotFoundError:
+        pass
+    except _DAMAGE as error:
+        warnings.warn(f"a damaged mesh in the cache is made again ({type(error).__name__}).", stacklevel=2)
+    points, cells = make()
     _keep(path, points, cells)
     return points, cells
-
-
-def _folder() -> Path:
-    """Where meshes are kept."""
-    stated = os.environ.get(FOLDER)
-    return (Path(stated) if stated else user_cache_path("turgor")) / "meshes"
 
 
 def _key(inputs: Mapping[str, object]) -> str:

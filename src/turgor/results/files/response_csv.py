@@ -1,11 +1,11 @@
 """Read responses from CSV files."""
 
-import csv
 from pathlib import Path
 
 import numpy as np
 
 from turgor.errors import TurgorError, near_file
+from turgor.materials.experiments.file_text import csv_rows
 from turgor.response import COLUMN_UNITS, Column, Response, split_header
 from turgor.source import Source
 
@@ -35,8 +35,7 @@ def read_response(path: str | Path, source: Source | None = None) -> Response:
     if not path.is_file():
         there = [each.name for each in path.parent.glob("*.csv")] if path.parent.is_dir() else []
         raise TurgorError(f"response file '{path}' does not exist{near_file(path, there)}")
-    with path.open(newline="", encoding="utf-8-sig") as file:
-        rows = [(line, row) for line, row in enumerate(csv.reader(file), start=1) if row]
+    rows = csv_rows(path)
     if len(rows) < 2:
         raise TurgorError(f"response file '{path}' holds no rows; a header with units and numbers below it are needed.")
     headers = [header.strip() for header in rows[0][1]]

@@ -186,6 +186,18 @@ def write_vtu(of: Solution | State, path: str | Path) -> Path:
     return path
 
 
+def series_files(name: str, states: int) -> list[str]:
+    """Return the names of all files that `write_series` may write for as many states.
+
+    Examples
+    --------
+    >>> series_files("state", 1)[:3]
+    ['state.pvd', 'state_0000.vtu', 'state_threads.pvd']
+    """
+    kinds = (name, f"{name}_threads", f"{name}_obstacles")
+    return [file for kind in kinds for file in (f"{kind}.pvd", *(f"{kind}_{k:04d}.vtu" for k in range(states)))]
+
+
 def write_series(folder: str | Path, solution: Solution, name: str = "state", fields: PathFields | None = None) -> Path:
     """Write every state of a path as VTU, and a PVD file that lists them for ParaView.
 

@@ -1,11 +1,12 @@
 """Tables of designs as CSV: a column for each factor with its unit, and a line for each design."""
 
-import csv
+import math
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from turgor.errors import TurgorError, unknown
+from turgor.materials.experiments.file_text import csv_rows
 from turgor.study.designs import Designs
 from turgor.study.factor import Factor, Value
 from turgor.study.jobs.job_numbers import JobNumber
@@ -42,8 +43,7 @@ def read_designs(file: str | Path, numbers: Mapping[str, JobNumber] | None = Non
     path = Path(file)
     if not path.is_file():
         raise TurgorError(f"there is no table of designs '{path}'.")
-    with path.open(encoding="utf-8-sig", newline="") as opened:
-        lines = [(n, row) for n, row in enumerate(csv.reader(opened), start=1) if any(cell.strip() for cell in row)]
+    lines = csv_rows(path)
     if len(lines) < 2:
         raise TurgorError(f"'{path}' has no designs; a line with headers and a line for each design are needed.")
     for number, row in lines[1:]:
@@ -106,4 +106,6 @@ def _is_number(cell: str) -> bool:
 def _number(cell: str, line: int, name: str, path: Path) -> float:
     if not _is_number(cell):
         raise TurgorError(f"'{path}', line {line}: {name}: '{cell}' is not a number.")
+    if not math.isfinite(float(cell)):
+        raise TurgorError(f"'{path}', line {line}: {name}: '{cell}' is not finite.")
     return float(cell)

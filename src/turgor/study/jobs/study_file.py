@@ -4,6 +4,7 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from math import isfinite
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, TypeVar
@@ -11,7 +12,7 @@ from typing import Any, TypeVar
 from turgor.errors import TurgorError, near_file, near_match
 from turgor.job.job import Job
 from turgor.job.output.lock import lock_text
-from turgor.job.read import name_of_file, read_job
+from turgor.job.read import name_of_file, read_job, read_name
 from turgor.job.text.lines import key_lines
 from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import Table, read_table
@@ -192,7 +193,7 @@ def _read(content: Mapping[str, Any], path: Path, base: JobBase, problems: Probl
     if designs is None or problems.found:
         return None
     return StudyFile(
-        name=str(content.get("name", name_of_file(path))), job=job, designs=designs,
+        name=read_name(content.get("name", name_of_file(path)), problems), job=job, designs=designs,
         measures=tuple(each for each in measures if each is not None), at=at,
         mesh_error=bool(job.output.mesh_error) if output.mesh_error is None else output.mesh_error,
     )  # fmt: skip
@@ -275,7 +276,7 @@ def _at(given: Mapping[str, Any], job: Job, measures: Sequence[str]) -> tuple[st
         raise TurgorError('give one column and its value, such as { pressure = "50 kPa" }.')
     ((name, value),) = given.items()
     unit = unit_of_column(job, name, measures)
-    if isinstance(value, int | float) and not isinstance(value, bool):
+    if isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value):
         return name, float(value)
     read = split_quantity(value) if isinstance(value, str) else None
     if read is None:

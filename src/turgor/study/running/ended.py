@@ -1,5 +1,6 @@
 """Ended: how one run ended; and one run computed in this process."""
 
+import errno
 import traceback
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -9,6 +10,9 @@ from turgor.errors import NotHere, NotSolved, TurgorError
 from turgor.response import Response
 from turgor.study.files.kept import keep, keep_problem, kept, kept_problem
 from turgor.study.runs import Computed, Run
+
+#: What a full disk and one that cannot be written answer.
+_NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EROFS})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,22 +59,31 @@ def compute(run: Run, folder: Path | None = None) -> Ended:
     Ended
         With the sentence that says why, where the run failed.
     """
+    try:
+        ended = _called(run)
+        keep_ended(ended, folder)
+    except OSError as error:
+        if error.errno not in _NO_ROOM:
+            raise
+        where = f"'{error.filename}'" if error.filename else "its files"
+        return Ended(run=run, found=None, problem=f"{where} cannot be written: {error.strerror}; make room and go on.")
+    return ended
+
+
+def _called(run: Run) -> Ended:
     begun = process_time()
     try:
         found = run.call()
     except TurgorError as error:
         if isinstance(error, NotSolved) and error.interrupted:
             raise KeyboardInterrupt from None  # Ctrl-C ends the study; this run has not ended
-        ended = Ended(run=run, found=None, problem=str(error), final=not isinstance(error, NotHere))
-        keep_ended(ended, folder)
-        return ended
-    except Exception:  # what a study's own function does is not known here; the others go on
+        return Ended(run=run, found=None, problem=str(error), final=not isinstance(error, NotHere))
+    except Exception as error:  # what a study's own function does is not known here; the others go on
+        if isinstance(error, OSError) and error.errno in _NO_ROOM:
+            raise
         return Ended(run=run, found=None, problem=traceback.format_exc().strip())
     computed = Computed(response=found) if isinstance(found, Response) else found
-    computed = replace(computed, seconds=computed.seconds or process_time() - begun)
-    ended = Ended(run=run, found=computed)
-    keep_ended(ended, folder)
-    return ended
+    return Ended(run=run, found=replace(computed, seconds=computed.seconds or process_time() - begun))
 
 
 def keep_ended(ended: Ended, folder: Path | None) -> None:

@@ -1,10 +1,12 @@
 """Compiled loops are kept somewhere, and a folder that cannot be written is answered by another and a sentence."""
 
+import warnings
 from pathlib import Path
 
 import numba
 import pytest
 
+from turgor import loops
 from turgor.engine import cache_folder
 
 
@@ -12,6 +14,7 @@ from turgor.engine import cache_folder
 def config(monkeypatch):
     monkeypatch.setattr(numba.config, "CACHE_DIR", "")
     monkeypatch.setenv(cache_folder.VARIABLE, "")
+    monkeypatch.delenv("TURGOR_CACHE")
     return monkeypatch
 
 
@@ -24,13 +27,13 @@ def test_usual_folders_serve(config):
 def test_another_folder_where_none_can_be_written(config, tmp_path, full):
     file = tmp_path / "file"
     file.touch()  # no folder can be made below a file, not even by root
-    config.setattr(cache_folder, "usual", lambda: (file / "a", file / "b"))
+    config.setattr(loops, "usual", lambda: (file / "a", file / "b"))
     config.setenv(cache_folder.VARIABLE, str(file / "stated"))
-    config.setattr(cache_folder.tempfile, "tempdir", str(tmp_path))
+    config.setattr(loops.tempfile, "tempdir", str(tmp_path))
     if full:  # something else stands where the folder would be
-        for name in (f"turgor-compiled-{cache_folder.os.getuid()}",):
+        for name in (f"turgor-compiled-{loops.os.getuid()}",):
             (tmp_path / name).touch()
-    with pytest.warns(UserWarning, match="compiled code is kept in .*NUMBA_CACHE_DIR"):
+    with pytest.warns(UserWarning, match="compiled code goes to .*TURGOR_CACHE"):
         other = cache_folder.keep_compiled_loops()
     assert other is not None
     assert other.is_dir()
@@ -39,6 +42,8 @@ def test_another_folder_where_none_can_be_written(config, tmp_path, full):
 
 
 def test_a_folder_that_is_stated_serves(config, tmp_path):
-    config.setattr(cache_folder, "usual", tuple)
+    config.setattr(loops, "usual", tuple)
     config.setenv(cache_folder.VARIABLE, str(tmp_path / "mine"))
-    assert cache_folder.keep_compiled_loops() is None
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert cache_folder.keep_compiled_loops() == tmp_path / "mine"

@@ -65,18 +65,43 @@ def test_tasks_compute_their_shares_and_the_table_is_that_of_one_call(call, tmp_
     assert moved(tmp_path / "shared") == moved(tmp_path / "whole")
 
 
+def test_a_job_script_holds_names_as_data(call, tmp_path, monkeypatch):
+    """Blanks are quoted, line breaks refused, and files of others are not replaced."""
+    (tmp_path / "walls.sh").write_text("mine")
+    code, _, error = call("--sbatch", "walls.sh")
+    assert code == BAD_INPUT
+    assert "--sbatch is 'walls.sh', which exists" in error
+    assert (tmp_path / "walls.sh").read_text() == "mine"
+    code, _, _ = call("--sbatch", "walls.sh", "--force", "--output", 'my "own" folder')
+    assert code == DONE
+    lines = (tmp_path / "walls.sh").read_text().splitlines()
+    assert '#SBATCH --output="my \\"own\\" folder/slurm-%A-%a.log"' in lines
+    evil = tmp_path / "a\n#SBATCH --wrap=evil\ntouch PWNED\n#.toml"
+    (tmp_path / "walls.toml").rename(evil)
+    assert main(["sweep", str(evil), "--sbatch", "evil.sh"]) == BAD_INPUT
+    assert not (tmp_path / "evil.sh").exists()
+
+
+@pytest.mark.parametrize("name", ['"../../escaped"', '"/tmp/escaped"', "3", '"a b"'])
+def test_a_study_cannot_leave_its_folder(call, tmp_path, name):
+    (tmp_path / "walls.toml").write_text(f"name = {name}\n{STUDY}", encoding="utf-8")
+    code, _, error = call("--dry-run")
+    assert code == BAD_INPUT
+    assert "is not a name; use letters, digits" in error
+
+
 @pytest.mark.skipif(bool(missing()), reason=missing())
 def test_a_slurm_array_computes_the_study(call, tmp_path):
-    code, said, _ = call("--sbatch", "walls.sh", "--of", "2")
+    code, said, _ = call("--sbatch", "walls.sh", "--of", "2", "--output", "walls study")
     assert code == DONE
     assert "3 designs in 2 tasks. Submit them: sbatch walls.sh" in said
     with slurm_cluster() as environment:
         command = ["sbatch", "--wait", "walls.sh"]
         subprocess.run(command, env=environment, cwd=tmp_path, check=True, timeout=300, capture_output=True)
-    folder = tmp_path / "walls-study"
+    folder = tmp_path / "walls study"
     assert len(list(folder.glob("slurm-*.log"))) == 2
     assert len(list((folder / "runs").glob("*.csv"))) == 3
-    code, _, _ = call("--gather")
+    code, _, _ = call("--gather", "--output", "walls study")
     assert code == DONE
     assert len(set(moved(folder))) == 3
 

@@ -1,0 +1,198 @@
+"""Manifest: the files that turgor wrote into a folder of results. Only these are replaced or removed."""
+
+import json
+import os
+import re
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from turgor.errors import TurgorError
+from turgor.solvers.checkpoints.record import INDEX
+from turgor.solvers.coarse_path import COARSE
+from turgor.solvers.stored import PATH_FOLDER
+from turgor.store.whole import write_whole
+
+#: The list, in the folder.
+MANIFEST = ".turgor-files.json"
+
+#: Folder in which the results of an earlier run wait until those of the new one exist.
+PREVIOUS = "previous"
+
+#: Files of a path: the index and the archives, also parts of them that a killed process left.
+_OF_A_PATH = re.compile(
+    rf"({re.escape(INDEX)}|(question|solution|(model|state|path|loop)(-\d+)+)\.turgor)(\.\d+\.part)?"
+)
+
+
+def listed(folder: Path) -> frozenset[str]:
+    """Return the names of the files that turgor wrote, relative to a folder; none where it holds no manifest."""
+    names = _content(folder).get("files")
+    return frozenset(name for name in names if _inside(name)) if isinstance(names, list) else frozenset()
+
+
+def _inside(name: object) -> bool:
+    """Whether a name of a manifest stays in its folder; a manifest is a file that others may have changed."""
+    path = PurePosixPath(str(name))
+    return isinstance(name, str) and not path.is_absolute() and ".." not in path.parts and "\\" not in name
+
+
+def list_files(folder: Path, names: Iterable[str]) -> None:
+    """Add files to the manifest of a folder, before they are written.
+
+    Parameters
+    ----------
+    folder : Path
+    names : iterable of str
+        Relative to the folder.
+
+    Raises
+    ------
+    TurgorError
+        If one exists that turgor did not write.
+    """
+    known, wanted = listed(folder), list(names)
+    refuse_foreign(folder, wanted)
+    if not known.issuperset(wanted):
+        _write(folder, {"files": sorted(known.union(wanted))})
+
+
+def note_job(folder: Path, digest: str) -> None:
+    """Note in the manifest which job the run in a folder is of, so that a damaged lock file does not stop it."""
+    _write(folder, {"job": digest})
+
+
+def job_digest(folder: Path) -> str:
+    """Return what `note_job` noted; nothing where there is nothing."""
+    return str(_content(folder).get("job", ""))
+
+
+def _content(folder: Path) -> dict[str, Any]:
+    try:
+        content = json.loads((folder / MANIFEST).read_text("utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return content if isinstance(content, dict) else {}
+
+
+def _write(folder: Path, more: dict[str, Any]) -> None:
+    write_whole(folder / MANIFEST, json.dumps(_content(folder) | more, indent=1) + "\n")
+
+
+def refuse_foreign(folder: Path, patterns: Iterable[str]) -> None:
+    """Raise an error if a file with one of some names or patterns exists that turgor did not write.
+
+    Raises
+    ------
+    TurgorError
+        That names the file; also where a folder of results is a link, behind which the files of others may lie.
+    """
+    known = listed(folder)
+    for pattern in patterns:
+        parent = folder / PurePosixPath(pattern).parent
+        if parent != folder and parent.is_symlink():
+            raise TurgorError(
+                f"'{parent}' is a link to '{os.readlink(parent)}'; remove the link, or name another folder."
+            )
+        for file in sorted(folder.glob(pattern)):
+            if not file.is_dir() and file.relative_to(folder).as_posix() not in known and not _of_a_run(file, known):
+                raise TurgorError(
+                    f"'{file}' would be replaced, and no run of turgor wrote it ('{MANIFEST}' lists what runs wrote).",
+                    python="Move it, or name another folder as output.",
+                    command="Move it, or name another folder with --output OTHER.",
+                )
+
+
+def _of_a_run(file: Path, known: frozenset[str]) -> bool:
+    """Whether a file is the index of the path that the manifest names."""
+    return file.name == INDEX and file.parent.name in known
+
+
+def own_files(folder: Path, parts: tuple[str, ...] = (PATH_FOLDER,)) -> list[Path]:
+    """Return the files of a folder that turgor wrote: those of the manifest, then those of the paths in it."""
+    names = listed(folder)
+    files = [folder / name for name in sorted(names) if not _behind_a_link(folder, name)]
+    found = [file for file in files if file.is_symlink() or file.is_file()]
+    if PATH_FOLDER in names:
+        for part in parts:
+            found += _of_path(folder / part)
+    return found
+
+
+def _of_path(folder: Path) -> Iterator[Path]:
+    """Files of a path, and of the path on a coarser mesh in it."""
+    if folder.is_symlink() or not folder.is_dir():
+        return
+    yield from (file for file in folder.iterdir() if _OF_A_PATH.fullmatch(file.name))
+    if folder.name != COARSE:
+        yield from _of_path(folder / COARSE)
+
+
+def _behind_a_link(folder: Path, name: str) -> bool:
+    return any((folder / parent).is_symlink() for parent in list(PurePosixPath(name).parents)[:-1])
+
+
+def remove(folder: Path, files: Iterable[Path]) -> None:
+    """Remove files of a folder, and the folders in it that are empty then."""
+    for file in files:
+        file.unlink(missing_ok=True)
+    remove_empty(folder)
+
+
+def remove_empty(folder: Path) -> None:
+    """Remove the folders of a path, of fields and of an earlier run that hold nothing any more."""
+    for name in (f"{PATH_FOLDER}/{COARSE}", PATH_FOLDER, "vtu"):
+        if not (folder / name).is_symlink():
+            with suppress(OSError):
+                (folder / name).rmdir()
+
+
+def set_aside(folder: Path) -> None:
+    """Move the results of an earlier run into a folder of their own, where they stay until `drop_previous`.
+
+    A run that had not ended is removed if complete results of an earlier one wait there already.
+    """
+    previous = folder / PREVIOUS
+    files = own_files(folder)
+    if not files:
+        return
+    if (previous / MANIFEST).exists():
+        remove(folder, [*files, folder / MANIFEST])
+        return
+    if previous.exists():
+        raise TurgorError(
+            f"'{previous}' is where the results of the earlier run would wait; rename it, or name another folder."
+        )
+    for file in files:
+        place = previous / file.relative_to(folder)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        os.replace(file, place)
+    os.replace(folder / MANIFEST, previous / MANIFEST)
+    remove_empty(folder)
+
+
+def drop_previous(folder: Path) -> None:
+    """Remove the results of an earlier run that `set_aside` has moved; what others put there stays."""
+    previous = folder / PREVIOUS
+    if previous.is_symlink() or not (previous / MANIFEST).exists():
+        return
+    remove(previous, [*own_files(previous), previous / MANIFEST])
+    with suppress(OSError):
+        previous.rmdir()
+
+
+def bring_back(folder: Path) -> None:
+    """Move the results of an earlier run back, after the run that should replace them has failed at its beginning."""
+    previous = folder / PREVIOUS
+    if previous.is_symlink() or not (previous / MANIFEST).exists():
+        return
+    remove(folder, [*own_files(folder), folder / MANIFEST])
+    for file in own_files(previous):
+        place = folder / file.relative_to(previous)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        os.replace(file, place)
+    os.replace(previous / MANIFEST, folder / MANIFEST)
+    remove_empty(previous)
+    with suppress(OSError):
+        previous.rmdir()

@@ -1,0 +1,63 @@
+"""Caches: folders of this user alone for what may be lost, such as meshes and compiled loops."""
+
+import os
+import stat
+from pathlib import Path
+
+from platformdirs import user_cache_path
+
+#: Environment variable that names another folder than the user's folder for caches; it moves all of them.
+FOLDER = "TURGOR_CACHE"
+
+#: The caches, by the name of their folder.
+PARTS = {
+    "families": "shapes and meshes of actuator families",
+    "meshes": "tetrahedral meshes of STL files",
+    "laws": "derivatives of laws",
+    "compiled": "compiled loops",
+}
+
+
+def caches() -> Path:
+    """Return the folder of all caches: the one that ``TURGOR_CACHE`` names, or that of the user."""
+    stated = os.environ.get(FOLDER)
+    return Path(stated) if stated else user_cache_path("turgor")
+
+
+def cache_folder(part: str) -> Path | None:
+    """Return the folder of one of `PARTS`, made where it is missing; None where it is not this user's alone."""
+    folder = caches() / part
+    return folder if private(folder) else None
+
+
+def private(folder: Path) -> bool:
+    """Make a folder, and return whether it belongs to this user and nobody else can write into it.
+
+    What a process reads from a cache it trusts, and compiled loops are code. So a folder of another user, or a link, is
+    not used, and a folder of this user that others could write into is closed to them.
+
+    Parameters
+    ----------
+    folder : Path
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as here:
+    ...     private(Path(here) / "new"), private(Path(here) / "new" / "again")
+    (True, True)
+    """
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, exist_ok=True)
+        about = folder.lstat()
+        if not stat.S_ISDIR(about.st_mode):
+            return False
+        if hasattr(os, "getuid"):
+            if about.st_uid != os.getuid():
+                return False
+            if about.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+                folder.chmod(0o700)
+        return os.access(folder, os.W_OK | os.X_OK)
+    except OSError:
+        return False

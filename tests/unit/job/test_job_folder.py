@@ -1,0 +1,193 @@
+"""Folders of results: only what turgor wrote is ever replaced or removed, and a run is known by what it computes."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from turgor.errors import TurgorError
+from turgor.job.again import report_folder
+from turgor.job.output.manifest import MANIFEST, PREVIOUS, listed, own_files
+from turgor.job.read import read_job
+from turgor.job.run import run_job
+from turgor.results.files.response_csv import read_response
+
+JOB = """
+[actuator]
+type = "extending_cylinder"
+length = "20 mm"
+
+[mesh]
+size = "7 mm"
+cells = "hexahedra"
+
+[materials]
+body = { name = "rubber", law = "neo_hooke", C10 = "0.1 MPa" }
+
+[loads]
+pressure = "2 kPa"
+
+[procedure]
+type = "static"
+first_step = 0.5
+max_step = 0.5
+
+[output]
+measures = ["tip_displacement"]
+fields = false
+pictures = false
+report = false
+mesh_error = false
+"""
+
+
+class Killed(BaseException):
+    """Ends a run as a signal would."""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "pull.toml"
+    path.write_text(JOB, encoding="utf-8")
+    return path
+
+
+def killed_after(steps: int, file: Path, folder: Path, **options: bool) -> None:
+    seen: list[object] = []
+
+    def progress(iteration, state):
+        if state is not None:
+            seen.append(state)
+        elif len(seen) == steps:  # in the updates of the next step: the last one is on disk
+            raise Killed
+
+    with pytest.raises(Killed):
+        run_job(read_job(file), folder, threads=1, progress=progress, **options)
+
+
+def run(file: Path, folder: Path, **options: bool) -> None:
+    assert run_job(read_job(file), folder, threads=1, **options).solution.converged
+
+
+def files_of_a_user(folder: Path) -> dict[Path, str]:
+    """Files with the names of results, and others in the folders of results."""
+    names = ("response.csv", "run.log", "path/thesis.docx", "path/sub/more.txt", "vtu/mine.vtu")
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(f"mine: {name}")
+    return {folder / name: f"mine: {name}" for name in names}
+
+
+@pytest.mark.parametrize("how", ["resume", "force"])
+def test_files_of_a_user_stay(file, tmp_path, how):
+    folder = tmp_path / "lab"
+    mine = files_of_a_user(folder)
+    with pytest.raises(TurgorError) as raised:
+        run(file, folder, **{how: True})
+    assert str(folder) in str(raised.value)
+    assert {path: path.read_text() for path in mine} == mine
+    assert not (folder / MANIFEST).exists()
+
+
+def test_force_replaces_results_and_leaves_the_rest(file, tmp_path):
+    folder = tmp_path / "out"
+    run(file, folder)
+    extra = {folder / name: "mine" for name in ("notes.txt", "path/thesis.docx")}
+    for path in extra:
+        path.write_text("mine")
+    file.write_text(JOB.replace("2 kPa", "1 kPa"), encoding="utf-8")
+    run(file, folder, force=True)
+    assert {path: path.read_text() for path in extra} == extra
+    assert read_response(folder / "response.csv").column("pressure")[-1] == pytest.approx(1000)
+    assert not (folder / PREVIOUS).exists()
+
+
+def test_results_are_there_until_the_new_ones_are(file, tmp_path):
+    folder = tmp_path / "out"
+    run(file, folder)
+    before = (folder / "response.csv").read_bytes()
+    killed_after(1, file, folder, force=True)
+    assert (folder / PREVIOUS / "response.csv").read_bytes() == before
+    killed_after(1, file, folder, force=True)  # the second replaces the unfinished one, not the complete results
+    assert (folder / PREVIOUS / "response.csv").read_bytes() == before
+    run(file, folder, resume=True)
+    assert not (folder / PREVIOUS).exists()
+    assert (folder / "response.csv").read_bytes() == before
+
+
+def test_a_run_that_cannot_begin_leaves_the_results(file, tmp_path, monkeypatch):
+    folder = tmp_path / "out"
+    run(file, folder)
+    before = {path: path.read_bytes() for path in own_files(folder)}
+
+    def full(*_, **__):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("turgor.job.run.RunRecord.create", full)
+    with pytest.raises(OSError, match="No space left"):
+        run(file, folder, force=True)
+    assert {path: path.read_bytes() for path in own_files(folder)} == before
+    assert not (folder / PREVIOUS).exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+@pytest.mark.parametrize("name", ["path", "vtu"])
+def test_links_are_not_followed(file, tmp_path, name):
+    theirs = tmp_path / "theirs"
+    theirs.mkdir()
+    for each in ("data.txt", "index.json", "state-0-000001.turgor", "state_0000.vtu"):
+        (theirs / each).write_text("theirs")
+    folder = tmp_path / "out"
+    folder.mkdir()
+    (folder / name).symlink_to(theirs)
+    with pytest.raises(TurgorError, match="is a link to"):
+        run(file, folder, force=True)
+    assert {path.read_text() for path in theirs.iterdir()} == {"theirs"}
+
+
+def test_a_manifest_names_nothing_outside(tmp_path):
+    (tmp_path / "victim").write_text("theirs")
+    folder = tmp_path / "out"
+    folder.mkdir()
+    (folder / MANIFEST).write_text('{"files": ["../victim", "/etc/passwd", "a/../../victim", 3, "response.csv"]}')
+    assert listed(folder) == {"response.csv"}
+    assert own_files(folder) == []
+
+
+def test_a_coarse_path_is_replaced(tmp_path):
+    file = tmp_path / "coarse.toml"
+    file.write_text(JOB.replace('size = "7 mm"', 'size = "5 mm"\ncoarse_size = "9 mm"'), encoding="utf-8")
+    folder = tmp_path / "out"
+    run(file, folder)
+    assert (folder / "path" / "coarse").is_dir()
+    run(file, folder, force=True)
+    assert (folder / "response.csv").exists()
+
+
+def test_a_run_is_known_by_what_it_computes(file, tmp_path, monkeypatch):
+    folder = tmp_path / "out"
+    monkeypatch.chdir(tmp_path)
+    killed_after(1, Path("pull.toml"), folder)
+    renamed = tmp_path / "elsewhere" / "renamed.toml"
+    renamed.parent.mkdir()
+    file.rename(renamed)
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    run(renamed, folder, resume=True)
+
+
+@pytest.mark.parametrize("length", [0, 300, 700])
+def test_a_truncated_lock_file_is_mended(file, tmp_path, length):
+    folder = tmp_path / "out"
+    killed_after(1, file, folder)
+    lock = folder / "job.lock.toml"
+    whole = lock.read_bytes()
+    lock.write_bytes(whole[:length])
+    with pytest.raises(TurgorError, match=r"job\.lock\.toml' is damaged"):
+        report_folder(folder, lambda _: None)
+    other = tmp_path / "other.toml"
+    other.write_text(JOB.replace("2 kPa", "3 kPa"), encoding="utf-8")
+    with pytest.raises(TurgorError, match="of another job; which keys differ is not known"):
+        run(other, folder, resume=True)
+    run(file, folder, resume=True)
+    assert lock.read_bytes()[:200] == whole[:200]
+    assert "was damaged or missing" in (folder / "run.log").read_text()
