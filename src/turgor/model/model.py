@@ -13,13 +13,13 @@ from turgor.materials.material import Material
 from turgor.meshing.mesh import Mesh
 from turgor.meshing.surface import corner_keys, outer_triangles
 from turgor.model.checks.named_points import check_points, points_of
-from turgor.model.checks.symmetry import check_not_cut, check_symmetric, check_wedge
+from turgor.model.checks.symmetry import check_not_cut, check_symmetric, check_uncut_shell, check_wedge
 from turgor.model.contact import Contact
 from turgor.model.fibers import Fibers
 from turgor.model.given_parts import given_materials, given_supports
 from turgor.model.loads import Force, Gravity, Hanging, LineForce, Load, Moment, Pressure, Traction
 from turgor.model.points import Hinge, ReferencePoint, Rotation
-from turgor.model.sheets import Sheet
+from turgor.model.sheets import Sheet, Shell
 from turgor.model.supports import Displacement, Support, Symmetry
 from turgor.shown import Shown, listed
 from turgor.store.saved import Saved
@@ -139,6 +139,9 @@ class Model(Saved, Shown):
     def _check_faces(self) -> None:
         check_points(self.mesh, self.supports, self.loads)
         check_wedge(self.mesh, self.loads, self.reinforcements, self.contact)
+        for name, sheet in self.membranes.items():
+            if isinstance(sheet, Shell):
+                check_uncut_shell(self.mesh, name)
         for acting in (*self.supports, *self.loads):
             check_not_cut(self.mesh, type(acting).__name__, getattr(acting, "face", ""))
         points = self.points

@@ -59,6 +59,14 @@ def test_loads_that_differ_from_sector_to_sector_are_refused(sixth, load, said):
         model(sixth, loads=[load])
 
 
+def test_a_shell_that_the_wedge_cuts_is_refused(sixth):
+    film = tg.Material(name="film", law=tg.laws.Hooke(E=1e9, nu=0.3))
+    materials = {"body": RUBBER, "outside": tg.Shell(film, 0.1 * mm)}
+    with pytest.raises(tg.TurgorError, match="the shell on 'outside' is cut by the wedge"):
+        tg.Model(sixth, materials, [FIXED], [])
+    tg.Model(sixth, {**materials, "outside": tg.Membrane(film, 0.1 * mm)}, [FIXED], [])
+
+
 def test_a_moment_across_the_axis_is_refused(sixth):
     with pytest.raises(tg.TurgorError, match="moment on 'plate': 1 N m along y points across the axis x"):
         model(sixth, [Fixed("fixed"), ReferencePoint("plate", "tip")], [Moment("plate", (0.0, 1.0, 0.0))])

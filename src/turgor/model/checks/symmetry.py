@@ -46,6 +46,26 @@ def check_symmetric(mesh: Mesh, what: str, vector: Sequence[float]) -> None:
             )
 
 
+def check_uncut_shell(mesh: Mesh, face: str) -> None:
+    """Refuse a shell that the cuts of a wedge cut: nothing would keep its slope there.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    face : str
+        Face of the shell.
+
+    Raises
+    ------
+    TurgorError
+    """
+    if mesh.wedge is not None and np.isin(mesh.face_nodes(face), mesh.face_nodes(LOW)).any():
+        raise TurgorError(
+            f"the shell on '{face}' is cut by the wedge, at whose cuts it could fold; make it a membrane, or model the "
+            'whole part (symmetry = "none").'
+        )
+
+
 def check_wedge(mesh: Mesh, loads: Sequence[Load], reinforcements: Sequence[Fibers], contact: Contact) -> None:
     """Refuse what is not the same in all sectors of a wedge.
 
