@@ -7,9 +7,13 @@ turgor.errors.TurgorError: finger.toml:1: a text with a unit needs quotes; put q
 
 import re
 import tomllib
+from pathlib import Path
 from typing import Any
 
 from turgor.errors import TurgorError
+
+#: Levels of tables and lists, and bytes of a file: a job has six, and some kB.
+MOST_LEVELS, MOST_BYTES = 20, 50_000_000
 
 #: A text in quotes, on one line.
 _QUOTED = re.compile(r"\"(?:\\.|[^\"\\])*\"|'[^']*'")
@@ -52,11 +56,47 @@ def read_toml(text: str, name: str) -> dict[str, Any]:
         content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _error(text, name, str(error)) from error
+    except (RecursionError, ValueError) as error:  # brackets in brackets without end, a number of thousands of digits
+        why = "it is nested too deeply" if isinstance(error, RecursionError) else "a number has too many digits"
+        raise TurgorError(f"{name}: {why}.") from None
+    if _depth(content) > MOST_LEVELS:
+        raise TurgorError(f"{name}: it is nested too deeply; allowed are {MOST_LEVELS} levels.")
     for number, line in enumerate(text.splitlines(), start=1):
         path = _DRIVE.search(line)  # signs such as \n and \t are valid, but no part of a path
         if path is not None and _KEY.match(line):
             raise TurgorError(f"{name}:{number}: {_slashes(path[1])}")
     return content
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a TOML file.
+
+    Raises
+    ------
+    TurgorError
+        If it is no file, larger than `MOST_BYTES`, cannot be read, or is no text in UTF-8.
+    """
+    try:
+        if not path.is_file():
+            raise TurgorError(f"'{path}' is no file.")
+        if path.stat().st_size > MOST_BYTES:
+            raise TurgorError(f"'{path}' has more than {MOST_BYTES // 1_000_000} MB, and is no TOML file of turgor.")
+        return path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise TurgorError(f"'{path}' is not a text file in UTF-8; save it in UTF-8, as TOML is.") from None
+    except OSError as error:
+        raise TurgorError(f"'{path}' cannot be read: {error.strerror}.") from None
+
+
+def _depth(value: Any) -> int:
+    """Levels of tables and lists, counted up to one more than are allowed."""
+    level, depth = [value], 0
+    while level and depth <= MOST_LEVELS:
+        inner = [
+            list(each.values()) if isinstance(each, dict) else each for each in level if isinstance(each, dict | list)
+        ]
+        level, depth = [each for part in inner for each in part], depth + 1
+    return depth
 
 
 def _error(text: str, name: str, sentence: str) -> TurgorError:

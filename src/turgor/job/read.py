@@ -28,7 +28,7 @@ from turgor.job.text.problems import JobError, Problems
 from turgor.job.text.quantities import shown
 from turgor.setups.values import Setup
 from turgor.solvers.procedures.stages import OneProcedure, Stages
-from turgor.toml_text import read_toml
+from turgor.toml_text import read_text, read_toml
 
 #: Keys of a job file; the last one is written into lock files and says which versions wrote them.
 SECTIONS = (
@@ -235,9 +235,4 @@ def _text(path: Path) -> str:
         known = sorted(entry.name for entry in folder.glob("*.toml")) if folder.is_dir() else []
         listed = f" TOML files there: {', '.join(known)}." if known else ""
         raise TurgorError(f"there is no job file '{path}'{near_file(path, known)}{listed}")
-    try:
-        return path.read_bytes().decode("utf-8-sig")
-    except OSError as error:
-        raise TurgorError(f"'{path}' cannot be read: {error.strerror}.") from error
-    except UnicodeDecodeError as error:
-        raise TurgorError(f"'{path}' is not a text file in UTF-8; a job file is TOML.") from error
+    return read_text(path)

@@ -1,11 +1,12 @@
 """TOML: the common slips are answered with the line and the mend."""
 
 import re
+from pathlib import Path
 
 import pytest
 
 from turgor.errors import TurgorError
-from turgor.toml_text import read_toml
+from turgor.toml_text import read_text, read_toml
 
 
 @pytest.mark.parametrize(
@@ -43,3 +44,28 @@ def test_a_slip_is_answered_with_the_mend(text: str, sentence: str) -> None:
 )
 def test_what_is_right_is_read(text: str) -> None:
     read_toml(text, "job.toml")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (f"a = {'[' * 600}{']' * 600}", "a.toml: it is nested too deeply"),
+        (f"{'a.' * 5000}b = 1", "a.toml: it is nested too deeply"),
+        (f"a = {'[' * 30}{']' * 30}", "a.toml: it is nested too deeply; allowed are 20 levels"),
+        (f"a = {'1' * 5000}", "a.toml: a number has too many digits"),
+    ],
+)
+def test_files_without_end_are_refused(text, said):
+    with pytest.raises(TurgorError, match=said):
+        read_toml(text, "a.toml")
+
+
+def test_texts_that_are_none_are_refused(tmp_path):
+    (tmp_path / "latin.toml").write_bytes("größe = 1".encode("latin-1"))
+    (tmp_path / "utf16.toml").write_bytes("a = 1".encode("utf-16"))
+    for name in ("latin.toml", "utf16.toml"):
+        with pytest.raises(TurgorError, match="is not a text file in UTF-8; save it in UTF-8"):
+            read_text(tmp_path / name)
+    for path in (tmp_path, Path("/dev/zero")):
+        with pytest.raises(TurgorError, match="is no file"):
+            read_text(path)

@@ -52,6 +52,11 @@ def read(tmp_path: Path, text: str, name: str = "job") -> object:
     return read_job(tmp_path / f"{name}.toml")
 
 
+def test_a_table_is_no_duration(tmp_path: Path) -> None:
+    with pytest.raises(JobError, match=r"procedure\.duration: .* is not a time"):
+        read(tmp_path, MOTION.replace('duration = "40 ms"', 'duration = { duration = "40 ms" }'))
+
+
 def test_a_motion_is_read_and_locked(tmp_path: Path) -> None:
     job = read(tmp_path, MOTION)
     assert job.procedure == Dynamic(duration=0.04, stiffness_damping=2e-3, mass_damping=0.5, accuracy=0.01)

@@ -145,14 +145,15 @@ def _step_type(item: Field[Any]) -> Any:
     """Type of a field of a procedure."""
     if "dimension" not in item.metadata:
         return item.type
-    return Annotated[Any, BeforeValidator(partial(_quantities, dimension=item.metadata["dimension"]))]
+    dimension, several = item.metadata["dimension"], _by_cavity(item)
+    return Annotated[Any, BeforeValidator(partial(_quantities, dimension=dimension, several=several))]
 
 
-def _quantities(value: object, dimension: str) -> object:
-    """Read a quantity, or one for each cavity; or names."""
+def _quantities(value: object, dimension: str, several: bool = False) -> object:
+    """Read a quantity, or one for each cavity where there may be several; or names."""
     if dimension == "names":
         return _names(value)
-    if isinstance(value, Mapping):
+    if several and isinstance(value, Mapping):
         return {name: _quantities(each, dimension) for name, each in value.items()}
     if dimension != "number":
         return parse_quantity(value, dimension)

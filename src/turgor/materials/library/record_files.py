@@ -11,7 +11,7 @@ from typing import Any
 from turgor.errors import TurgorError, near_match
 from turgor.materials.library.record import FILE_KEYS, Record, read_record
 from turgor.materials.library.table_keys import table
-from turgor.toml_text import read_toml
+from turgor.toml_text import read_text, read_toml
 
 _NO_SEPARATORS = str.maketrans("", "", "-_ ")
 
@@ -82,13 +82,9 @@ def read_records(path: str | Path) -> tuple[Record, ...]:
     TurgorError
         If the file is missing or is no such file; the message names the key.
     """
-    try:
-        text = Path(path).read_text(encoding="utf-8")
-    except FileNotFoundError:
-        raise TurgorError(f"there is no file '{path}' with records of a material.") from None
-    except UnicodeDecodeError:
-        raise TurgorError(f"'{path}' is not a text file in UTF-8.") from None
-    return _read(text, str(path))
+    if not Path(path).exists():
+        raise TurgorError(f"there is no file '{path}' with records of a material.")
+    return _read(read_text(Path(path)), str(path))
 
 
 @cache  # every file of the library cites them

@@ -26,7 +26,7 @@ from turgor.study.factor import Factor, Value
 from turgor.study.jobs.job_factors import job_factor
 from turgor.study.jobs.job_file import JobFile
 from turgor.study.jobs.study_file import flat_keys
-from turgor.toml_text import read_toml
+from turgor.toml_text import read_text, read_toml
 
 Made = TypeVar("Made")
 
@@ -88,11 +88,7 @@ def read_study_file(path: str | Path) -> StudyFile:
         If it cannot be read, or a key or a value is wrong; the sentence names both.
     """
     path = Path(path)
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise TurgorError(f"'{path}' cannot be read: {error}.") from None
-    content = read_toml(text, str(path))
+    content = read_toml(read_text(path), str(path))
     check_keys(content, KEYS, str(path))
     for key in ("job", "factors"):
         if not content.get(key):

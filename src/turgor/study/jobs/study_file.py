@@ -23,7 +23,7 @@ from turgor.study.files.designs_csv import read_designs
 from turgor.study.jobs.columns import unit_of_column
 from turgor.study.jobs.job_factors import RANGE, check_choices, job_factor
 from turgor.study.jobs.job_numbers import numbers_of
-from turgor.toml_text import read_toml
+from turgor.toml_text import read_text, read_toml
 from turgor.units import UNITS, parse_quantity, split_quantity, unit_value
 
 #: Keys of a study file.
@@ -154,7 +154,7 @@ def read_study_file(path: str | Path, changes: Mapping[str, Any] = MappingProxyT
     if not path.is_file():
         known = sorted(each.name for each in path.parent.glob("*.toml")) if path.parent.is_dir() else []
         raise TurgorError(f"there is no study file '{path}'{near_file(path, known)}")
-    text = path.read_text(encoding="utf-8-sig")
+    text = read_text(path)
     try:
         content = read_toml(text, str(path))
     except TurgorError as error:
