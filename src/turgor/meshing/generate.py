@@ -121,12 +121,18 @@ def mesh(
     settings = MeshSettings(
         size=None if size is None else number(size, "mesh size", "length"),
         grading=grading,
-        face_sizes={name: number(each, f"size of the face '{name}'", "length") for name, each in face_sizes.items()},
+        face_sizes=_sizes_of_faces(face_sizes),
         wall_cells=wall_cells,
         cells=cells,
         ignore_features_below=ignore_features_below,
     )
     return mesh_with(shape, settings)
+
+
+def _sizes_of_faces(given: object) -> dict[str, float]:
+    if not isinstance(given, Mapping):
+        raise TurgorError(f"mesh face_sizes is {given!r}; sizes by face are needed, such as {{'tip': 1e-3}}.")
+    return {name: number(each, f"size of the face '{name}'", "length") for name, each in given.items()}
 
 
 def _built(given: object) -> Geometry:

@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 from turgor.engine.algebra.linear import LinearSolver, linear_solver
 from turgor.engine.algebra.pattern import build_pattern, locate
 from turgor.model.model import Model
-from turgor.section.bending import Folds, Plates, bending_of
 from turgor.section.kinematics import STRAINS
-from turgor.section.loops import Loop
 from turgor.section.numbering import Numbering, numbering_of
+from turgor.section.outlines.bending import Folds, Plates, bending_of
+from turgor.section.outlines.loops import Loop
+from turgor.section.outlines.sheets import Sheet, Threads, sheets_of
 from turgor.section.plane import Plane, boundary_edges, face_edges, plane_of
 from turgor.section.rubber import Rubber, rubber_of
-from turgor.section.sheets import Sheet, Threads, sheets_of
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]

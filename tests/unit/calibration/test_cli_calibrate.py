@@ -102,7 +102,7 @@ def test_files_and_sentences(call, folder):
         (["--free", "materials.body.C10", "--unit", "pressure"], "--unit is 'pressure'"),
         ([], "a calibration needs a parameter that is free"),
         (["--free", "materials.body.C10", "--output", "."], "holds files of something else"),
-        (["--free", "materials.body.C10", "--output", "tube.toml"], "which is a file; name a folder"),
+        (["--free", "materials.body.C10", "--output", "tube.toml"], "'tube.toml' is a file; name another"),
     ],
 )
 def test_mistakes_are_answered(call, arguments, sentence):

@@ -174,7 +174,11 @@ def test_convergence_writes_table_plot_and_sentence(folder: Path, capsys: pytest
     assert main(["convergence", "one.toml", "--sizes", "6 mm, 4 mm, 2.5 mm", "--measure", "cavity_volume"]) == DONE
     out = capsys.readouterr().out
     written = folder / "one-convergence"
-    assert sorted(file.name for file in written.iterdir()) == ["convergence.csv", "convergence.png", "convergence.txt"]
+    assert sorted(file.name for file in written.glob("[!.]*")) == [
+        "convergence.csv",
+        "convergence.png",
+        "convergence.txt",
+    ]
     table = read_response(written / "convergence.csv")
     assert list(table.find("mesh_size").in_unit) == [6, 4, 2.5]
     assert (np.diff(table.column("unknowns")) > 0).all()

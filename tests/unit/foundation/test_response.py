@@ -107,7 +107,7 @@ def test_columns_must_fit_together():
     ("text", "message"),
     [
         ("pressure_kPa\n", "holds no rows"),
-        ("", "holds no rows"),
+        ("", "is empty"),
         ("pressure_kPa,angle_deg\n1\n", "line 2: 1 values, but the header names 2 columns"),
         ("pressure_kPa\n1\n\nx\n", "line 4, column 'pressure_kPa': 'x' is not a number"),
     ],

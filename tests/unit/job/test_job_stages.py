@@ -267,7 +267,7 @@ def test_a_run_names_the_stages_everywhere(tmp_path: Path) -> None:
     assert "timestep is the number of finished stages and the load factor of the next one" in listed
     assert re.findall('timestep="(.*?)"', listed) == [f"{value:.12g}" for value in response.column("stage")]
     last = (tmp_path / "out" / "vtu" / f"state_{len(states) - 1:04d}.vtu").read_text(encoding="utf-8")
-    assert f'Name="stage" NumberOfTuples="1" format="ascii">{" ".join(map(str, b"let go"))} 0<' in last
+    assert 'Name="stage:let go"' in last
     # what the stages say is so: the tip was moved, the volume kept, and in the end nothing acts
     pressed, end = [state for state in states if state.stage == "press"][-1], states[-1]
     tip = pressed.model.mesh.face_nodes("tip")

@@ -226,7 +226,7 @@ def test_a_job_is_prepared_without_its_shape_and_without_meshing(tmp_path, folde
     meshes._mesh_of_family.cache_clear()
     job = read_job(tmp_path / "job.toml")
     model, findings = prepare(job)
-    assert not folder.exists()  # studies prepare jobs, too, and keep nothing
+    assert not list(folder.glob("*"))  # studies prepare jobs, too, and keep nothing
     keep_mesh_of(job)
     meshes._mesh_of_family.cache_clear()
     for owner, name in ((meshes, "_made"), (FastPneuNet, "build")):
@@ -246,12 +246,12 @@ from turgor.meshing.settings import MeshSettings
 finger, settings = FastPneuNet(chambers=2, length=20e-3), MeshSettings(size=5e-3, cells="tetrahedra")
 geometry = finger.build()
 mesh = mesh_with(geometry, settings)
-from turgor.job import families
+from turgor.store.caches import cache_folder
 for _ in range(20):
     keep(finger, geometry, settings, mesh)
     found = mesh_on_disk(finger, settings)
     assert found is None or (found.points == mesh.points).all()
-    for file in families.folder().iterdir():
+    for file in cache_folder("families").iterdir():
         file.unlink(missing_ok=True)
 keep(finger, geometry, settings, mesh)
 """

@@ -184,8 +184,8 @@ def test_any_finger_is_filled_and_its_cavity_closed(
         (50 * mm, "mesh size is 50 mm, larger than the part; allowed is"),
         (3, "mesh size is 3000 mm, larger than the part; .*is the unit right"),
         (0.05 * mm, "mesh size is 0.05 mm, which makes about 850 million unknowns; allowed is"),
-        (float("nan"), "mesh size is nan; a finite length in meters is needed"),
-        ("3 mm", "mesh size is '3 mm'; a finite length in meters is needed"),
+        (float("nan"), "mesh size is nan; a finite number in m is needed"),
+        ("3 kPa", "mesh size: '3 kPa' is not a length"),
         (True, "mesh size is True"),
     ],
 )

@@ -21,7 +21,7 @@ class Mesher:
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    monkeypatch.setenv(kept.FOLDER, str(tmp_path / "cache"))
+    monkeypatch.setenv("TURGOR_CACHE", str(tmp_path / "cache"))
     return tmp_path / "cache" / "meshes"
 
 
@@ -53,7 +53,7 @@ def test_a_damaged_file_is_made_anew(folder, content):
 
 def test_a_folder_that_cannot_be_written_costs_no_mesh(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("not a folder")
-    monkeypatch.setenv(kept.FOLDER, str(tmp_path / "file"))
+    monkeypatch.setenv("TURGOR_CACHE", str(tmp_path / "file"))
     assert kept_cells(INPUTS, Mesher())[0].shape == (4, 3)
 
 

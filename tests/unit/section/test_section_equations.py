@@ -8,7 +8,7 @@ import pytest
 import turgor as tg
 from turgor.section.equations import Equations, Question, Unknowns
 from turgor.section.kinematics import skew
-from turgor.section.loops import Loop
+from turgor.section.outlines.loops import Loop
 from turgor.section.path import follow
 from turgor.section.shapes.slices import slice_of_geometry
 from turgor.units import deg, kPa, mm

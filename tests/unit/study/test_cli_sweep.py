@@ -119,7 +119,7 @@ def test_a_design_that_cannot_be_built_is_a_row(call, folder):
         ('"tip_displacement_x"', '"tip_displacement_q"', "did you mean 'tip_displacement"),
         ("[output]", '[design]\nkind = "sobl"\n[output]', "study.toml:9: design.kind: unknown kind 'sobl'; did you"),
         ("[output]", '[design]\nkind = "sobol"\n[output]', "design.samples: 'samples' is missing"),
-        ("[output]", '[design]\nkind = "sobol"\nsamples = 0\n[output]', "allowed is 1 or more"),
+        ("[output]", '[design]\nkind = "sobol"\nsamples = 0\n[output]', "allowed is 1 to 100000"),
         ("[output]", '[design]\nkind = "table"\n[output]', "a table names its factors itself"),
         ("[output]", "[output", "this is not valid TOML"),
     ],

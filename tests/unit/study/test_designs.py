@@ -82,7 +82,7 @@ def test_mistakes_in_a_table(tmp_path, text, sentence):
 def test_mistakes_are_answered(tmp_path):
     with pytest.raises(TurgorError, match="samples is 0; allowed is 1 to 100000"):
         sobol([WALL], 0)
-    with pytest.raises(TurgorError, match="samples is -1; allowed is 1 or more"):
+    with pytest.raises(TurgorError, match="samples is -1; allowed is 1 to 100000"):
         latin_hypercube([WALL], -1)
     with pytest.raises(TurgorError, match="a study needs a factor"):
         tg.studies.latin_hypercube([], 4)

@@ -89,6 +89,7 @@ count = 0
 real = runs.solve
 
 def killed_after_two_states(*given, **named):
+    del named["progress"]
     def progress(iteration, state):
         global count
         count += state is not None
@@ -127,6 +128,8 @@ def test_ctrl_c_in_the_middle_of_a_run_ends_the_study_and_not_the_run(tmp_path, 
     states = []
 
     def interrupting(*given, **named):
+        del named["progress"]
+
         def progress(iteration, state):
             states.extend([] if state is None else [state])
             if len(states) == 3:

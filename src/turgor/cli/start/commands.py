@@ -16,7 +16,7 @@ COMMANDS: Mapping[str, str] = {
     "check": "check.check_command",
     "init": "families.init.init_command",
     "report": "again.report_command",
-    "cache": "cache.cache_command",
+    "cache": "start.cache.cache_command",
     "measure": "again.measure_command",
     "compare": "again.compare_command",
     "calibrate": "analyses.calibrate.calibrate_command",

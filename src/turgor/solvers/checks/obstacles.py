@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from turgor.engine.contact.shapes import signed_distance
 from turgor.finding import Finding, Severity
@@ -81,6 +80,8 @@ def _nearest(obstacle: Obstacle, points: Array, load_factor: float) -> int:
     if not isinstance(shape, RigidSurface):
         return int(signed_distance(shape, here)[0].argmin())
     corners = shape.points[shape.triangles].mean(axis=1)
+    from scipy.spatial import cKDTree  # here: few models have an obstacle in a cavity
+
     return int(cKDTree(corners).query(here)[0].argmin())
 
 

@@ -97,8 +97,8 @@ def test_what_hangs_is_stopped():
 
 
 def test_errors_of_the_task_come_through():
-    with pytest.raises(TurgorError, match="unit is 'inch'; did you mean 'in'"):
-        in_child(WORK, load_file, cases.DATA / "cup_and_plate.step", "inch")
+    with pytest.raises(TurgorError, match="unit is 'milli'; allowed is one of m"):
+        in_child(WORK, load_file, cases.DATA / "cup_and_plate.step", "milli")
 
 
 def test_a_geometry_can_be_pickled():

@@ -183,7 +183,7 @@ def test_lists_of_nodes_and_sides_name_faces(tmp_path):
 
 @pytest.mark.parametrize("unit", [0.0, -1.0, True, float("nan"), "milli"])
 def test_units_that_are_none(tmp_path, unit):
-    with pytest.raises(TurgorError, match=r"unit is .* one of m, cm, mm, um, µm, in, or the meters in one unit"):
+    with pytest.raises(TurgorError, match=r"unit is .* one of m, cm, mm, um, µm, in, inch, or the meters in one unit"):
         read_mesh(deck(tmp_path), unit=unit)
 
 

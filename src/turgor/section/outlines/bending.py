@@ -26,8 +26,8 @@ from turgor.errors import TurgorError
 from turgor.materials.laws.laws import Hooke
 from turgor.model.model import Model
 from turgor.model.sheets import Shell
-from turgor.section.jets import Jet, angle, cross, dot, unit
 from turgor.section.kinematics import STRAINS
+from turgor.section.outlines.jets import Jet, angle, cross, dot, unit
 from turgor.section.plane import Plane, face_edges
 
 Array = NDArray[np.float64]

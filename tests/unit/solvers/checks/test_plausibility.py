@@ -209,7 +209,7 @@ def test_early_findings_come_by_weight_and_once():
 
 
 def test_every_row_is_read_and_stands_in_the_documents():
-    text = (Path(__file__).parents[3] / "docs" / "findings.md").read_text(encoding="utf-8")
+    text = (Path(__file__).parents[4] / "docs" / "findings.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| ([BDGLMNP]\d\d) \| (.+?) \| (.+?) \| (.+?) \|$", text, re.MULTILINE)
     assert rows == [(row.code, row.quantity, row.range_text, row.source) for row in ROWS]
     assert all(row.low < row.high and (row.low > -inf or row.high < inf) for row in ROWS)
