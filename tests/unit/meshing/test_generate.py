@@ -185,7 +185,7 @@ def test_any_finger_is_filled_and_its_cavity_closed(
         (3, "mesh size is 3000 mm, larger than the part; .*is the unit right"),
         (0.05 * mm, "mesh size is 0.05 mm, which makes about 850 million unknowns; allowed is"),
         (float("nan"), "mesh size is nan; a finite number in m is needed"),
-        ("3 kPa", "mesh size: '3 kPa' is not a length"),
+        ("3 kPa", "mesh size: '3 kPa' is a pressure, but a length is needed"),
         (True, "mesh size is True"),
     ],
 )

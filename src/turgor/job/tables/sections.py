@@ -114,10 +114,14 @@ def read_output(values: Any, geometry: Geometry | None, setup: Setup | None, pro
         problems.attempt((*key, "markers", name), partial(_marker, name, point))
     if problems.found:
         return None  # the job is refused: the standard measures, which load the engine, are not needed
-    own = () if setup is None or not table.measures else setup.measures
+    measures = tuple(table.measures)
+    if not measures or setup is not None:
+        faces = None if geometry is None else measured_faces(geometry.faces, geometry.cavities)
+        standard = standard_measures(faces)  # what a procedure is for joins them by itself
+        own = () if setup is None or measures in ((), standard) else setup.measures
+        measures = tuple(dict.fromkeys((*(measures or standard), *own)))
     return Output(
-        measures=tuple(dict.fromkeys((*table.measures, *own)))
-        or standard_measures(None if geometry is None else measured_faces(geometry.faces, geometry.cavities)),
+        measures=measures,
         markers={name: (point[0], point[1], point[2]) for name, point in table.markers.items()},
         fields=table.fields,
         pictures=table.pictures,
