@@ -100,7 +100,7 @@ def test_a_face_can_have_a_smaller_size_and_the_shape_forgets_it() -> None:
         ({"face_sizes": {"cavity": 0}}, "mesh size of face 'cavity' is 0 mm; allowed is 0.0"),
         ({"face_sizes": {"cavity": 5 * mm}}, "mesh size of face 'cavity' is 5 mm; allowed is .* to 2 mm, the size of"),
         ({"face_sizes": {"cavity": 1e-6}}, "mesh size of face 'cavity' is 0.001 mm; allowed is 0.06"),
-        ({"face_sizes": {"cavity": "1 kPa"}}, "size of the face 'cavity': '1 kPa' is a pressure, but a length is needed"),
+        ({"face_sizes": {"cavity": "1 kPa"}}, "face 'cavity': '1 kPa' is a pressure, but a length is needed"),
         ({"face_sizes": [1 * mm]}, r"mesh face_sizes is \[0.001\]; sizes by face are needed"),
     ],
 )
