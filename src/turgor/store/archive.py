@@ -7,7 +7,6 @@ content itself; ``arrays/NAME.npy`` holds each array in NumPy's own format. docs
 import errno
 import json
 import math
-import os
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -21,16 +20,11 @@ from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from turgor.errors import TurgorError
+from turgor.store.limits import check_unpacked
 from turgor.store.whole import whole
 
 #: Version of the format; a reader refuses others.
 FORMAT, VERSION = "turgor", 1
-
-#: Most bytes that a file may unpack to if it is smaller than a twentieth of that; `MOST` states another number of MB.
-UNPACKED, RATIO = 200_000_000, 20
-
-#: Environment variable with the most megabytes that a file may unpack to.
-MOST = "TURGOR_UNPACKED_MB"
 
 #: What reading damaged, encrypted or re-packed data raises, besides errors of the system.
 _DAMAGE = (
@@ -88,7 +82,8 @@ def read_archive(file: Path | IO[bytes]) -> Content:
     named = f"'{file}'" if isinstance(file, Path) else "the data"
     try:
         with ZipFile(file) as archive:
-            _check_size(archive, named)
+            parts = archive.infolist()
+            check_unpacked(named, sum(each.compress_size for each in parts), sum(each.file_size for each in parts))
             head = json.loads(archive.read("content.json"))
             _check(head, named)
             arrays = {
@@ -113,19 +108,6 @@ def _short(error: Exception) -> str:
     """Return the text of an error, cut to a line; its class where it has none."""
     text = " ".join(str(error).split()) or type(error).__name__
     return text if len(text) < 120 else f"{text[:117]}..."
-
-
-def _check_size(archive: ZipFile, named: str) -> None:
-    """Refuse a file that unpacks to far more than it is, before memory is taken."""
-    unpacked = sum(each.file_size for each in archive.infolist())
-    packed = sum(each.compress_size for each in archive.infolist())
-    told = os.environ.get(MOST, "")
-    most = 1e6 * float(told) if told.replace(".", "", 1).isdigit() else max(UNPACKED, RATIO * packed)
-    if unpacked > most:
-        raise TurgorError(
-            f"{named} unpacks from {packed / 1e6:.3g} to {unpacked / 1e6:.3g} MB, and at most {most / 1e6:.4g} MB are "
-            f"read; set the environment variable {MOST} to read more."
-        )
 
 
 def _check(head: Any, named: str) -> None:

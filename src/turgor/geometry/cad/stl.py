@@ -116,6 +116,8 @@ def read_stl(path: Path) -> Array:
                 f"'{path}' is no whole STL file: neither text that begins with 'solid' and has three vertices a "
                 "triangle nor binary of the length that it states; export it again."
             )
+        if len(found) < len(re.findall(rb"^\s*vertex\b", content, re.MULTILINE)):
+            raise TurgorError(f"'{path}' has corners that are not finite numbers; export it again.")
         corners = np.array(found, dtype=np.float64).reshape(-1, 3, 3)
     if not np.isfinite(corners).all():
         raise TurgorError(f"'{path}' has corners that are not finite numbers; export it again.")

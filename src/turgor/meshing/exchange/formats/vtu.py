@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from turgor.errors import TurgorError
 from turgor.meshing.exchange.formats.raw import RawMesh
 from turgor.meshing.exchange.formats.vtk_cells import VtkCells, vtk_mesh, with_names
+from turgor.store.limits import check_unpacked
 
 _TYPES = {
     "Int8": "i1",
@@ -28,9 +29,10 @@ _TYPES = {
     "Float32": "f4",
     "Float64": "f8",
 }
-_COMPRESSORS: Mapping[str, Callable[[bytes], bytes]] = {
-    "vtkZLibDataCompressor": zlib.decompress,
-    "vtkLZMADataCompressor": lzma.decompress,
+#: What unpacks a block, to at most so many bytes.
+_COMPRESSORS: Mapping[str, Callable[[bytes, int], bytes]] = {
+    "vtkZLibDataCompressor": lambda data, most: zlib.decompressobj().decompress(data, most),
+    "vtkLZMADataCompressor": lambda data, most: lzma.LZMADecompressor().decompress(data, most),
 }
 _APPENDED = re.compile(rb"<AppendedData\s+encoding=\"(raw|base64)\"\s*>\s*_", re.IGNORECASE)
 
@@ -184,11 +186,13 @@ def _bytes(file: _File, data: bytes, encoded: bool) -> bytes:
         raise TurgorError(f"'{file.path}' is compressed by {file.compressor}; known: {known}. Save it uncompressed.")
     count = int(np.frombuffer(_part(data, encoded, 0, header.itemsize), dtype=header)[0])
     length = (3 + count) * header.itemsize
-    sizes = np.frombuffer(_part(data, encoded, 0, length), dtype=header)[3:].astype(np.int64)
+    numbers = np.frombuffer(_part(data, encoded, 0, length), dtype=header)
+    block, sizes = int(numbers[1]), numbers[3:].astype(np.int64)
+    check_unpacked(f"'{file.path}'", len(data), count * block)
     start = 4 * -(-length // 3) if encoded else length  # header and blocks are encoded apart
     packed = _part(data[start:], encoded, 0, int(sizes.sum()))
     ends = np.cumsum(sizes)
-    return b"".join(unpack(packed[end - size : end]) for end, size in zip(ends, sizes, strict=True))
+    return b"".join(unpack(packed[end - size : end], block) for end, size in zip(ends, sizes, strict=True))
 
 
 def _part(data: bytes, encoded: bool, start: int, end: int) -> bytes:
