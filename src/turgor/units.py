@@ -154,8 +154,8 @@ def length_unit(unit: str | float) -> float:
     (0.01, 0.0254, 1e-06)
     >>> length_unit("milli")
     Traceback (most recent call last):
-    turgor.errors.TurgorError: unit is 'milli'; allowed is one of m, cm, mm, um, µm, in, or the meters in one unit of \
-the file, such as 0.0254.
+    turgor.errors.TurgorError: unit is 'milli'; allowed is one of m, cm, mm, um, µm, in, inch, or the meters in one \
+unit of the file, such as 0.0254.
     """
     known = UNITS["length"]
     if isinstance(unit, str) and unit in known:

@@ -61,14 +61,15 @@ def sides_on_stl(sides: Sides, name: str, path: str | Path, frame: Frame, mirror
     rows = outer[off <= ON_SURFACE * edge]
     extent = float(np.ptp(surface.points, axis=0).max())
     exact = len(rows) > 0 and is_cavity(sides, rows, mirrors)
-    if not exact and _is_pocket(sides, rows, surface):
-        exact = True
-    elif not exact:
+    if not exact:
         inner = [part for part in components(sides, outer) if is_cavity(sides, part, mirrors)]
         worst = [float(side_distances(sides, part, surface).max()) for part in inner]
-        if not inner or min(worst) > NEARBY * extent:
+        if inner and min(worst) <= NEARBY * extent:
+            rows = inner[int(np.argmin(worst))]
+        elif _is_pocket(sides, rows, surface):
+            exact = True
+        else:
             raise _nowhere(sides, name, path, surface, inner, worst)
-        rows = inner[int(np.argmin(worst))]
     distance = float(side_distances(sides, rows, surface).max())
     return rows, _compared(sides, name, path, rows, distance, abs(surface.volume), exact)
 

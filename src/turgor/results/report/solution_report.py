@@ -51,10 +51,10 @@ def report(of: Solution, path: str | Path, *, response: Response | None = None, 
     Traceback (most recent call last):
     turgor.errors.TurgorError: report 'finger.pdf' ends in '.pdf'; allowed is .html.
     """
-    one(of, Solution, "what a report is of", "a Solution is needed, as solve(model) returns it")
     path = Path(path)
     if path.suffix.lower() != ".html":
         raise TurgorError(f"report '{path}' ends in '{path.suffix}'; allowed is .html.")
+    one(of, Solution, "what a report is of", "a Solution is needed, as solve(model) returns it")
     fields = PathFields(of)
     shown = Reader().response(of, fields) if response is None else response
     if len(shown) != len(of.states):

@@ -61,7 +61,11 @@ def asked_cavities(model: Model, procedure: VolumeControl | GasMass) -> tuple[st
     asked, field, known = procedure.asked, procedure.asked_by, model.mesh.cavities
     if not isinstance(asked, Mapping):
         if len(known) != 1:
-            names = ", ".join(known) or "none"
+            if not known:
+                raise TurgorError(
+                    f"procedure.{field} fills a cavity, and the model has no cavity: no face encloses one."
+                )
+            names = ", ".join(known)
             told = "is one number" if field != "cavities" else "names none"
             raise TurgorError(f"procedure.{field} {told}, and the cavities are {names}; give one for each by name.")
         return tuple(known)
