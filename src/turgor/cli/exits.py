@@ -113,7 +113,7 @@ def _said(raised: BaseException) -> tuple[int, str]:
     if isinstance(raised, OSError):
         return BAD_INPUT, f"'{raised.filename or 'a file'}' cannot be read or written: {raised.strerror}."
     if isinstance(raised, KeyboardInterrupt):
-        said = str(raised) or "interrupted; with --resume, a run goes on from its last state."
+        said = str(raised) or "interrupted."
         return ENDED + getattr(raised, "number", signal.SIGINT), said
     if not isinstance(raised, Exception):
         raise raised

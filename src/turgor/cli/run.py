@@ -12,7 +12,7 @@ import typer
 
 from turgor.cli.exits import DONE, ENDED, FOUND_ERROR, NOT_CONVERGED, errors_as_sentences
 from turgor.cli.options import Changes, Debug, JobFile, Json, asked_job, command_of, output_option
-from turgor.cli.start.signals import ends_at_once
+from turgor.cli.start.signals import RUN, ends_at_once
 from turgor.loops import begin_early
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def run(chosen: RunOptions) -> None:
     """Run a job: check, build, mesh, solve, measure, and write everything into a folder."""
     if chosen.job.exists():
         begin_early()
-    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once() as came:
+    with errors_as_sentences(chosen.debug, chosen.as_json) as answer, ends_at_once(RUN) as came:
         from turgor.adaptivity.findings import matter
 
         outcome, told = _solve(chosen)

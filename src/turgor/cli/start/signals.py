@@ -22,8 +22,9 @@ PATIENCE = 2.0
 #: Time [s] after which an interrupt that was swallowed comes again.
 SOON = 0.05
 
-#: Said where that time was not enough.
-SENTENCE = b"interrupted; with --resume, a run goes on from its last state.\n"
+#: What a command says that Ctrl-C or SIGTERM ends: one that computes a study, and a run.
+STUDY = "interrupted; the same command goes on with what it has kept."
+RUN = "interrupted; with --resume, a run goes on from its last state."
 
 ENDING = (signal.SIGINT, signal.SIGTERM)
 
@@ -36,7 +37,7 @@ class Ended(KeyboardInterrupt):
     number : int
         Of the signal.
     sentence : str
-        What is told; empty for the usual one.
+        What the command says; empty for the usual one.
     """
 
     def __init__(self, number: int, sentence: str = "") -> None:
@@ -45,11 +46,16 @@ class Ended(KeyboardInterrupt):
 
 
 @contextmanager
-def ends_at_once() -> Iterator[list[int]]:
+def ends_at_once(sentence: str = STUDY) -> Iterator[list[int]]:
     """Turn SIGTERM into what Ctrl-C does, and end the process if either has not ended it within `PATIENCE`.
 
     States of a run are on disk as soon as they are accepted, so that nothing is lost. Compiled code does not notice a
     signal, but lets other threads run: one of them waits for it.
+
+    Parameters
+    ----------
+    sentence : str
+        What the command says then.
 
     Yields
     ------
@@ -63,15 +69,15 @@ def ends_at_once() -> Iterator[list[int]]:
 
     def interrupt(number: int, frame: FrameType | None) -> None:
         came.append(number)
-        raise Ended(number)
+        raise Ended(number, sentence)
 
     here, there = socket.socketpair()
     there.setblocking(False)
     before = signal.set_wakeup_fd(there.fileno(), warn_on_full_buffer=False)
     handlers = {number: signal.signal(number, interrupt) for number in ENDING}
-    Thread(target=_watch, args=(here,), daemon=True).start()
+    Thread(target=_watch, args=(here, sentence), daemon=True).start()
     try:
-        with _nothing_swallowed():
+        with _nothing_swallowed(sentence):
             yield came
     finally:
         for number, handler in handlers.items():
@@ -81,7 +87,7 @@ def ends_at_once() -> Iterator[list[int]]:
 
 
 @contextmanager
-def _nothing_swallowed() -> Iterator[None]:
+def _nothing_swallowed(sentence: str) -> Iterator[None]:
     """Interrupt again where an interrupt came to nothing, as it does in a function that compiled code calls.
 
     While LLVM compiles, Python runs in such a function only, so that most interrupts of a compilation come there. What
@@ -105,7 +111,7 @@ def _nothing_swallowed() -> Iterator[None]:
         raise
     except Exception as error:
         if again:
-            raise KeyboardInterrupt from error
+            raise Ended(signal.SIGINT, sentence) from error
         raise
     finally:
         sys.unraisablehook = before
@@ -131,7 +137,7 @@ def kept_in_folder(folder: Path) -> Iterator[None]:
         ) from None
 
 
-def _watch(here: socket.socket) -> None:
+def _watch(here: socket.socket, sentence: str) -> None:
     """Wait for a signal, then for the end of the command, and end the process where that does not come."""
     while number := here.recv(1):
         if number[0] in ENDING:
@@ -140,6 +146,6 @@ def _watch(here: socket.socket) -> None:
                 while here.recv(1):
                     pass
             except TimeoutError:
-                os.write(2, SENTENCE)
+                os.write(2, f"{sentence}\n".encode())
                 os._exit(ENDED + number[0])
             return

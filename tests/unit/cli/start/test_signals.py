@@ -7,7 +7,8 @@ from ctypes import CFUNCTYPE
 
 import pytest
 
-from turgor.cli.start.signals import ends_at_once
+from turgor.cli.exits import _said
+from turgor.cli.start.signals import RUN, STUDY, ends_at_once
 from turgor.errors import TurgorError
 
 
@@ -45,3 +46,11 @@ def test_other_ends_stay_what_they_are() -> None:
         ended(refuses)
     with pytest.raises(RuntimeError), ends_at_once():
         fails_for_want_of_a_result()
+
+
+@pytest.mark.parametrize(("arguments", "said"), [((), STUDY), ((RUN,), RUN)])
+def test_a_command_names_no_option_that_it_lacks(arguments: tuple[str, ...], said: str) -> None:
+    with pytest.raises(KeyboardInterrupt) as raised, ends_at_once(*arguments):
+        signal.raise_signal(signal.SIGINT)
+    assert _said(raised.value) == (130, said)
+    assert _said(KeyboardInterrupt()) == (130, "interrupted.")
