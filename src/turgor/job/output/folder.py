@@ -28,7 +28,7 @@ COMPARISONS = "comparisons"
 #: Locked while a run writes into the folder; the system unlocks it when the run ends, however it ends.
 IN_USE = ".in-use"
 
-#: Names of the files of a run beside its path.
+#: Names of the files of a run besides its path.
 RESULTS = (
     RESPONSE, STEPS, LOG, LOCK, REPORT, PLOT, UNDEFORMED, DEFORMED, CONTACT, f"{FIELDS}/*.vtu", f"{FIELDS}/*.pvd",
 )  # fmt: skip

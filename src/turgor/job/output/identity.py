@@ -14,10 +14,10 @@ from turgor.job.output.lock import lock_text
 from turgor.job.output.manifest import job_digest
 
 #: Tables of a lock file that do not change the path.
-_BESIDE = frozenset({"name", "written_by", "engine", "output"})
+_LEFT_OUT = frozenset({"name", "written_by", "engine", "output"})
 
 
-def identity(content: Mapping[str, Any], beside: Collection[str] = _BESIDE) -> dict[str, Any]:
+def identity(content: Mapping[str, Any], left_out: Collection[str] = _LEFT_OUT) -> dict[str, Any]:
     """Return the values of a lock file by their keys with dots, without what does not change what is computed.
 
     Left out are the name, where numbers come from, and the path of a file whose content is stated by its hash.
@@ -26,29 +26,29 @@ def identity(content: Mapping[str, Any], beside: Collection[str] = _BESIDE) -> d
     ----------
     content : mapping
         A lock file.
-    beside : collection of str
-        Tables that are left out.
+    left_out : collection of str
+        Tables.
 
     Examples
     --------
     >>> identity({"name": "a", "materials": {"body": {"C10": "1 kPa", "source": {"text": "a.toml"}}}})
     {'materials.body.C10': '1 kPa'}
     """
-    return _flat({key: value for key, value in content.items() if key not in beside})
+    return _flat({key: value for key, value in content.items() if key not in left_out})
 
 
 def _flat(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
     found: dict[str, Any] = {}
-    left_out = {"source", *(("file",) if "sha256" in table else ())}
+    skipped = {"source", *(("file",) if "sha256" in table else ())}
     for key, value in table.items():
-        if key not in left_out:
+        if key not in skipped:
             found |= _flat(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
     return found
 
 
-def digest(content: Mapping[str, Any], beside: Collection[str] = _BESIDE) -> str:
+def digest(content: Mapping[str, Any], left_out: Collection[str] = _LEFT_OUT) -> str:
     """Return a hash of the identity of a lock file; parameters as those of `identity`."""
-    return sha256(json.dumps(identity(content, beside), sort_keys=True, default=str).encode()).hexdigest()[:16]
+    return sha256(json.dumps(identity(content, left_out), sort_keys=True, default=str).encode()).hexdigest()[:16]
 
 
 def digest_of(job: Job) -> str:

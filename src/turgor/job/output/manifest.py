@@ -9,9 +9,10 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from turgor.errors import TurgorError
-from turgor.solvers.checkpoints.record import INDEX
+from turgor.solvers.checkpoints.record import INDEX, SOLUTION
 from turgor.solvers.coarse_path import COARSE
 from turgor.solvers.stored import PATH_FOLDER
+from turgor.store.saved import ENDING
 from turgor.store.whole import write_whole
 
 #: The list, in the folder.
@@ -19,6 +20,9 @@ MANIFEST = ".turgor-files.json"
 
 #: Folder in which the results of an earlier run wait until those of the new one exist.
 PREVIOUS = "previous"
+
+#: Its name while files are moved there.
+MOVING = ".previous"
 
 #: Files of a path: the index and the archives, also parts of them that a killed process left.
 _OF_A_PATH = re.compile(
@@ -109,15 +113,12 @@ def _of_a_run(file: Path, known: frozenset[str]) -> bool:
     return file.name == INDEX and file.parent.name in known
 
 
-def own_files(folder: Path, parts: tuple[str, ...] = (PATH_FOLDER,)) -> list[Path]:
+def own_files(folder: Path) -> list[Path]:
     """Return the files of a folder that turgor wrote: those of the manifest, then those of the paths in it."""
     names = listed(folder)
     files = [folder / name for name in sorted(names) if not _behind_a_link(folder, name)]
     found = [file for file in files if file.is_symlink() or file.is_file()]
-    if PATH_FOLDER in names:
-        for part in parts:
-            found += _of_path(folder / part)
-    return found
+    return [*found, *_of_path(folder / PATH_FOLDER)] if PATH_FOLDER in names else found
 
 
 def _of_path(folder: Path) -> Iterator[Path]:
@@ -151,12 +152,15 @@ def remove_empty(folder: Path) -> None:
 def set_aside(folder: Path) -> None:
     """Move the results of an earlier run into a folder of their own, where they stay until `drop_previous`.
 
-    A run that had not ended is removed if complete results of an earlier one wait there already.
+    A run that had not ended is removed if complete results of an earlier one wait there already. A process that is
+    killed here leaves a part of the files in `MOVING`, from where the next call goes on.
     """
-    previous = folder / PREVIOUS
+    previous, moving = folder / PREVIOUS, folder / MOVING
     files = own_files(folder)
-    if not files:
+    if not files and not moving.exists():
         return
+    if (folder / PATH_FOLDER / f"{SOLUTION}{ENDING}").exists():
+        drop_previous(folder)
     if (previous / MANIFEST).exists():
         remove(folder, [*files, folder / MANIFEST])
         return
@@ -164,12 +168,20 @@ def set_aside(folder: Path) -> None:
         raise TurgorError(
             f"'{previous}' is where the results of the earlier run would wait; rename it, or name another folder."
         )
+    moving.mkdir(exist_ok=True)
+    if not (moving / MANIFEST).exists():
+        write_whole(moving / MANIFEST, (folder / MANIFEST).read_text("utf-8"))
+    _move(files, folder, moving)
+    os.replace(moving, previous)
+    (folder / MANIFEST).unlink(missing_ok=True)
+    remove_empty(folder)
+
+
+def _move(files: Iterable[Path], source: Path, target: Path) -> None:
     for file in files:
-        place = previous / file.relative_to(folder)
+        place = target / file.relative_to(source)
         place.parent.mkdir(parents=True, exist_ok=True)
         os.replace(file, place)
-    os.replace(folder / MANIFEST, previous / MANIFEST)
-    remove_empty(folder)
 
 
 def drop_previous(folder: Path) -> None:
@@ -188,10 +200,7 @@ def bring_back(folder: Path) -> None:
     if previous.is_symlink() or not (previous / MANIFEST).exists():
         return
     remove(folder, [*own_files(folder), folder / MANIFEST])
-    for file in own_files(previous):
-        place = folder / file.relative_to(previous)
-        place.parent.mkdir(parents=True, exist_ok=True)
-        os.replace(file, place)
+    _move(own_files(previous), previous, folder)
     os.replace(previous / MANIFEST, folder / MANIFEST)
     remove_empty(previous)
     with suppress(OSError):

@@ -7,7 +7,7 @@ import pytest
 
 from turgor.errors import TurgorError
 from turgor.job.again import report_folder
-from turgor.job.output.manifest import MANIFEST, PREVIOUS, listed, own_files
+from turgor.job.output.manifest import MANIFEST, PREVIOUS, listed, own_files, set_aside
 from turgor.job.read import read_job
 from turgor.job.run import run_job
 from turgor.results.files.response_csv import read_response
@@ -115,6 +115,39 @@ def test_results_are_there_until_the_new_ones_are(file, tmp_path):
     assert (folder / "response.csv").read_bytes() == before
 
 
+def test_a_move_that_was_killed_goes_on(file, tmp_path, monkeypatch):
+    folder = tmp_path / "out"
+    run(file, folder)
+    before = {path.relative_to(folder): path.read_bytes() for path in own_files(folder)}
+    real, moved = os.replace, []
+
+    def killed(source, target):
+        moved.append(source)
+        if len(moved) == 5:
+            raise Killed
+        real(source, target)
+
+    monkeypatch.setattr("turgor.job.output.manifest.os.replace", killed)
+    with pytest.raises(Killed):
+        set_aside(folder)
+    monkeypatch.undo()
+    set_aside(folder)
+    assert {path.relative_to(folder / PREVIOUS): path.read_bytes() for path in own_files(folder / PREVIOUS)} == before
+    assert own_files(folder) == []
+
+
+def test_complete_results_replace_older_ones_that_wait(file, tmp_path):
+    """The process was killed after the new run had ended, before the old results were removed."""
+    folder = tmp_path / "out"
+    run(file, folder)
+    (folder / PREVIOUS).mkdir()
+    (folder / PREVIOUS / MANIFEST).write_text('{"files": ["response.csv"]}')
+    (folder / PREVIOUS / "response.csv").write_text("old")
+    newest = (folder / "response.csv").read_bytes()
+    set_aside(folder)
+    assert (folder / PREVIOUS / "response.csv").read_bytes() == newest
+
+
 def test_a_run_that_cannot_begin_leaves_the_results(file, tmp_path, monkeypatch):
     folder = tmp_path / "out"
     run(file, folder)
@@ -159,8 +192,9 @@ def test_a_coarse_path_is_replaced(tmp_path):
     file.write_text(JOB.replace('size = "7 mm"', 'size = "5 mm"\ncoarse_size = "9 mm"'), encoding="utf-8")
     folder = tmp_path / "out"
     run(file, folder)
-    assert (folder / "path" / "coarse").is_dir()
+    before = (folder / "path" / "coarse" / "index.json").stat().st_mtime_ns
     run(file, folder, force=True)
+    assert (folder / "path" / "coarse" / "index.json").stat().st_mtime_ns > before
     assert (folder / "response.csv").exists()
 
 
@@ -173,6 +207,7 @@ def test_a_run_is_known_by_what_it_computes(file, tmp_path, monkeypatch):
     file.rename(renamed)
     monkeypatch.chdir(tmp_path / "elsewhere")
     run(renamed, folder, resume=True)
+    assert "going on with the path" in (folder / "run.log").read_text()
 
 
 @pytest.mark.parametrize("length", [0, 300, 700])
